@@ -1,0 +1,204 @@
+# tiltrotor: everything is built below $(BUILD); `make help` lists the goals.
+#
+# Variables:  CXX, CXXFLAGS, LDFLAGS   the usual ones                     (CXXFLAGS=-O3)
+#             ARCH=native              value of -march; empty: portable code
+#             CROSS_COMPILE=           tool prefix, for example aarch64-linux-gnu-
+#             HOST_CXX, HOST_CXXFLAGS  compiler of the table generator, which runs on this machine
+#             AIRCRAFT=xv15            folder below tables/ that is compiled in
+#             BUILD=build              give each variant (sanitizers, clang, cross) its own
+#             TESTS=                   arguments of the test runner: names to select, --skip, --verbose
+#             WERROR=1                 warnings are errors
+#             V=1                      show complete commands
+#             PREFIX, DESTDIR          where `make install` copies to
+
+VERSION  := 0.1.0
+AIRCRAFT ?= xv15
+BUILD    ?= build
+PREFIX   ?= /usr/local
+
+# ---- tools and flags ----
+
+CROSS_COMPILE ?=
+# Make's built-in values would win over ?=, hence the question where they come from.
+ifeq ($(origin CXX),default)
+CXX := $(CROSS_COMPILE)g++
+endif
+ifeq ($(origin CC),default)
+CC := $(CROSS_COMPILE)gcc
+endif
+ifeq ($(origin AR),default)
+AR := $(CROSS_COMPILE)ar
+endif
+HOST_CXX     ?= $(if $(CROSS_COMPILE),g++,$(CXX))
+CLANG_FORMAT ?= clang-format
+
+# "native" means this machine: wrong for a cross compiler, and some compilers do not know the word.
+ARCH       ?= $(if $(CROSS_COMPILE),,native)
+accepts     = $(shell $(CXX) $(1) -E -x c++ /dev/null >/dev/null 2>&1 && echo $(1))
+ARCH_FLAGS := $(if $(filter native,$(ARCH)),$(call accepts,-march=native),$(ARCH:%=-march=%))
+
+CXXFLAGS      ?= -O3
+HOST_CXXFLAGS ?= -O1
+WARNINGS      := -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wdouble-promotion $(if $(WERROR),-Werror)
+# -ffp-contract=off: a fused multiply-add rounds once instead of twice, and the compiler fuses differently in scalar
+#   and in vector code. Without fusing, the value of a plain evaluation and the value part of a dual number are equal
+#   bit for bit, on every machine.
+# -fno-math-errno: nobody reads errno after sqrt(); setting it costs a branch per call and stops vectorisation.
+FLAGS      := -std=c++17 $(CXXFLAGS) $(ARCH_FLAGS) -ffp-contract=off -fno-math-errno $(WARNINGS) -Iinclude
+HOST_FLAGS := -std=c++17 $(HOST_CXXFLAGS) $(WARNINGS) -Iinclude -Isrc
+CORE_FLAGS := -fno-exceptions -fno-rtti
+ND_FLAGS   := -DTILTROTOR_NUMERICAL_DIFFERENCES=1
+PRIVATE    := -Isrc -I$(BUILD)/generated -DTILTROTOR_VERSION=\"$(VERSION)\"
+TEST_FLAGS := -Itests '-DTILTROTOR_SOURCE_DIR="$(CURDIR)"' '-DTILTROTOR_BINARY_DIR="$(abspath $(BUILD))"'
+DEPENDENCIES := -MMD -MP
+
+# ---- what there is ----
+
+find = $(sort $(shell find $(1) -name '$(2)' 2>/dev/null))
+
+HEADERS         := $(call find,include,*.h) $(call find,include,*.hpp)
+TABLES          := $(call find,tables/$(AIRCRAFT),*.csv)
+TABLEGEN_SOURCE := $(call find,src/tablegen,*.cpp)
+LIBRARY_SOURCE  := $(call find,src/library,*.cpp)
+PROGRAM_SOURCE  := $(call find,src/cli,*.cpp) $(call find,src/report,*.cpp)
+TEST_SOURCE     := $(wildcard tests/check.cpp) $(call find,tests,test_*.cpp)
+BENCH_SOURCE    := $(wildcard bench/*.cpp)
+
+TABLEGEN_OBJECTS   := $(TABLEGEN_SOURCE:src/%.cpp=$(BUILD)/host/%.o)
+LIBRARY_OBJECTS    := $(LIBRARY_SOURCE:src/%.cpp=$(BUILD)/ad/%.o)
+LIBRARY_ND_OBJECTS := $(LIBRARY_SOURCE:src/%.cpp=$(BUILD)/nd/%.o)
+PROGRAM_OBJECTS    := $(PROGRAM_SOURCE:src/%.cpp=$(BUILD)/program/%.o)
+TEST_OBJECTS       := $(TEST_SOURCE:tests/%.cpp=$(BUILD)/tests/%.o)
+BENCH_OBJECTS      := $(BENCH_SOURCE:bench/%.cpp=$(BUILD)/bench/%.o)
+OBJECTS            := $(TABLEGEN_OBJECTS) $(LIBRARY_OBJECTS) $(LIBRARY_ND_OBJECTS) $(PROGRAM_OBJECTS) \
+                      $(TEST_OBJECTS) $(BENCH_OBJECTS)
+
+GENERATED  := $(if $(TABLEGEN_SOURCE),$(BUILD)/generated/aircraft_tables.inc)
+LIBRARIES  := $(BUILD)/libtiltrotor.a $(BUILD)/libtiltrotor-nd.a
+PROGRAMS   := $(if $(PROGRAM_SOURCE),$(BUILD)/tiltrotor $(BUILD)/tiltrotor-nd)
+BENCHMARKS := $(BENCH_SOURCE:bench/%.cpp=$(BUILD)/bench_%)
+
+# ---- goals ----
+
+.PHONY: all run test bench headers format install clean help FORCE
+.DELETE_ON_ERROR:
+Q := $(if $(V),,@)
+
+all: $(LIBRARIES) $(PROGRAMS) ## build both libraries and both programs (the default)
+
+run: all ## run the whole study; figures and numbers go to build/report
+	$(Q)$(BUILD)/tiltrotor report
+	@echo "$(CURDIR)/build/report/index.html"
+
+test: all $(BUILD)/run_tests ## build and run every test, or TESTS="name ..."
+	$(Q)$(BUILD)/run_tests $(TESTS)
+
+bench: $(BENCHMARKS) ## build and run every benchmark
+	$(Q)set -e; for benchmark in $(BENCHMARKS); do $$benchmark; done
+
+headers: $(HEADERS:%=alone/%) ## compile every public header alone, warnings are errors
+
+format: ## lay out every source with clang-format
+	$(Q)if command -v $(CLANG_FORMAT) >/dev/null; then \
+	  find include src tests bench -name '*.[ch]pp' -o -name '*.h' | xargs $(CLANG_FORMAT) $(FORMAT_FLAGS); \
+	else echo "format: $(CLANG_FORMAT) is not installed, nothing done"; fi
+FORMAT_FLAGS ?= -i
+
+install: all ## copy headers, libraries, program and pkg-config file to DESTDIR/PREFIX
+	$(Q)set -e; to='$(DESTDIR)$(PREFIX)'; \
+	install -d "$$to/bin" "$$to/lib/pkgconfig"; \
+	for header in $(HEADERS); do \
+	  install -d "$$to/$$(dirname $$header)"; install -m 644 $$header "$$to/$$header"; done; \
+	install -m 644 $(LIBRARIES) "$$to/lib"; \
+	install -m 755 $(BUILD)/tiltrotor "$$to/bin"; \
+	printf '%s\n' 'prefix=$(abspath $(PREFIX))' 'includedir=$${prefix}/include' 'libdir=$${prefix}/lib' '' \
+	  'Name: tiltrotor' 'Description: Tilt-rotor flight mechanics with exact derivatives' \
+	  'Version: $(VERSION)' 'Cflags: -I$${includedir}' 'Libs: -L$${libdir} -ltiltrotor -lm' \
+	  > "$$to/lib/pkgconfig/tiltrotor.pc"
+
+clean: ## remove the build directory
+	rm -rf '$(BUILD)'
+
+help: ## list the goals
+	@sed -n 's/^\([a-z]*\):.*## \(.*\)/  \1:\2/p' Makefile | awk -F: '{ printf "%-10s %s\n", $$1, $$2 }'
+
+# ---- stamps: files that change when what they record changes, so that a new flag or a removed source rebuilds ----
+
+STAMP_flags   := $(CXX) $(shell $(CXX) --version 2>/dev/null | head -n 1) $(FLAGS) $(CORE_FLAGS) $(PRIVATE)
+STAMP_host    := $(HOST_CXX) $(HOST_FLAGS)
+STAMP_tables  := $(TABLES)
+STAMP_sources := $(AR) $(LDFLAGS) $(LDLIBS) $(OBJECTS)
+
+$(BUILD)/flags.stamp $(BUILD)/host.stamp $(BUILD)/tables.stamp $(BUILD)/sources.stamp: $(BUILD)/%.stamp: FORCE
+	@mkdir -p $(@D)
+	@printf '%s\n' '$(STAMP_$*)' | cmp -s - $@ || printf '%s\n' '$(STAMP_$*)' > $@
+
+# ---- the aircraft, as constant arrays ----
+
+link = @echo "  link    $@"; mkdir -p $(@D)
+
+$(BUILD)/tablegen: $(TABLEGEN_OBJECTS)
+	$(link)
+	$(Q)$(HOST_CXX) $(HOST_FLAGS) $(TABLEGEN_OBJECTS) -o $@
+
+# Written beside its place and moved there only when complete.
+$(BUILD)/generated/aircraft_tables.inc: $(BUILD)/tablegen $(TABLES) $(BUILD)/tables.stamp
+	@echo "  tables  tables/$(AIRCRAFT)"; mkdir -p $(@D)
+	$(Q)$(BUILD)/tablegen tables/$(AIRCRAFT) $@.part && mv $@.part $@ || { rm -f $@.part; exit 1; }
+
+# ---- libraries and programs ----
+
+$(BUILD)/libtiltrotor.a: $(LIBRARY_OBJECTS)
+$(BUILD)/libtiltrotor-nd.a: $(LIBRARY_ND_OBJECTS)
+$(LIBRARIES): $(BUILD)/sources.stamp
+	@echo "  archive $@"; rm -f $@
+	$(Q)$(AR) rcs $@ $(filter %.o,$^)
+
+$(BUILD)/tiltrotor: $(PROGRAM_OBJECTS) $(BUILD)/libtiltrotor.a
+$(BUILD)/tiltrotor-nd: $(PROGRAM_OBJECTS) $(BUILD)/libtiltrotor-nd.a
+$(BUILD)/run_tests: $(TEST_OBJECTS) $(BUILD)/libtiltrotor.a
+$(BENCHMARKS): $(BUILD)/bench_%: $(BUILD)/bench/%.o $(BUILD)/libtiltrotor.a
+$(BUILD)/tiltrotor $(BUILD)/tiltrotor-nd $(BUILD)/run_tests $(BENCHMARKS): $(BUILD)/sources.stamp
+	$(link)
+	$(Q)$(CXX) $(FLAGS) $(LDFLAGS) $(filter %.o %.a,$^) $(LDLIBS) -o $@
+
+# ---- objects ----
+
+# $(call compile,FLAGS,REMARK)
+define compile
+	@echo "  compile $<$(if $(2), ($(2)))"; mkdir -p $(@D)
+	$(Q)$(CXX) $(FLAGS) $(PRIVATE) $(1) $(DEPENDENCIES) -c $< -o $@
+endef
+
+# The generated tables must exist before the first compilation; from then on the dependency files know who reads them.
+$(LIBRARY_OBJECTS) $(LIBRARY_ND_OBJECTS) $(PROGRAM_OBJECTS) $(TEST_OBJECTS) $(BENCH_OBJECTS): \
+  $(BUILD)/flags.stamp | $(GENERATED)
+
+$(BUILD)/ad/%.o: src/%.cpp
+	$(call compile,$(CORE_FLAGS))
+
+$(BUILD)/nd/%.o: src/%.cpp
+	$(call compile,$(CORE_FLAGS) $(ND_FLAGS),numerical differences)
+
+$(BUILD)/program/%.o: src/%.cpp
+	$(call compile)
+
+$(BUILD)/tests/%.o: tests/%.cpp
+	$(call compile,$(TEST_FLAGS))
+
+$(BUILD)/bench/%.o: bench/%.cpp
+	$(call compile)
+
+$(BUILD)/host/%.o: src/%.cpp $(BUILD)/host.stamp
+	@echo "  compile $< (host)"; mkdir -p $(@D)
+	$(Q)$(HOST_CXX) $(HOST_FLAGS) $(DEPENDENCIES) -c $< -o $@
+
+# A header that needs another one included first is broken; C headers must also please a C99 compiler.
+.PHONY: $(HEADERS:%=alone/%)
+$(HEADERS:%=alone/%): alone/include/%:
+	@echo "  header  $*"
+	$(Q)echo '#include "$*"' | $(CXX) $(FLAGS) $(CORE_FLAGS) -Werror -fsyntax-only -x c++ -
+	$(if $(filter %.h,$*),$(Q)echo '#include "$*"' | \
+	  $(CC) -std=c99 -Wall -Wextra -Wpedantic -Werror -Iinclude -fsyntax-only -x c -)
+
+-include $(OBJECTS:.o=.d)

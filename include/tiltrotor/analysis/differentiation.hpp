@@ -1,0 +1,158 @@
+// Differentiation policies: one interface, two ways to a Jacobian.
+//
+// AutoDiff runs the function on dual numbers: exact to rounding, no step, a pass of N directions at a time.
+// NumDiff runs it on plain numbers: central differences. Both give the value f(x) as well, by the same operations,
+// bit for bit.
+//
+// The function is a generic callable `f(const T* x, T* y)`; it is called with T = Policy::Scalar<R, N> or R.
+#pragma once
+
+#include <cmath>
+#include <limits>
+
+#include "tiltrotor/math/dual.hpp"
+#include "tiltrotor/math/waist.hpp"
+#include "tiltrotor/model/derivative.hpp"
+
+namespace tiltrotor {
+
+struct AutoDiff {
+  static constexpr const char* kName = "automatic";
+
+  template <class R, int N>
+  using Scalar = Dual<R, N>;
+
+  // N: directions of one pass. Inputs and outputs of the function are kept here, not on the stack.
+  template <class R, int N, int MaxInputs, int MaxOutputs>
+  struct Workspace {
+    Dual<R, N> x[MaxInputs];
+    Dual<R, N> y[MaxOutputs];
+  };
+
+  // y[m] = f(x[n]) and put(i, j, dy_i/dx_j) for every entry. `scale` is not needed here.
+  // Cost: ceil(n / N) evaluations of f on N partials.
+  template <class R, int N, int MaxInputs, int MaxOutputs, class Function, class Put>
+  static void jacobian(Function&& f, int n, int m, const R* x, const R* /*scale*/, R* y,
+                       Workspace<R, N, MaxInputs, MaxOutputs>& work, Put&& put) {
+    for (int first = 0; first < n; first += N) {
+      const int last = first + N < n ? first + N : n;
+      for (int j = 0; j < n; ++j) work.x[j] = Dual<R, N>(x[j]);
+      for (int j = first; j < last; ++j) work.x[j].d.set(j - first, R(1));
+      f(static_cast<const Dual<R, N>*>(work.x), work.y);
+      for (int i = 0; i < m; ++i) {
+        y[i] = work.y[i].v;
+        for (int j = first; j < last; ++j) put(i, j, work.y[i].d.get(j - first));
+      }
+    }
+  }
+};
+
+struct NumDiff {
+  static constexpr const char* kName = "numerical";
+
+  template <class R, int N>
+  using Scalar = R;
+
+  template <class R, int N, int MaxInputs, int MaxOutputs>
+  struct Workspace {
+    R x[MaxInputs];
+    R below[MaxOutputs];
+    R above[MaxOutputs];
+  };
+
+  // Central differences. Step of input j: cbrt(eps) scale[j], which balances the truncation error (h^2) against
+  // rounding (eps / h) for a function that bends over a distance scale[j]; it is then rounded so that x + h and x - h
+  // are machine numbers and their distance is exact. Cost: 2 n + 1 evaluations of f.
+  template <class R, int N, int MaxInputs, int MaxOutputs, class Function, class Put>
+  static void jacobian(Function&& f, int n, int m, const R* x, const R* scale, R* y,
+                       Workspace<R, N, MaxInputs, MaxOutputs>& work, Put&& put) {
+    const R step = std::cbrt(std::numeric_limits<R>::epsilon());
+    f(x, y);
+    for (int j = 0; j < n; ++j) work.x[j] = x[j];
+    for (int j = 0; j < n; ++j) {
+      const R above = x[j] + step * scale[j];
+      const R below = x[j] - step * scale[j];
+      work.x[j] = above;
+      f(static_cast<const R*>(work.x), work.above);
+      work.x[j] = below;
+      f(static_cast<const R*>(work.x), work.below);
+      work.x[j] = x[j];
+      const R inverse = R(1) / (above - below);
+      for (int i = 0; i < m; ++i) put(i, j, (work.above[i] - work.below[i]) * inverse);
+    }
+  }
+};
+
+// Which policy the analyses use unless told otherwise: 1 makes the comparison build with numerical differences.
+#ifndef TILTROTOR_NUMERICAL_DIFFERENCES
+#define TILTROTOR_NUMERICAL_DIFFERENCES 0
+#endif
+#if TILTROTOR_NUMERICAL_DIFFERENCES
+using DefaultDifferentiation = NumDiff;
+#else
+using DefaultDifferentiation = AutoDiff;
+#endif
+
+// Directions of one pass through the complete model: all states and the usual controls at once.
+inline constexpr int kModelDirections = 32;
+
+// Distance over which the model bends noticeably in a state or control: the length of a numerical step is this times
+// cbrt(eps), 6e-6 in double. Speeds 10 m/s, angles and body rates 1, flapping rates 10 rad/s, inflow 0.1, inches 1.
+template <class R>
+constexpr R state_scale(int index) {
+  if (index <= ix_w) return R(10);
+  if (index >= ix_rotor_right && index < ix_downwash) {
+    const int place = (index - ix_rotor_right) % 7;
+    return place < 2 ? R(1) : place < 4 ? R(10) : R(0.1);
+  }
+  if (index == ix_coning_right + 1 || index == ix_coning_left + 1) return R(10);
+  return index >= ix_position ? R(10) : R(1);
+}
+template <class R>
+constexpr R control_scale(int index) {
+  return index >= iu_gust ? R(10) : R(1);
+}
+
+// State, control and rate of one evaluation of the model on scalar T, with the flat arrays to fill them from.
+template <class T>
+struct ModelRoom {
+  T x[state_count];      // in the order of State::each; overwritten by the rates
+  T u[control_count];
+  State<T> state;
+  State<T> rates;
+  Controls<T> controls;
+};
+
+// x, u -> xdot, all in `room`: room.x becomes xdot.
+template <class T>
+void model_rates(const Configuration<Real<T>>& c, Real<T> azimuth, ModelRoom<T>& room) {
+  unpack(room.x, room.state);
+  unpack(room.u, room.controls);
+  derivative(c, room.state, room.controls, room.rates, azimuth);
+  pack(room.rates, room.x);
+}
+
+// Rooms for plain numbers and for the scalar S of a policy, which may be the same.
+template <class R, class S>
+struct ModelRooms {
+  ModelRoom<R> plain;
+  ModelRoom<S> seeded;
+  template <class T>
+  ModelRoom<T>& of() {
+    if constexpr (ScalarTraits<T>::kTakesSlopes) {
+      return seeded;
+    } else {
+      return plain;
+    }
+  }
+};
+template <class R>
+struct ModelRooms<R, R> {
+  ModelRoom<R> plain;
+  template <class T>
+  ModelRoom<T>& of() {
+    return plain;
+  }
+};
+
+}  // namespace tiltrotor

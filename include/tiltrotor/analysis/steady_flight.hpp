@@ -1,0 +1,73 @@
+// Steady flight: what a trim holds, and the velocity and rates that follow from the attitude (model.md 12.1).
+#pragma once
+
+#include "tiltrotor/model/configuration.hpp"
+#include "tiltrotor/model/state.hpp"
+
+namespace tiltrotor {
+
+// Straight or turning, level or climbing, with or without sideslip. Relative to the air mass.
+template <class R>
+struct SteadyFlight {
+  R speed;      // m/s, 0..150
+  R climb;      // angle of the flight path, rad, + up, within 60 deg
+  R turn_rate;  // of the heading, rad/s, + right, within 60 deg/s
+  R sideslip;   // beta: v = speed sin beta, rad, + wind from the right, within 60 deg
+};
+
+// Fields of SteadyFlight, for a message about a bad one.
+enum class SteadyFlightField : unsigned char { none, speed, climb, turn_rate, sideslip };
+
+template <class R>
+SteadyFlightField first_invalid(const SteadyFlight<R>& flight) {
+  const R angle = R(60) * kRadian<R>;
+  if (!detail::within(flight.speed, R(0), R(150))) return SteadyFlightField::speed;
+  if (!detail::within(flight.climb, -angle, angle)) return SteadyFlightField::climb;
+  if (!detail::within(flight.turn_rate, -angle, angle)) return SteadyFlightField::turn_rate;
+  if (!detail::within(flight.sideslip, -angle, angle)) return SteadyFlightField::sideslip;
+  return SteadyFlightField::none;
+}
+
+// Body velocity of steady flight at a roll and pitch angle.
+//
+// In axes level with the ground and turned with the heading the velocity is V (cos g cos k, cos g sin k, -sin g), with
+// g the climb angle and k the track minus the heading. Its component along the body's y axis shall be V sin beta:
+//
+//   A cos k + B sin k = C,   A = sin(roll) sin(pitch),  B = cos(roll),
+//                            C = (sin beta + sin g sin(roll) cos(pitch)) / cos g
+//
+// With D^2 = A^2 + B^2 and A = D sin d, B = D cos d this is sin(k + d) = C / D; the flight forward has
+// cos(k + d) = Q / D, Q = sqrt(D^2 - C^2), hence
+//
+//   sin k = (B C - A Q) / D^2,   cos k = (B Q + A C) / D^2.
+//
+// Nothing is divided by V: in hover the formulas hold and the velocity is zero. No attitude beyond Q = 0 has that
+// sideslip: the result is NaN there.
+template <class T>
+Vec3<T> steady_velocity(const SteadyFlight<Real<T>>& flight, const T& roll, const T& pitch) {
+  using R = Real<T>;
+  const T sr = sin(roll);
+  const T cr = cos(roll);
+  const T sp = sin(pitch);
+  const T cp = cos(pitch);
+  const R sg = sin(flight.climb);
+  const R cg = cos(flight.climb);
+  const R sb = sin(flight.sideslip);
+  const T a = sr * sp;
+  const T c = (sb + sg * sr * cp) * (R(1) / cg);
+  const T square_d = a * a + cr * cr;
+  const T q = sqrt(square_d - c * c);
+  const T sk = (cr * c - a * q) / square_d;
+  const T ck = (cr * q + a * c) / square_d;
+  return {flight.speed * (cp * cg * ck + sg * sp), T(flight.speed * sb),
+          flight.speed * (cg * (cr * sp * ck - sr * sk) - sg * cr * cp)};
+}
+
+// Body rates that turn the heading alone.
+template <class T>
+Vec3<T> steady_rates(const SteadyFlight<Real<T>>& flight, const T& roll, const T& pitch) {
+  const T level = flight.turn_rate * cos(pitch);
+  return {-(flight.turn_rate * sin(pitch)), level * sin(roll), level * cos(roll)};
+}
+
+}  // namespace tiltrotor

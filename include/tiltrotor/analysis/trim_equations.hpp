@@ -1,0 +1,151 @@
+// The equations of trim: which unknowns there are, how large a Newton step may be in each, and the scaled residuals
+// (model.md 12.1, 12.4).
+#pragma once
+
+#include "tiltrotor/analysis/differentiation.hpp"
+#include "tiltrotor/analysis/steady_flight.hpp"
+
+namespace tiltrotor {
+
+// Roll, pitch, four inceptors, five states a rotor, downwash, two coning angles.
+inline constexpr int kMaxTrimUnknowns = 19;
+
+// One unknown and one equation. The unknown is a state or a control; the equation says that the rate of a state,
+// scaled, is zero.
+template <class R>
+struct TrimEquation {
+  int state;          // place of the unknown in State, or -1
+  int control;        // place of the unknown in Controls, or -1
+  R step_limit;       // largest Newton step; 0: none
+  R scale;            // of a numerical difference
+  int rate;           // the state whose rate shall vanish
+  R rate_scale;       // residual = rate * rate_scale
+};
+
+template <class R>
+struct TrimEquations {
+  int count;
+  TrimEquation<R> row[kMaxTrimUnknowns];
+};
+
+inline namespace trim_limits_of_step {
+template <class R>
+inline constexpr R kAngleStep = R(3) * kRadian<R>;
+template <class R>
+inline constexpr R kStickStep = R(1.5);  // in
+template <class R>
+inline constexpr R kInflowStep = R(0.02);
+}  // namespace trim_limits_of_step
+
+// The unknowns that are alive under the configuration's options. Forces are scaled by g, moments by 1 rad/s^2,
+// flapping by Omega^2 (Omega when it is of first order), inflow by Omega, downwash by 1 rad/s.
+template <class R>
+void trim_equations(const Configuration<R>& c, TrimEquations<R>& equations) {
+  const Options& o = c.setup.options;
+  const R omega = c.setup.rotor_speed;
+  const R gravity = R(1) / kGravity<R>;
+  equations.count = 0;
+  const auto add_state = [&](int state, R limit, int rate, R rate_scale) {
+    equations.row[equations.count++] = {state, -1, limit, state_scale<R>(state), rate, rate_scale};
+  };
+  const auto add_control = [&](int control, R limit, int rate, R rate_scale) {
+    equations.row[equations.count++] = {-1, control, limit, control_scale<R>(control), rate, rate_scale};
+  };
+  add_state(ix_roll, kAngleStep<R>, ix_v, gravity);
+  add_state(ix_pitch, kAngleStep<R>, ix_u, gravity);
+  add_control(iu_collective, kAngleStep<R>, ix_w, gravity);
+  add_control(iu_long_stick, kStickStep<R>, ix_q, R(1));
+  add_control(iu_lat_stick, kStickStep<R>, ix_p, R(1));
+  add_control(iu_pedal, kStickStep<R>, ix_r, R(1));
+  const bool second_order = o.flapping == FlapOrder::second;
+  const R flap_scale = second_order ? R(1) / (omega * omega) : R(1) / omega;
+  for (int side = 0; side < 2; ++side) {
+    const int first = side == right ? ix_rotor_right : ix_rotor_left;
+    add_state(first, kAngleStep<R>, second_order ? first + 2 : first, flap_scale);
+    add_state(first + 1, kAngleStep<R>, second_order ? first + 3 : first + 1, flap_scale);
+    const int harmonics = o.inflow == InflowShape::uniform ? 1 : 3;
+    for (int k = 0; k < harmonics; ++k) add_state(first + 4 + k, kInflowStep<R>, first + 4 + k, R(1) / omega);
+  }
+  if (o.downwash_lag) add_state(ix_downwash, R(0), ix_downwash, R(1));
+  if (o.coning_states) {
+    for (int k = ix_coning_right; k <= ix_coning_left; k += 2)
+      add_state(k, kAngleStep<R>, k + 1, R(1) / (omega * omega));
+  }
+}
+
+// Residuals of the unknowns z, on plain numbers or duals. `controls`: values of the inputs that are not unknowns.
+template <class T>
+void trim_residuals(const Configuration<Real<T>>& c, const SteadyFlight<Real<T>>& flight,
+                    const TrimEquations<Real<T>>& equations, ModelRoom<T>& room, const T* z, T* residual) {
+  using R = Real<T>;
+  for (T& x : room.x) x = T(R(0));
+  for (T& u : room.u) u = T(R(0));
+  for (int j = 0; j < equations.count; ++j) {
+    const TrimEquation<R>& row = equations.row[j];
+    if (row.state >= 0) {
+      room.x[row.state] = z[j];
+    } else {
+      room.u[row.control] = z[j];
+    }
+  }
+  const Vec3<T> velocity = steady_velocity(flight, room.x[ix_roll], room.x[ix_pitch]);
+  const Vec3<T> rates = steady_rates(flight, room.x[ix_roll], room.x[ix_pitch]);
+  room.x[ix_u] = velocity.x;
+  room.x[ix_v] = velocity.y;
+  room.x[ix_w] = velocity.z;
+  room.x[ix_p] = rates.x;
+  room.x[ix_q] = rates.y;
+  room.x[ix_r] = rates.z;
+  model_rates(c, R(0), room);
+  for (int j = 0; j < equations.count; ++j) {
+    residual[j] = room.x[equations.row[j].rate] * equations.row[j].rate_scale;
+  }
+}
+
+// First guess for any mast angle and speed (model.md 12.4), extended to turns and climbs: bank of a coordinated turn,
+// its load factor on the rotors, and the part of the climb that thrust along the path must carry.
+template <class R>
+void trim_first_guess(const Configuration<R>& c, const SteadyFlight<R>& flight, const TrimEquations<R>& equations,
+                      R* z) {
+  const R sm = sin(c.mast);
+  const R cm = cos(c.mast);
+  const R weight = c.mass.mass * kGravity<R>;
+  const R bank_limit = R(60) * kRadian<R>;
+  R bank = std::atan(flight.speed * cos(flight.climb) * flight.turn_rate / kGravity<R>);
+  bank = bank > bank_limit ? bank_limit : bank < -bank_limit ? -bank_limit : bank;
+
+  const R wing_share = flight.speed < R(40) ? flight.speed / R(40) : R(1);
+  const R hover_factor = R(1.1);
+  const R wing_factor = R(0.95);
+  R load = (hover_factor - wing_factor * sm * sm * wing_share) / cos(bank) + sm * sin(flight.climb);
+  const R least_load = R(0.02);
+  load = load < least_load ? least_load : load;
+  const R radius = c.aircraft->rotor.radius;
+  const R ct = R(0.5) * weight * load / (c.air.density * kPi<R> * radius * radius * c.tip_speed * c.tip_speed);
+
+  // Speed along the shaft: level flight sees it through the mast angle, climbing helicopters through the climb.
+  const R mu = flight.speed * std::fabs(cos(c.mast + flight.climb * (R(1) - sm * sm))) / c.tip_speed;
+  const R through = flight.speed * sin(c.mast + flight.climb * (R(1) - sm * sm)) / c.tip_speed;
+  const R n_hover = R(0.07);
+  R n0 = n_hover;
+  for (int k = 0; k < 40; ++k) {
+    const R flow = std::sqrt(mu * mu + (through + n0) * (through + n0));
+    const R floor = R(1e-3);
+    n0 = R(0.5) * n0 + R(0.25) * ct / (flow > floor ? flow : floor);
+  }
+
+  const R reference = c.aircraft->rotor.twist_reference;
+  const R level_pitch = c.setup.mast_deg < R(15) ? R(0.5) * kRadian<R> : R(3) * kRadian<R>;
+  const R collective = std::atan((through + n0) / reference) + (R(2) + R(4) * cm * cm) * kRadian<R>;
+  for (int j = 0; j < equations.count; ++j) {
+    const TrimEquation<R>& row = equations.row[j];
+    z[j] = R(0);
+    if (row.state == ix_roll) z[j] = bank;
+    if (row.state == ix_pitch) z[j] = level_pitch + flight.climb * sm * sm;
+    if (row.control == iu_collective) z[j] = collective;
+    if (row.state == ix_rotor_right + 4 || row.state == ix_rotor_left + 4) z[j] = n0;
+    if (row.state == ix_coning_right || row.state == ix_coning_left) z[j] = c.coning;
+  }
+}
+
+}  // namespace tiltrotor

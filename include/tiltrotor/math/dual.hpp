@@ -1,0 +1,98 @@
+// Forward-mode dual number: a value and its N partial derivatives, carried exactly through every operation.
+//
+// The value part is computed by the same operations as a plain number, so it equals the plain evaluation
+// bit for bit. Points where a function has no derivative are left to IEEE arithmetic on purpose: sqrt at 0
+// and atan2 at (0, 0) return infinite or NaN partials, which the library's boundary reports, instead of a
+// silently lost derivative. Nothing here branches on a derivative.
+#pragma once
+
+#include "tiltrotor/math/lanes.hpp"
+#include "tiltrotor/math/scalar.hpp"
+
+namespace tiltrotor {
+
+template <class R, int N>
+struct Dual {
+  static constexpr int kPartials = N;
+  R v;               // value
+  Partials<R, N> d;  // partial derivatives
+
+  Dual() = default;
+  Dual(R x) : v(x), d(Partials<R, N>::zero()) {}  // NOLINT(google-explicit-constructor): a constant
+  Dual(R x, const Partials<R, N>& dx) : v(x), d(dx) {}
+
+  // The independent variable number `direction`.
+  static Dual variable(R x, int direction) {
+    Dual r(x);
+    r.d.set(direction, R(1));
+    return r;
+  }
+
+  friend Dual operator-(const Dual& a) { return {-a.v, scaled(R(-1), a.d)}; }
+
+  friend Dual operator+(const Dual& a, const Dual& b) { return {a.v + b.v, a.d + b.d}; }
+  friend Dual operator+(const Dual& a, R b) { return {a.v + b, a.d}; }
+  friend Dual operator+(R a, const Dual& b) { return {a + b.v, b.d}; }
+
+  friend Dual operator-(const Dual& a, const Dual& b) { return {a.v - b.v, a.d - b.d}; }
+  friend Dual operator-(const Dual& a, R b) { return {a.v - b, a.d}; }
+  friend Dual operator-(R a, const Dual& b) { return {a - b.v, scaled(R(-1), b.d)}; }
+
+  // (a b)' = b a' + a b'
+  friend Dual operator*(const Dual& a, const Dual& b) { return {a.v * b.v, combined(b.v, a.d, a.v, b.d)}; }
+  friend Dual operator*(const Dual& a, R b) { return {a.v * b, scaled(b, a.d)}; }
+  friend Dual operator*(R a, const Dual& b) { return {a * b.v, scaled(a, b.d)}; }
+
+  // (a / b)' = a' / b - (a / b) b' / b
+  friend Dual operator/(const Dual& a, const Dual& b) {
+    const R inverse = R(1) / b.v;
+    const R quotient = a.v / b.v;
+    return {quotient, combined(inverse, a.d, -quotient * inverse, b.d)};
+  }
+  friend Dual operator/(const Dual& a, R b) { return {a.v / b, scaled(R(1) / b, a.d)}; }
+  friend Dual operator/(R a, const Dual& b) {
+    const R quotient = a / b.v;
+    return {quotient, scaled(-quotient / b.v, b.d)};
+  }
+
+  Dual& operator+=(const Dual& b) { return *this = *this + b; }
+  Dual& operator-=(const Dual& b) { return *this = *this - b; }
+  Dual& operator*=(const Dual& b) { return *this = *this * b; }
+  Dual& operator*=(R b) { return *this = *this * b; }
+};
+
+template <class R, int N>
+struct ScalarTraits<Dual<R, N>> {
+  using Real = R;
+  using T = Dual<R, N>;
+
+  static R value(const T& x) { return x.v; }
+  // sqrt' = 1 / (2 sqrt)
+  static T sqrt(const T& x) {
+    const R root = std::sqrt(x.v);
+    return {root, scaled(R(0.5) / root, x.d)};
+  }
+  // sin' = cos
+  static T sin(const T& x) { return {std::sin(x.v), scaled(std::cos(x.v), x.d)}; }
+  // cos' = -sin
+  static T cos(const T& x) { return {std::cos(x.v), scaled(-std::sin(x.v), x.d)}; }
+  // tan' = 1 + tan^2
+  static T tan(const T& x) {
+    const R t = std::tan(x.v);
+    return {t, scaled(R(1) + t * t, x.d)};
+  }
+  // atan2(y, x)' = (x y' - y x') / (x^2 + y^2)
+  static T atan2(const T& y, const T& x) {
+    const R inverse = R(1) / (x.v * x.v + y.v * y.v);
+    return {std::atan2(y.v, x.v), combined(x.v * inverse, y.d, -y.v * inverse, x.d)};
+  }
+
+  // Result of a function whose value and slopes are known: touches the partials once.
+  static constexpr bool kTakesSlopes = true;
+  static T from_slopes(R value, R slope, const T& x) { return {value, scaled(slope, x.d)}; }
+  static T from_slopes(R value, R slope_x, const T& x, R slope_y, const T& y) {
+    return {value, combined(slope_x, x.d, slope_y, y.d)};
+  }
+};
+
+}  // namespace tiltrotor

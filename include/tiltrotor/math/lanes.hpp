@@ -1,0 +1,114 @@
+// Partials: a short fixed vector of partial derivatives, padded to the lane width of the target.
+//
+// The lane width is chosen at compile time from the instruction set (AVX-512 64 bytes, AVX 32, SSE2 and
+// NEON 16, otherwise one scalar). With GCC and clang the lanes are compiler vector types; elsewhere, or with
+// TILTROTOR_PORTABLE_LANES defined, plain arrays take their place. Each lane sees the same operations in the
+// same order in both forms, so the results are the same. Padding lanes start at zero and stay unread.
+#pragma once
+
+namespace tiltrotor {
+
+#if defined(__AVX512F__)
+inline constexpr int kVectorBytes = 64;
+#elif defined(__AVX__)
+inline constexpr int kVectorBytes = 32;
+#elif defined(__SSE2__) || defined(__ARM_NEON)
+inline constexpr int kVectorBytes = 16;
+#else
+inline constexpr int kVectorBytes = 8;
+#endif
+
+// Lanes of one vector for `count` partials of type R: the widest the target has, but no wider than needed.
+template <class R>
+constexpr int lane_width(int count) {
+  const int widest = kVectorBytes / static_cast<int>(sizeof(R));
+  int width = 1;
+  while (width < widest && width < count) width *= 2;
+  return width;
+}
+
+#if defined(__GNUC__) && !defined(TILTROTOR_PORTABLE_LANES)
+template <class R, int Width>
+struct LaneType {
+  typedef R type __attribute__((vector_size(Width * static_cast<int>(sizeof(R)))));
+};
+template <class R>
+struct LaneType<R, 1> {
+  typedef R type;
+};
+#else
+template <class R, int Width>
+struct alignas(Width * sizeof(R)) PortableLane {
+  R e[Width];
+  constexpr R operator[](int i) const { return e[i]; }
+  constexpr R& operator[](int i) { return e[i]; }
+  friend constexpr PortableLane operator+(PortableLane a, const PortableLane& b) {
+    for (int i = 0; i < Width; ++i) a.e[i] = a.e[i] + b.e[i];
+    return a;
+  }
+  friend constexpr PortableLane operator-(PortableLane a, const PortableLane& b) {
+    for (int i = 0; i < Width; ++i) a.e[i] = a.e[i] - b.e[i];
+    return a;
+  }
+  friend constexpr PortableLane operator*(R s, PortableLane a) {
+    for (int i = 0; i < Width; ++i) a.e[i] = s * a.e[i];
+    return a;
+  }
+};
+template <class R, int Width>
+struct LaneType {
+  typedef PortableLane<R, Width> type;
+};
+#endif
+
+template <class R, int N>
+struct Partials {
+  static constexpr int kWidth = lane_width<R>(N);
+  static constexpr int kGroups = (N + kWidth - 1) / kWidth;
+  static constexpr int kPadded = kWidth * kGroups;
+  using Lane = typename LaneType<R, kWidth>::type;
+
+  Lane group[kGroups];
+
+  static constexpr Partials zero() { return Partials{}; }
+
+  R get(int i) const {
+    if constexpr (kWidth == 1) {
+      return group[i];
+    } else {
+      return group[i / kWidth][i % kWidth];
+    }
+  }
+  void set(int i, R x) {
+    if constexpr (kWidth == 1) {
+      group[i] = x;
+    } else {
+      group[i / kWidth][i % kWidth] = x;
+    }
+  }
+
+  // s a
+  friend Partials scaled(R s, const Partials& a) {
+    Partials r;
+    for (int g = 0; g < kGroups; ++g) r.group[g] = s * a.group[g];
+    return r;
+  }
+  // s a + t b
+  friend Partials combined(R s, const Partials& a, R t, const Partials& b) {
+    Partials r;
+    for (int g = 0; g < kGroups; ++g) r.group[g] = s * a.group[g] + t * b.group[g];
+    return r;
+  }
+  friend Partials operator+(const Partials& a, const Partials& b) {
+    Partials r;
+    for (int g = 0; g < kGroups; ++g) r.group[g] = a.group[g] + b.group[g];
+    return r;
+  }
+  friend Partials operator-(const Partials& a, const Partials& b) {
+    Partials r;
+    for (int g = 0; g < kGroups; ++g) r.group[g] = a.group[g] - b.group[g];
+    return r;
+  }
+};
+
+}  // namespace tiltrotor

@@ -1,0 +1,65 @@
+// The one door to elementary functions, for every scalar the model runs on: double, float, Dual, and
+// std::complex (complex-step differentiation, an independent check of the dual numbers).
+// A target that brings its own mathematics library changes ScalarTraits here and nothing else.
+#pragma once
+
+#include <cmath>
+
+namespace tiltrotor {
+
+// Plain numbers. Other scalars specialise this: dual.hpp, complex_step.hpp.
+template <class T>
+struct ScalarTraits {
+  using Real = T;
+  static T value(T x) { return x; }
+  static T sqrt(T x) { return std::sqrt(x); }
+  static T sin(T x) { return std::sin(x); }
+  static T cos(T x) { return std::cos(x); }
+  static T tan(T x) { return std::tan(x); }
+  static T atan2(T y, T x) { return std::atan2(y, x); }
+  // f at x given its value, one partial derivative and the argument: what a table look-up returns.
+  static constexpr bool kTakesSlopes = false;
+};
+
+template <class T>
+using Real = typename ScalarTraits<T>::Real;
+
+// Plain value of any scalar: the only part a comparison or an index may look at.
+template <class T>
+Real<T> value(const T& x) {
+  return ScalarTraits<T>::value(x);
+}
+template <class T>
+T sqrt(const T& x) {
+  return ScalarTraits<T>::sqrt(x);
+}
+template <class T>
+T sin(const T& x) {
+  return ScalarTraits<T>::sin(x);
+}
+template <class T>
+T cos(const T& x) {
+  return ScalarTraits<T>::cos(x);
+}
+template <class T>
+T tan(const T& x) {
+  return ScalarTraits<T>::tan(x);
+}
+// Angle of the point (x, y), -pi..pi.
+template <class T>
+T atan2(const T& y, const T& x) {
+  return ScalarTraits<T>::atan2(y, x);
+}
+template <class T>
+T square(const T& x) {
+  return x * x;
+}
+
+template <class R>
+inline constexpr R kPi = static_cast<R>(3.14159265358979323846264338327950288L);
+template <class R>
+inline constexpr R kRadian = kPi<R> / R(180);  // one degree in radians
+template <class R>
+inline constexpr R kDegree = R(180) / kPi<R>;  // one radian in degrees
+
+}  // namespace tiltrotor

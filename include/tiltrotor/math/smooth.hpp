@@ -1,0 +1,59 @@
+// Smooth stand-ins for |x|, max, min, clip and switches: C1 or better, exact derivatives. Source: model.md 14.1.
+// Every width e is an absolute physical scale with a name in tables/<aircraft>/choices.csv.
+#pragma once
+
+#include "tiltrotor/math/scalar.hpp"
+
+namespace tiltrotor {
+
+// sqrt(x^2 + e^2): |x| for |x| >> e, e at 0.
+template <class T>
+T smooth_abs(const T& x, Real<T> e) {
+  return sqrt(x * x + e * e);
+}
+// sqrt(x^2 + e^2) - e: |x| with zero at 0.
+template <class T>
+T smooth_abs_zero(const T& x, Real<T> e) {
+  return smooth_abs(x, e) - e;
+}
+// max(x, 0).
+template <class T>
+T smooth_positive(const T& x, Real<T> e) {
+  return Real<T>(0.5) * (x + sqrt(x * x + e * e));
+}
+// max(x, bound).
+template <class T>
+T smooth_max(const T& x, Real<T> bound, Real<T> e) {
+  return bound + smooth_positive(x - bound, e);
+}
+// min(x, bound).
+template <class T>
+T smooth_min(const T& x, Real<T> bound, Real<T> e) {
+  return x - smooth_positive(x - bound, e);
+}
+// x clipped to low..high.
+template <class T>
+T smooth_clip(const T& x, Real<T> low, Real<T> high, Real<T> e) {
+  return low + smooth_positive(x - low, e) - smooth_positive(x - high, e);
+}
+// 0 for t <= 0, 1 for t >= 1, the quintic t^3 (10 - 15 t + 6 t^2) between: C2.
+// The branches are safe: value, slope and curvature agree where they meet.
+template <class T>
+T smooth_step(const T& t) {
+  using R = Real<T>;
+  if (!(value(t) > R(0))) return T(R(0)) + R(0) * t;
+  if (value(t) >= R(1)) return T(R(1)) + R(0) * t;
+  return t * t * t * (R(10) + t * (R(-15) + R(6) * t));
+}
+
+// a - b brought to -pi..pi by whole turns: the derivative is that of the plain difference.
+template <class T>
+T wrapped_difference(const T& a, const T& b) {
+  using R = Real<T>;
+  const T difference = a - b;
+  if (value(difference) > kPi<R>) return difference - R(2) * kPi<R>;
+  if (value(difference) < -kPi<R>) return difference + R(2) * kPi<R>;
+  return difference;
+}
+
+}  // namespace tiltrotor

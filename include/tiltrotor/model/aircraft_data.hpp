@@ -1,0 +1,17 @@
+// The aircraft compiled into the library: constants in read-only memory, generated from tables/ at build
+// time.
+#pragma once
+
+#include "tiltrotor/model/aircraft.hpp"
+
+namespace tiltrotor {
+
+// R is double or float. No initialisation at run time: may be called from anywhere, at any time.
+template <class R>
+const Aircraft<R>& aircraft_data();
+template <>
+const Aircraft<double>& aircraft_data<double>();
+template <>
+const Aircraft<float>& aircraft_data<float>();
+
+}  // namespace tiltrotor

@@ -1,0 +1,43 @@
+// Gearing from inceptors to blades and surfaces, phased with mast angle (model.md 11).
+#pragma once
+
+#include "tiltrotor/model/airflow.hpp"
+#include "tiltrotor/model/controls.hpp"
+
+namespace tiltrotor {
+
+// `velocity`: CG relative to the air, body axes; the pedal's cyclic and the lateral cyclic schedule depend on speed.
+// Forward stick: disks forward, elevator down. Right stick: left rotor up, right aileron up. Right pedal: left disk
+// forward, right disk aft, rudder for nose right.
+template <class T>
+BladeControls<T> mix_controls(const Configuration<Real<T>>& c, const Controls<T>& u, const Vec3<T>& velocity) {
+  using R = Real<T>;
+  const Gearing<R>& g = c.gearing;
+  const ControlTables<R>& t = c.aircraft->controls;
+  const Interpolation mode = c.setup.options.tables;
+  const T speed_kt = total_speed(velocity, c.aircraft->smooth.airspeed) * (R(1) / kKnot<R>);
+  const T speed[1] = {speed_kt};
+  const T pedal_cyclic = lookup(t.pedal_cyclic, mode, c.pedal_mast, speed);
+
+  const T half_collective = u.diff_collective - g.lateral_collective * u.lat_stick;
+  const T cyclic = g.long_cyclic * u.long_stick + u.long_cyclic;
+  const T half_cyclic = u.diff_long_cyclic - pedal_cyclic * u.pedal;
+  T lateral = u.lateral_cyclic;
+  if (c.setup.options.lateral_cyclic) {
+    // A1 = - schedule: disks tilt outboard above 40 kt.
+    lateral = lateral - g.lateral_cyclic_gain * lookup(t.lateral_cyclic, mode, T(velocity.x * (R(1) / kKnot<R>)));
+  }
+  BladeControls<T> b;
+  b.collective[right] = u.collective + half_collective;
+  b.collective[left] = u.collective - half_collective;
+  b.long_cyclic[right] = cyclic + half_cyclic;
+  b.long_cyclic[left] = cyclic - half_cyclic;
+  b.lateral_cyclic[right] = lateral;
+  b.lateral_cyclic[left] = lateral;
+  b.elevator = g.elevator * u.long_stick + u.elevator;
+  b.aileron = g.aileron * u.lat_stick + u.aileron;
+  b.rudder = g.rudder * u.pedal + u.rudder;
+  return b;
+}
+
+}  // namespace tiltrotor

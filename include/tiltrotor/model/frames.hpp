@@ -1,0 +1,55 @@
+// Frames of the tilting masts (model.md 1.2 to 1.5).
+//
+// B: body axes. H: hub axes of one rotor, non-rotating: x_h forward at mast 0 and up at mast 90, z_h down the shaft.
+// A: rotor frame, x aft, y to the advancing side, z up the shaft; mirrored for the left rotor, so that one routine for
+// a counter-clockwise rotor serves both. Azimuth counts from blade aft in the sense of rotation.
+#pragma once
+
+#include "tiltrotor/math/vector.hpp"
+#include "tiltrotor/model/state.hpp"
+
+namespace tiltrotor {
+
+// +1 right, -1 left.
+template <class R>
+constexpr R side_sign(int side) {
+  return side == right ? R(1) : R(-1);
+}
+
+template <class R>
+struct HubFrame {
+  Rotation<R> from_body;  // B -> H
+  Vec3<R> arm;            // CG to hub, B, m
+  Vec3<R> thrust_axis;    // unit vector up the canted shaft, B
+};
+
+// Hub axes at mast angle `mast` (rad) with outboard cant `cant` (rad): the rows of C_HB.
+template <class R>
+HubFrame<R> hub_frame(R mast, R cant, int side, const Vec3<R>& pivot_arm, R mast_length) {
+  const R sm = sin(mast);
+  const R cm = cos(mast);
+  const R sc = sin(cant);
+  const R cc = cos(cant);
+  const R sigma = side_sign<R>(side);
+  HubFrame<R> frame;
+  frame.thrust_axis = {cc * sm, sc * sigma, -cc * cm};
+  frame.from_body.row_x = {cm, R(0), sm};
+  frame.from_body.row_y = {-sc * sigma * sm, cc, sc * sigma * cm};
+  frame.from_body.row_z = {-frame.thrust_axis.x, -frame.thrust_axis.y, -frame.thrust_axis.z};
+  frame.arm = pivot_arm + mast_length * frame.thrust_axis;
+  return frame;
+}
+
+// H -> A and back: velocities and forces (polar), rates and moments (axial).
+template <class T>
+Vec3<T> mirror_polar(const Vec3<T>& a, int side) {
+  const Real<T> sigma = side_sign<Real<T>>(side);
+  return {-a.x, sigma * a.y, -a.z};
+}
+template <class T>
+Vec3<T> mirror_axial(const Vec3<T>& a, int side) {
+  const Real<T> sigma = side_sign<Real<T>>(side);
+  return {-sigma * a.x, a.y, -sigma * a.z};
+}
+
+}  // namespace tiltrotor

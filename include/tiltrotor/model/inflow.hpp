@@ -1,0 +1,77 @@
+// Three-state Pitt-Peters dynamic inflow in the angle-free hub-axis form (model.md 4).
+//
+// All quantities in the rotor frame A, over tip speed. The wake skew enters through the vector
+// (X_c, X_s) = (mu_x, mu_y) / (V_T + lambda_+), of length tan(chi/2) pointing downstream: no angle, no division by
+// the advance ratio, finite derivatives in hover.
+#pragma once
+
+#include "tiltrotor/math/smooth.hpp"
+#include "tiltrotor/model/configuration.hpp"
+
+namespace tiltrotor {
+
+template <class T>
+struct InflowForcing {
+  T c0, cc, cs;       // thrust and load-harmonic coefficients, aerodynamic loads only
+  T mx, my, mz;       // in-plane wind (direction of the air), axial speed (+ climb)
+};
+
+template <class T>
+struct InflowRates {
+  T n0, nc, ns;  // 1/s
+};
+
+// Inverse gain matrix in hub axes: rows and columns (0, c, s). `kappa` scales the mean gain L00 = kappa/2.
+template <class T>
+struct InflowGainInverse {
+  T m00, m0c, m0s, mc0, ms0, mcc, mcs, mss;
+};
+
+template <class T>
+InflowGainInverse<T> inflow_gain_inverse(const T& xc, const T& xs, Real<T> kappa) {
+  using R = Real<T>;
+  const R k = R(15) * kPi<R> / R(64);
+  const T x2 = xc * xc + xs * xs;
+  // Determinant of the (0, downstream) block; at least 0.54 for kappa = 1 and |X| <= 1.
+  const T d = kappa * (R(1) - x2) + k * k * x2;
+  const T inverse_d = R(1) / d;
+  const T isotropic = R(1) / (R(2) * (R(1) + x2));
+  const T directed = (R(2) * kappa - k * k) * inverse_d * isotropic;
+  InflowGainInverse<T> m;
+  m.m00 = R(2) * (R(1) - x2) * inverse_d;
+  m.m0c = k * xc * inverse_d;
+  m.m0s = k * xs * inverse_d;
+  m.mc0 = -m.m0c;
+  m.ms0 = -m.m0s;
+  m.mcc = isotropic + directed * xc * xc;
+  m.mcs = directed * xc * xs;
+  m.mss = isotropic + directed * xs * xs;
+  return m;
+}
+
+// n' = Omega M^-1 [ C - diag(V_T, V_m, V_m) L^-1 n ]
+template <class T>
+InflowRates<T> inflow_rates(const Configuration<Real<T>>& c, const RotorState<T>& x, const InflowForcing<T>& f) {
+  using R = Real<T>;
+  const SmoothingWidths<R>& e = c.aircraft->smooth;
+  const R omega = c.setup.rotor_speed;
+  const R m0 = c.apparent_mass_0;
+  const R m1 = c.aircraft->inflow.apparent_mass_cyclic;
+
+  const T through = f.mz + x.n0;  // total through-flow, positive down through the disk
+  const T in_plane2 = f.mx * f.mx + f.my * f.my;
+  const T vt = sqrt(in_plane2 + through * through + square(e.inflow_speed));
+  const T vm = (in_plane2 + through * (through + x.n0)) / vt;
+
+  if (c.setup.options.inflow == InflowShape::uniform) {
+    return {(omega / m0) * (f.c0 - (R(2) / c.induced_power_factor) * vt * x.n0), R(0) * x.nc, R(0) * x.ns};
+  }
+  const T inverse_skew = R(1) / (vt + smooth_positive(through, e.through_flow));
+  const InflowGainInverse<T> g =
+      inflow_gain_inverse(T(f.mx * inverse_skew), T(f.my * inverse_skew), c.induced_power_factor);
+  return {(omega / m0) * (f.c0 - vt * (g.m00 * x.n0 + g.m0c * x.nc + g.m0s * x.ns)),
+          (omega / m1) * (f.cc - vm * (g.mc0 * x.n0 + g.mcc * x.nc + g.mcs * x.ns)),
+          (omega / m1) * (f.cs - vm * (g.ms0 * x.n0 + g.mcs * x.nc + g.mss * x.ns))};
+}
+
+}  // namespace tiltrotor

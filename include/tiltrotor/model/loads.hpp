@@ -1,0 +1,49 @@
+// Force and moment of a component, and the names of the components.
+#pragma once
+
+#include "tiltrotor/math/vector.hpp"
+
+namespace tiltrotor {
+
+// Force (N) and moment about the CG (N m), body axes.
+template <class T>
+struct Loads {
+  Vec3<T> force;
+  Vec3<T> moment;
+
+  static constexpr int kCount = 6;
+  template <class Self, class Visit>
+  static void each(Self& s, Visit&& visit) {
+    Vec3<T>::each(s.force, visit);
+    Vec3<T>::each(s.moment, visit);
+  }
+};
+
+template <class T>
+Loads<T> operator+(const Loads<T>& a, const Loads<T>& b) {
+  return {a.force + b.force, a.moment + b.moment};
+}
+
+// Loads of a force acting at a plain arm from the CG.
+template <class T>
+Loads<T> force_at(const Vec3<Real<T>>& arm, const Vec3<T>& force) {
+  return {force, arm_cross_force(arm, force)};
+}
+
+enum Component {
+  rotor_right, rotor_left, wing_wake_right, wing_wake_left, wing_free, pylon, spinners, pylon_side, fuselage, htail,
+  fin_right, fin_left,
+  component_count
+};
+
+inline constexpr const char* kComponentNames[component_count] = {
+    "rotor_right", "rotor_left", "wing_wake_right", "wing_wake_left", "wing_free", "pylon",
+    "spinners",    "pylon_side", "fuselage",        "htail",          "fin_right", "fin_left"};
+
+// Component loads of one evaluation, for the user who looks for a wrong sign.
+template <class T>
+struct LoadRecord {
+  Loads<T> component[component_count];
+};
+
+}  // namespace tiltrotor

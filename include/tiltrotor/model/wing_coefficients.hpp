@@ -1,0 +1,65 @@
+// Lift and drag coefficients of wing and pylons against angle of attack, mast angle, flap and Mach (model.md 6.2).
+#pragma once
+
+#include "tiltrotor/model/airflow.hpp"
+
+namespace tiltrotor {
+
+template <class T>
+struct WingCoefficients {
+  T lift, drag;
+};
+
+namespace detail {
+
+// Value of one flap setting or the blend of two.
+template <class T, class At>
+T blend_flaps(const WingConstants<Real<T>>& w, At&& at) {
+  using R = Real<T>;
+  if (w.flap_fraction == R(0)) return at(w.flap_below);
+  if (w.flap_fraction == R(1)) return at(w.flap_above);
+  return (R(1) - w.flap_fraction) * at(w.flap_below) + w.flap_fraction * at(w.flap_above);
+}
+
+}  // namespace detail
+
+// Weight of the mast-0 drag table. The difference to mast 90 is the cross-flow drag of the upright pylons, so it goes
+// with sin^3 of the angle between mast and flow: 1 at mast 0, 0 at mast 90, exact there.
+template <class T>
+T upright_pylon_weight(const Configuration<Real<T>>& c, const T& alpha) {
+  using R = Real<T>;
+  const R mast_deg = c.setup.mast_deg;
+  const R linear = R(1) - mast_deg / R(90);
+  if (c.setup.options.mast_drag == MastDrag::linear || mast_deg <= R(0) || mast_deg >= R(90)) return T(linear);
+  const SmoothingWidths<R>& e = c.aircraft->smooth;
+  const R limit = c.aircraft->wing.crossflow_alpha_limit;
+  const T a = smooth_clip(T(alpha * kDegree<R>), -limit, limit, e.crossflow_clip) * kRadian<R>;
+  const auto sine_cubed = [](const T& y) {
+    const T s = sin(y);
+    return s * s * s;
+  };
+  const T ca = cos(a);
+  const T across = smooth_abs(T((kPi<R> / R(2) - c.mast) + a), e.crossflow);
+  const T along = smooth_abs(a, e.crossflow);
+  return (sine_cubed(across) - (mast_deg / R(90)) * sine_cubed(along)) / (ca * ca * ca);
+}
+
+template <class T>
+WingCoefficients<T> wing_coefficients(const Configuration<Real<T>>& c, const T& alpha, const T& mach) {
+  using R = Real<T>;
+  const WingTables<R>& w = c.aircraft->wing;
+  const Interpolation mode = c.setup.options.tables;
+  const T a = alpha * kDegree<R>;
+  const R mast = c.setup.mast_deg / R(90);
+  const auto lift_0 = [&](int k) { return lookup(w.lift_0[k], mode, a); };
+  const auto drag_0 = [&](int k) { return lookup(w.drag_0[k], mode, a); };
+  const auto lift_90 = [&](int k) { return lookup(w.lift_90[k], mode, a, mach); };
+  const auto drag_90 = [&](int k) { return lookup(w.drag_90[k], mode, a, mach); };
+  if (mast <= R(0)) return {detail::blend_flaps<T>(c.wing, lift_0), detail::blend_flaps<T>(c.wing, drag_0)};
+  if (mast >= R(1)) return {detail::blend_flaps<T>(c.wing, lift_90), detail::blend_flaps<T>(c.wing, drag_90)};
+  const T k0 = upright_pylon_weight(c, alpha);
+  return {(R(1) - mast) * detail::blend_flaps<T>(c.wing, lift_0) + mast * detail::blend_flaps<T>(c.wing, lift_90),
+          k0 * detail::blend_flaps<T>(c.wing, drag_0) + (R(1) - k0) * detail::blend_flaps<T>(c.wing, drag_90)};
+}
+
+}  // namespace tiltrotor

@@ -1,0 +1,120 @@
+#include "cli/arguments.hpp"
+
+#include <algorithm>
+
+#include "cli/errors.hpp"
+
+namespace tiltrotor::cli {
+
+namespace {
+
+const Option* find(const OptionList& options, const std::string& name) {
+  const auto place =
+      std::find_if(options.begin(), options.end(), [&](const Option& option) { return option.name == name; });
+  return place == options.end() ? nullptr : &*place;
+}
+
+std::string names(const OptionList& options) {
+  std::string text;
+  for (const Option& option : options) text += std::string(text.empty() ? "" : " ") + option.name;
+  return text;
+}
+
+}  // namespace
+
+OptionList operator+(OptionList a, const OptionList& b) {
+  a.insert(a.end(), b.begin(), b.end());
+  return a;
+}
+
+std::string options_help(const OptionList& options) {
+  constexpr std::size_t help_column = 26;
+  std::string text;
+  for (const Option& option : options) {
+    std::string line = std::string("  ") + option.name;
+    if (*option.value != '\0') line += std::string(" ") + option.value;
+    for (const std::string& help : split(option.help, '\n')) {
+      if (line.size() + 1 > help_column) {
+        text += line + "\n";
+        line.clear();
+      }
+      line.resize(help_column, ' ');
+      text += line + help + "\n";
+      line.clear();
+    }
+  }
+  return text;
+}
+
+std::string one_of(const std::vector<std::string>& choices) {
+  std::string text;
+  for (std::size_t i = 0; i < choices.size(); ++i) {
+    if (i > 0) text += i + 1 == choices.size() ? " or " : ", ";
+    text += choices[i];
+  }
+  return text;
+}
+
+Arguments::Arguments(const std::string& command, const OptionList& options, const std::vector<std::string>& words)
+    : command_(command) {
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    const std::string& word = words[i];
+    const std::size_t equals = word.find('=');
+    const std::string name = word.substr(0, equals);
+    if (name.compare(0, 2, "--") != 0) {
+      throw UsageError(command + ": unexpected argument '" + word + "'; options are " + names(options));
+    }
+    const Option* option = find(options, name);
+    if (option == nullptr) {
+      throw UsageError(command + ": unknown option " + name + "; options are " + names(options));
+    }
+    if (given(name) && !option->repeatable) throw UsageError(where(name) + ": given more than once");
+    const bool is_flag = *option->value == '\0';
+    if (is_flag && equals != std::string::npos) throw UsageError(where(name) + ": takes no value");
+    if (is_flag) {
+      given_.push_back({name, ""});
+    } else if (equals != std::string::npos) {
+      given_.push_back({name, word.substr(equals + 1)});
+    } else if (i + 1 < words.size()) {
+      given_.push_back({name, words[++i]});
+    } else {
+      throw UsageError(where(name) + ": a value " + option->value + " must follow");
+    }
+  }
+}
+
+bool Arguments::given(const std::string& name) const {
+  return std::any_of(given_.begin(), given_.end(), [&](const Given& g) { return g.name == name; });
+}
+
+std::vector<std::string> Arguments::texts(const std::string& name) const {
+  std::vector<std::string> values;
+  for (const Given& g : given_) {
+    if (g.name == name) values.push_back(g.value);
+  }
+  return values;
+}
+
+std::string Arguments::text(const std::string& name, const std::string& otherwise) const {
+  const std::vector<std::string> values = texts(name);
+  return values.empty() ? otherwise : values.back();
+}
+
+double Arguments::number(const std::string& name, double otherwise, const Range& range) const {
+  return given(name) ? parse_number(text(name, ""), where(name), range) : otherwise;
+}
+
+std::vector<double> Arguments::sweep(const std::string& name, const std::string& otherwise,
+                                     const Range& range) const {
+  return parse_sweep(text(name, otherwise), where(name), range);
+}
+
+std::size_t Arguments::choice(const std::string& name, const std::string& otherwise,
+                              const std::vector<std::string>& choices) const {
+  const std::string word = text(name, otherwise);
+  const auto place = std::find(choices.begin(), choices.end(), word);
+  if (place == choices.end()) throw UsageError(where(name) + ": '" + word + "' is not one of " + one_of(choices));
+  return static_cast<std::size_t>(place - choices.begin());
+}
+
+}  // namespace tiltrotor::cli

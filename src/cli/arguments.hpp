@@ -1,0 +1,56 @@
+// The words after a command, matched with the options the command has.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "cli/sweep.hpp"
+
+namespace tiltrotor::cli {
+
+struct Option {
+  const char* name;   // with its dashes: "--mast"
+  const char* value;  // what stands for the value in the help, "DEG"; empty for a flag
+  const char* help;   // one line, or several divided by '\n'
+  bool repeatable = false;
+};
+
+using OptionList = std::vector<Option>;
+
+OptionList operator+(OptionList a, const OptionList& b);
+
+// Options with their help, aligned, ready to print.
+std::string options_help(const OptionList& options);
+
+// "a, b or c"
+std::string one_of(const std::vector<std::string>& choices);
+
+// Accepts `--name value` and `--name=value`. Every error is a UsageError of one line.
+class Arguments {
+ public:
+  Arguments(const std::string& command, const OptionList& options, const std::vector<std::string>& words);
+
+  bool given(const std::string& name) const;
+  // The text of an option, or the default when it is not given.
+  std::string text(const std::string& name, const std::string& otherwise) const;
+  std::vector<std::string> texts(const std::string& name) const;
+  double number(const std::string& name, double otherwise, const Range& range) const;
+  std::vector<double> sweep(const std::string& name, const std::string& otherwise, const Range& range) const;
+  // Place of the given word among the choices.
+  std::size_t choice(const std::string& name, const std::string& otherwise,
+                     const std::vector<std::string>& choices) const;
+
+  // Beginning of a message: "trim: --mast"
+  std::string where(const std::string& name) const { return command_ + ": " + name; }
+  const std::string& command() const { return command_; }
+
+ private:
+  struct Given {
+    std::string name;
+    std::string value;
+  };
+  std::string command_;
+  std::vector<Given> given_;
+};
+
+}  // namespace tiltrotor::cli

@@ -1,0 +1,29 @@
+// A command of the program: what its help says and what it does.
+#pragma once
+
+#include "cli/arguments.hpp"
+
+namespace tiltrotor::cli {
+
+struct Command {
+  const char* name;
+  const char* summary;      // one line of the general help
+  const char* description;  // paragraphs of its own help, each line ends in '\n'
+  const char* example;      // a command line that works
+  OptionList options;
+  int (*run)(const Arguments& arguments);  // returns an ExitStatus
+};
+
+// In the order of the general help. Each is defined in command_<name>.cpp.
+Command trim_command();
+Command linearize_command();
+Command modes_command();
+Command respond_command();
+Command derivative_command();
+Command loads_command();
+Command rotor_command();
+Command report_command();
+Command conventions_command();
+Command version_command();
+
+}  // namespace tiltrotor::cli

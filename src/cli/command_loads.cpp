@@ -1,0 +1,67 @@
+// `tiltrotor loads`: force and moment of every component.
+
+#include <cstdio>
+
+#include "cli/command.hpp"
+#include "cli/errors.hpp"
+#include "cli/output.hpp"
+#include "cli/states_option.hpp"
+#include "tiltrotor/model/derivative.hpp"
+
+namespace tiltrotor::cli {
+
+namespace {
+
+const std::vector<std::string> columns = {"case", "mast_deg", "component", "x_n",
+                                          "y_n",  "z_n",      "l_nm",      "m_nm", "n_nm"};
+
+void add_row(Records& records, const std::string& name, double mast_deg, const char* component,
+             const Loads<double>& loads) {
+  const Vec3<double>& f = loads.force;
+  const Vec3<double>& m = loads.moment;
+  records.add({name, mast_deg, component, f.x, f.y, f.z, m.x, m.y, m.z});
+}
+
+void add_state(Records& records, const std::string& name, const Configuration<double>& configuration,
+               const State<double>& state, const Controls<double>& controls) {
+  Evaluation<double> evaluation;
+  evaluate(configuration, state, controls, evaluation);
+  Loads<double> total{};
+  for (int i = 0; i < component_count; ++i) {
+    add_row(records, name, configuration.setup.mast_deg, kComponentNames[i], evaluation.loads.component[i]);
+    total = total + evaluation.loads.component[i];
+  }
+  add_row(records, name, configuration.setup.mast_deg, "total_aero", total);
+}
+
+int loads_at_given_states(const Arguments& arguments, const SetupOptions& setup) {
+  const StateFile file = given_states(arguments, setup);
+  Output output(arguments);
+  Records records = output.records(columns, Output::to_compare);
+  for (std::size_t r = output.shard().begin(file.rows.size()); r < output.shard().end(file.rows.size()); ++r) {
+    const StateRow& row = file.rows[r];
+    add_state(records, row.name, setup.configuration(*row.mast_deg), row.state, row.controls);
+  }
+  records.finish();
+  return exit_success;
+}
+
+int run(const Arguments& arguments) {
+  const SetupOptions setup(arguments);
+  return loads_at_given_states(arguments, setup);
+}
+
+}  // namespace
+
+Command loads_command() {
+  return {"loads",
+          "force and moment of every component at given states or at trim",
+          "Components and their sum, total_aero: force on the aircraft and moment about the CG, body axes, without\n"
+          "weight. States come from --states, else from trim at every combination of --mast and --speed; `case`\n"
+          "counts from 0 unless the file names it.\n",
+          "tiltrotor loads --mast 0 --speed 0,40",
+          states_option() + flight_list() + SetupOptions::list() + Output::list(),
+          run};
+}
+
+}  // namespace tiltrotor::cli

@@ -1,0 +1,28 @@
+// `tiltrotor report`: the whole study.
+
+#include "cli/command.hpp"
+#include "cli/sink.hpp"
+#include "report/report.hpp"
+
+namespace tiltrotor::cli {
+
+namespace {
+
+int run(const Arguments& arguments) {
+  const std::string folder = arguments.text("--output", "build/report");
+  require_writable_folder(folder, arguments.where("--output"));
+  return report::run_report(folder);
+}
+
+}  // namespace
+
+Command report_command() {
+  return {"report",
+          "the whole study: figures, numbers and a page to read",
+          "Trim curves, modes, response and timing of the XV-15 as SVG, CSV and one index.html.\n",
+          "tiltrotor report --output build/report",
+          {{"--output", "DIR", "folder to write, made when missing (build/report)"}},
+          run};
+}
+
+}  // namespace tiltrotor::cli

@@ -1,0 +1,108 @@
+#include "cli/flight_options.hpp"
+
+#include "cli/errors.hpp"
+#include "cli/model_options.hpp"
+#include "tiltrotor/model/aircraft_data.hpp"
+
+namespace tiltrotor::cli {
+
+namespace {
+
+constexpr double radian = kRadian<double>;
+constexpr double rpm = kPi<double> / 30;
+constexpr double inch = 0.0254;
+
+constexpr Range mass_range{3000, 10000, "kg"};
+constexpr Range cg_range{276, 314, "in"};
+constexpr Range rotor_speed_range{200, 760, "rpm"};
+constexpr Range turn_rate_range{-60, 60, "deg/s"};
+
+std::optional<double> optional_number(const Arguments& arguments, const char* name, const Range& range, double unit) {
+  if (!arguments.given(name)) return std::nullopt;
+  return arguments.number(name, 0, range) * unit;
+}
+
+std::optional<double> flap_setting(const Arguments& arguments) {
+  if (!arguments.given("--flap")) return std::nullopt;
+  const std::size_t setting = arguments.choice("--flap", "0", {"0", "20", "40", "75"});
+  return aircraft_data<double>().wing.flap_deg[setting];
+}
+
+}  // namespace
+
+OptionList SetupOptions::list() {
+  return {
+      {"--altitude", "M", "-500..11000, standard atmosphere (0)"},
+      {"--flap", "DEG", "0, 20, 40 or 75 (mast 0: 40; mast 90: 0; between: 20)"},
+      {"--rotor-rpm", "RPM", "200..760 (mast 90: 517; else 589)"},
+      {"--mass", "KG", "3000..10000 (5896.7 = 13000 lb)"},
+      {"--cg-sl", "IN", "station of the CG at mast 0, 276..314 (301.2)"},
+      {"--tables", "KIND", "interpolation: c1 or linear (c1)"},
+      {"--grid", "KIND", "blade stations: specification or realtime (specification)"},
+      {"--option", "NAME=VALUE", "any other switch of the model, repeatable; `tiltrotor --help` lists them", true},
+  };
+}
+
+SetupOptions::SetupOptions(const Arguments& arguments)
+    : altitude_(arguments.number("--altitude", 0, kAltitudeRange)),
+      flap_deg_(flap_setting(arguments)),
+      rotor_speed_(optional_number(arguments, "--rotor-rpm", rotor_speed_range, rpm)),
+      mass_(optional_number(arguments, "--mass", mass_range, 1)),
+      sl_cg_(optional_number(arguments, "--cg-sl", cg_range, inch)) {
+  for (const std::string& assignment : arguments.texts("--option")) {
+    set_model_option(switches_, assignment, arguments.where("--option"));
+  }
+  for (const char* name : {"tables", "grid"}) {
+    const std::string option = std::string("--") + name;
+    if (!arguments.given(option)) continue;
+    set_model_option(switches_, name + ("=" + arguments.text(option, "")), arguments.where(option));
+  }
+}
+
+Configuration<double> SetupOptions::configuration(double mast_deg) const {
+  const Aircraft<double>& aircraft = aircraft_data<double>();
+  FlightSetup<double> setup = flight_setup(aircraft, mast_deg);
+  setup.altitude = altitude_;
+  setup.flap_deg = flap_deg_.value_or(setup.flap_deg);
+  setup.rotor_speed = rotor_speed_.value_or(setup.rotor_speed);
+  setup.mass = mass_.value_or(setup.mass);
+  setup.sl_cg = sl_cg_.value_or(setup.sl_cg);
+  setup.options = switches_;
+  Configuration<double> configuration;
+  const Status status = prepare(aircraft, setup, configuration);
+  if (status != Status::ok) {
+    throw UsageError("mast " + number_text(mast_deg) + " deg: this configuration cannot be prepared: " +
+                     status_text(status));
+  }
+  return configuration;
+}
+
+OptionList mast_option() { return {{"--mast", "DEG", "mast angle: 0 helicopter .. 90 airplane (0)"}}; }
+
+OptionList flight_list() {
+  return {
+      {"--mast", "DEG", "mast angle: 0 helicopter .. 90 airplane (0)"},
+      {"--speed", "MPS", "true airspeed, 0..150 (0)"},
+      {"--climb", "DEG", "angle of the flight path, -60..60 (0)"},
+      {"--sideslip", "DEG", "wind from the right, -60..60 (0)"},
+      {"--turn-rate", "DEGPS", "of the heading, + right, -60..60 (0)"},
+  };
+}
+
+std::vector<FlightCase> flight_cases(const Arguments& arguments) {
+  SteadyFlight<double> flight{};
+  flight.climb = arguments.number("--climb", 0, kAngleRange) * radian;
+  flight.sideslip = arguments.number("--sideslip", 0, kAngleRange) * radian;
+  flight.turn_rate = arguments.number("--turn-rate", 0, turn_rate_range) * radian;
+  std::vector<FlightCase> cases;
+  const std::vector<double> speeds = arguments.sweep("--speed", "0", kSpeedRange);
+  for (const double mast_deg : arguments.sweep("--mast", "0", kMastRange)) {
+    for (const double speed : speeds) {
+      flight.speed = speed;
+      cases.push_back({mast_deg, flight});
+    }
+  }
+  return cases;
+}
+
+}  // namespace tiltrotor::cli

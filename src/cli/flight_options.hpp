@@ -1,0 +1,50 @@
+// Options that describe the aircraft and its flight, shared by the commands.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "cli/arguments.hpp"
+#include "tiltrotor/analysis/steady_flight.hpp"
+#include "tiltrotor/model/configuration.hpp"
+
+namespace tiltrotor::cli {
+
+inline constexpr Range kMastRange{0, 90, "deg"};
+inline constexpr Range kSpeedRange{0, 150, "m/s"};
+inline constexpr Range kAltitudeRange{-500, 11000, "m"};
+inline constexpr Range kAngleRange{-60, 60, "deg"};
+
+// The same configuration for any mast angle.
+class SetupOptions {
+ public:
+  static OptionList list();
+  explicit SetupOptions(const Arguments& arguments);
+
+  // Throws UsageError when the model refuses the combination.
+  Configuration<double> configuration(double mast_deg) const;
+  double altitude() const { return altitude_; }
+  const Options& switches() const { return switches_; }
+
+ private:
+  double altitude_;
+  std::optional<double> flap_deg_;
+  std::optional<double> rotor_speed_;
+  std::optional<double> mass_;
+  std::optional<double> sl_cg_;
+  Options switches_;
+};
+
+// --mast, of which some commands take one value and some several.
+OptionList mast_option();
+
+struct FlightCase {
+  double mast_deg;
+  SteadyFlight<double> flight;
+};
+
+// Every combination of --mast and --speed, in that order, with the common --climb, --sideslip and --turn-rate.
+OptionList flight_list();
+std::vector<FlightCase> flight_cases(const Arguments& arguments);
+
+}  // namespace tiltrotor::cli

@@ -1,0 +1,71 @@
+// The command line program: finds the command, runs it, turns errors into a line on stderr and an exit status.
+
+#include <algorithm>
+#include <csignal>
+#include <cstdio>
+#include <exception>
+
+#include "cli/command.hpp"
+#include "cli/errors.hpp"
+#include "cli/help.hpp"
+#include "cli/sink.hpp"
+
+namespace tiltrotor::cli {
+
+namespace {
+
+std::vector<Command> all_commands() {
+  return {trim_command(),  linearize_command(), modes_command(),  respond_command(),     derivative_command(),
+          loads_command(), rotor_command(),     report_command(), conventions_command(), version_command()};
+}
+
+int print(const std::string& text) {
+  Sink sink("-", "");
+  sink.write(text);
+  sink.finish();
+  return exit_success;
+}
+
+const Command& find_command(const std::vector<Command>& commands, const std::string& name) {
+  const auto place =
+      std::find_if(commands.begin(), commands.end(), [&](const Command& command) { return command.name == name; });
+  if (place != commands.end()) return *place;
+  std::vector<std::string> names;
+  for (const Command& command : commands) names.emplace_back(command.name);
+  throw UsageError((name.empty() ? "a command is needed" : "unknown command '" + name + "'") + "; choose " +
+                   one_of(names));
+}
+
+bool asks_for_help(const std::string& word) { return word == "--help" || word == "-h"; }
+
+int run(std::vector<std::string> words) {
+  const std::vector<Command> commands = all_commands();
+  const std::string first = words.empty() ? "" : words.front();
+  if (asks_for_help(first) || (first == "help" && words.size() == 1)) return print(general_help(commands));
+  if (first == "help") std::rotate(words.begin(), words.begin() + 1, words.end());
+  if (first == "--version") words.front() = "version";
+
+  const Command& command = find_command(commands, words.empty() ? "" : words.front());
+  words.erase(words.begin());
+  if (first == "help" || std::any_of(words.begin(), words.end(), asks_for_help)) return print(command_help(command));
+  return command.run(Arguments(command.name, command.options, words));
+}
+
+}  // namespace
+
+}  // namespace tiltrotor::cli
+
+int main(int count, char** arguments) {
+  using namespace tiltrotor::cli;
+  // A reader that leaves early shall be an error of writing with a message, not a silent death.
+  std::signal(SIGPIPE, SIG_IGN);
+  try {
+    return run(std::vector<std::string>(arguments + std::min(count, 1), arguments + count));
+  } catch (const UsageError& error) {
+    std::fprintf(stderr, "tiltrotor: %s\n", error.what());
+    return exit_bad_usage;
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "tiltrotor: %s\n", error.what());
+    return exit_case_failed;
+  }
+}

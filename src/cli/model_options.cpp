@@ -1,0 +1,145 @@
+#include "cli/model_options.hpp"
+
+#include <algorithm>
+#include <functional>
+#include <vector>
+
+#include "cli/arguments.hpp"
+#include "cli/errors.hpp"
+#include "tiltrotor/model/blade_grid.hpp"
+
+namespace tiltrotor::cli {
+
+namespace {
+
+struct Switch {
+  std::string name;
+  std::string values;  // as shown in the help
+  const char* help;
+  std::function<void(Options&, const std::string& value, const std::string& where)> set;
+};
+
+// Words in the order of the enumerators.
+template <class Enum>
+Switch words(const char* name, Enum Options::*member, const std::vector<std::string>& choices, const char* help) {
+  std::string values;
+  for (const std::string& choice : choices) values += (values.empty() ? "" : "|") + choice;
+  return {name, values, help, [=](Options& options, const std::string& value, const std::string& where) {
+            const auto place = std::find(choices.begin(), choices.end(), value);
+            if (place == choices.end()) {
+              throw UsageError(where + ": '" + value + "' is not one of " + one_of(choices));
+            }
+            options.*member = static_cast<Enum>(place - choices.begin());
+          }};
+}
+
+Switch on_off(const char* name, bool Options::*member, const char* help) {
+  const bool is_on = Options().*member;
+  return {name, is_on ? "on|off" : "off|on", help,
+          [=](Options& options, const std::string& value, const std::string& where) {
+            if (value != "on" && value != "off") throw UsageError(where + ": '" + value + "' is not one of on or off");
+            options.*member = value == "on";
+          }};
+}
+
+Switch number(const char* name, double Options::*member, double low, double high, const char* help) {
+  const Range range{low, high, ""};
+  return {name, range_text(range), help, [=](Options& options, const std::string& value, const std::string& where) {
+            options.*member = parse_number(value, where, range);
+          }};
+}
+
+Switch whole(const char* name, int Options::*member, long low, long high, const char* help) {
+  return {name, std::to_string(low) + ".." + std::to_string(high), help,
+          [=](Options& options, const std::string& value, const std::string& where) {
+            options.*member = static_cast<int>(parse_integer(value, where, low, high));
+          }};
+}
+
+// Two stations or fewer cannot carry the first harmonics.
+Switch azimuth_stations() {
+  constexpr long fewest = 3;
+  Switch s = whole("azimuth_stations", &Options::azimuth_stations, fewest, kMaxAzimuthStations, "0: the grid's own number");
+  s.values = "0|" + s.values;
+  s.set = [set = s.set](Options& options, const std::string& value, const std::string& where) {
+    if (value == "0") {
+      options.azimuth_stations = 0;
+    } else {
+      set(options, value, where);
+    }
+  };
+  return s;
+}
+
+std::vector<Switch> all_switches() {
+  using O = Options;
+  return {
+      words("tables", &O::tables, {"c1", "linear"}, "interpolation of the tables"),
+      words("grid", &O::grid, {"specification", "realtime"}, "blade stations"),
+      whole("grid_refinement", &O::grid_refinement, 1, 4, "times the radial stations of the grid"),
+      azimuth_stations(),
+      words("azimuth", &O::azimuth, {"averaged", "individual"}, "rotor average or each blade"),
+      words("flapping", &O::flapping, {"second", "first"}, "order of the gimbal equations"),
+      on_off("flap_angular_acceleration", &O::flap_angular_acceleration, "hub angular acceleration in flapping"),
+      on_off("coning_states", &O::coning_states, "coning as two states a rotor"),
+      on_off("mast_cant", &O::mast_cant, "outboard cant of the masts"),
+      number("hub_spring_factor", &O::hub_spring_factor, 0, 10, "times the gimbal spring"),
+      words("inflow", &O::inflow, {"pitt_peters", "uniform"}, "three inflow states or the mean alone"),
+      words("apparent_mass", &O::apparent_mass, {"impermeable", "loaded"}, "8/(3 pi) or 128/(75 pi)"),
+      on_off("disk_plane_inflow", &O::disk_plane_inflow, "through-flow normal to the tilted disk"),
+      number("induced_power_factor", &O::induced_power_factor, 0, 2, "0: the aircraft's own"),
+      on_off("side_by_side", &O::side_by_side, "side-by-side rotor interference"),
+      on_off("sideward_flight", &O::sideward_flight, "thrust correction in sideward flight"),
+      words("wake", &O::wake, {"geometric", "gtrs_empirical"}, "immersed area of the wing"),
+      on_off("wake_fade", &O::wake_fade, "speed fade of the geometric wake"),
+      words("wash", &O::wash, {"constant", "vortex_cylinder"}, "wash speed on the immersed wing"),
+      words("wake_load", &O::wake_load, {"calibrated", "gtrs"}, "load factor of the immersed wing"),
+      words("mast_drag", &O::mast_drag, {"cross_flow", "linear"}, "wing-pylon drag between mast 0 and 90"),
+      on_off("rotor_lift_on_wing", &O::rotor_lift_on_wing, "rotor-induced lift of the free wing"),
+      on_off("downwash_lag", &O::downwash_lag, "wing downwash reaches the tail with a lag"),
+      words("tail_wash", &O::tail_wash, {"tables", "closed_form"}, "rotor wash at the horizontal tail"),
+      words("tail_pressure", &O::tail_pressure, {"by_mast", "constant"}, "dynamic pressure loss at the tail"),
+      on_off("tail_sideslip_loss", &O::tail_sideslip_loss, "loss of the tail loads with sideslip"),
+      words("inertia", &O::inertia, {"simulation", "design_1975"}, "source of the inertia"),
+      words("fin_area", &O::fin_area, {"drawings", "report"}, "25.25 or 20.25 ft^2 a panel"),
+      words("chord", &O::chord, {"cutout", "text", "camrad"}, "source of the blade chord"),
+      words("twist", &O::twist, {"table", "linear"}, "source of the blade twist"),
+      on_off("lateral_cyclic", &O::lateral_cyclic, "lateral cyclic scheduled with airspeed"),
+      words("elevator_gearing", &O::elevator_gearing, {"aircraft", "printed_runs"}, "4.167 or 4.735 deg/in"),
+      on_off("position_states", &O::position_states, "earth position among the states"),
+  };
+}
+
+const std::vector<Switch>& switches() {
+  static const std::vector<Switch> all = all_switches();
+  return all;
+}
+
+}  // namespace
+
+std::string model_options_help() {
+  constexpr std::size_t help_column = 50;
+  std::string text;
+  for (const Switch& s : switches()) {
+    std::string line = "  " + s.name + "=" + s.values;
+    line.resize(std::max(help_column, line.size() + 1), ' ');
+    text += line + s.help + "\n";
+  }
+  return text;
+}
+
+void set_model_option(Options& options, const std::string& assignment, const std::string& where) {
+  const std::size_t equals = assignment.find('=');
+  const std::string name = assignment.substr(0, equals);
+  if (equals == std::string::npos) throw UsageError(where + ": '" + assignment + "' is not name=value");
+  const auto place =
+      std::find_if(switches().begin(), switches().end(), [&](const Switch& s) { return s.name == name; });
+  if (place == switches().end()) {
+    std::vector<std::string> names;
+    for (const Switch& s : switches()) names.push_back(s.name);
+    throw UsageError(where + ": no switch '" + name + "'; choose " + one_of(names));
+  }
+  place->set(options, assignment.substr(equals + 1), where + " " + name);
+}
+
+}  // namespace tiltrotor::cli

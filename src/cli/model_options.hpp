@@ -1,0 +1,16 @@
+// The model's switches by name: `--option name=value`.
+#pragma once
+
+#include <string>
+
+#include "tiltrotor/model/options.hpp"
+
+namespace tiltrotor::cli {
+
+// Every switch with its values, the default first; for help and messages.
+std::string model_options_help();
+
+// Sets one switch from "name=value". Throws UsageError "<where>: ...".
+void set_model_option(Options& options, const std::string& assignment, const std::string& where);
+
+}  // namespace tiltrotor::cli

@@ -1,0 +1,70 @@
+#include "cli/number.hpp"
+
+#include <charconv>
+#include <cmath>
+#include <system_error>
+
+#include "cli/errors.hpp"
+
+namespace tiltrotor::cli {
+
+namespace {
+
+std::string quoted(std::string_view text) { return "'" + std::string(text) + "'"; }
+
+// from_chars knows no leading plus sign.
+std::string_view without_plus(std::string_view text) {
+  const bool plus = text.size() > 1 && text[0] == '+' && text[1] != '-';
+  return plus ? text.substr(1) : text;
+}
+
+}  // namespace
+
+std::string number_text(double value, int digits) {
+  char buffer[64];
+  const std::to_chars_result result =
+      digits == kShortest ? std::to_chars(buffer, buffer + sizeof buffer, value)
+                          : std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::general, digits);
+  return std::string(buffer, result.ptr);
+}
+
+std::string range_text(const Range& range) {
+  const std::string unit = range.unit;
+  return number_text(range.low) + ".." + number_text(range.high) + (unit.empty() ? "" : " ") + unit;
+}
+
+double parse_number(std::string_view text, const std::string& where) {
+  const std::string_view digits = without_plus(text);
+  double value = 0;
+  const std::from_chars_result result = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+  if (result.ec == std::errc::result_out_of_range) {
+    throw UsageError(where + ": " + quoted(text) + " is beyond the range of floating-point numbers");
+  }
+  if (result.ec != std::errc() || result.ptr != digits.data() + digits.size()) {
+    throw UsageError(where + ": " + quoted(text) + " is not a number");
+  }
+  if (!std::isfinite(value)) throw UsageError(where + ": " + quoted(text) + " is not a finite number");
+  return value;
+}
+
+double parse_number(std::string_view text, const std::string& where, const Range& range) {
+  const double value = parse_number(text, where);
+  if (value < range.low || value > range.high) {
+    throw UsageError(where + ": " + std::string(text) + " lies outside " + range_text(range));
+  }
+  return value;
+}
+
+long parse_integer(std::string_view text, const std::string& where, long low, long high) {
+  const std::string_view digits = without_plus(text);
+  long value = 0;
+  const std::from_chars_result result = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+  const bool complete = result.ec == std::errc() && result.ptr == digits.data() + digits.size();
+  if (!complete || value < low || value > high) {
+    throw UsageError(where + ": " + quoted(text) + " is not a whole number in " + std::to_string(low) + ".." +
+                     std::to_string(high));
+  }
+  return value;
+}
+
+}  // namespace tiltrotor::cli

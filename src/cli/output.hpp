@@ -1,0 +1,32 @@
+// Options about the output, shared by the commands, and what they lead to.
+#pragma once
+
+#include "cli/arguments.hpp"
+#include "cli/records.hpp"
+#include "cli/shard.hpp"
+
+namespace tiltrotor::cli {
+
+class Output {
+ public:
+  // Significant digits of CSV: enough to plot, or enough to compare two programs.
+  enum Digits { to_read = 12, to_compare = 15 };
+
+  static OptionList list();
+  explicit Output(const Arguments& arguments);
+
+  // Rows of this run. With more than one shard only the first writes the header.
+  Records records(std::vector<std::string> columns, Digits digits);
+  const Shard& shard() const { return shard_; }
+
+ private:
+  Sink sink_;
+  Format format_;
+  Shard shard_;
+};
+
+// The option alone, for commands with formats of their own.
+Option output_option();
+Option shard_option();
+
+}  // namespace tiltrotor::cli

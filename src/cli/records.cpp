@@ -1,0 +1,87 @@
+#include "cli/records.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "cli/json.hpp"
+#include "cli/number.hpp"
+
+namespace tiltrotor::cli {
+
+namespace {
+
+constexpr int table_digits = 6;
+
+std::string cell_text(const Cell& cell, int digits) {
+  if (const double* number = std::get_if<double>(&cell)) {
+    return std::isfinite(*number) ? number_text(*number, digits) : "";
+  }
+  return std::get<std::string>(cell);
+}
+
+// A comma, quote or line end within a cell needs quotes around it.
+std::string csv_cell(const std::string& text) {
+  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+  std::string out = "\"";
+  for (const char c : text) out += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return out + '"';
+}
+
+std::string csv_line(const std::vector<std::string>& cells) {
+  std::string line;
+  for (std::size_t i = 0; i < cells.size(); ++i) line += (i > 0 ? "," : "") + csv_cell(cells[i]);
+  return line + "\n";
+}
+
+std::vector<std::string> row_texts(const Row& row, int digits) {
+  std::vector<std::string> texts;
+  for (const Cell& cell : row) texts.push_back(cell_text(cell, digits));
+  return texts;
+}
+
+}  // namespace
+
+Records::Records(Sink& sink, Format format, std::vector<std::string> columns, int digits, bool header)
+    : sink_(sink), format_(format), columns_(std::move(columns)), digits_(digits) {
+  if (format_ == Format::csv && header) sink_.write(csv_line(columns_));
+  if (format_ == Format::table) table_.push_back(columns_);
+}
+
+void Records::add(const Row& row) {
+  if (format_ == Format::csv) sink_.write(csv_line(row_texts(row, digits_)));
+  if (format_ == Format::json) write_json(row);
+  if (format_ == Format::table) table_.push_back(row_texts(row, table_digits));
+  ++count_;
+}
+
+void Records::finish() {
+  if (format_ == Format::json) sink_.write(count_ == 0 ? "[]\n" : "\n]\n");
+  if (format_ == Format::table) write_table();
+  sink_.finish();
+}
+
+void Records::write_json(const Row& row) {
+  std::vector<JsonMember> members;
+  for (std::size_t i = 0; i < row.size(); ++i) {
+    const double* number = std::get_if<double>(&row[i]);
+    members.emplace_back(columns_[i], number != nullptr ? json_number(*number) : json_text(std::get<std::string>(row[i])));
+  }
+  sink_.write((count_ == 0 ? "[\n" : ",\n") + json_object(members));
+}
+
+void Records::write_table() {
+  std::vector<std::size_t> width(columns_.size(), 0);
+  for (const std::vector<std::string>& row : table_) {
+    for (std::size_t i = 0; i < row.size(); ++i) width[i] = std::max(width[i], row[i].size());
+  }
+  for (const std::vector<std::string>& row : table_) {
+    std::string line;
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      line += std::string(i > 0 ? 2 : 0, ' ') + std::string(width[i] - row[i].size(), ' ') + row[i];
+    }
+    sink_.write(line + "\n");
+  }
+}
+
+}  // namespace tiltrotor::cli

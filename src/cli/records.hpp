@@ -1,0 +1,41 @@
+// Rows of named columns, as CSV, JSON or an aligned table.
+#pragma once
+
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "cli/sink.hpp"
+
+namespace tiltrotor::cli {
+
+enum class Format { table, csv, json };
+
+// A number that is not finite is an empty cell (null in JSON).
+using Cell = std::variant<double, std::string>;
+using Row = std::vector<Cell>;
+
+class Records {
+ public:
+  // `digits`: significant digits of numbers in CSV; a table shows fewer, JSON always the shortest exact text.
+  // Without header: CSV whose header stands elsewhere (shards after the first).
+  Records(Sink& sink, Format format, std::vector<std::string> columns, int digits, bool header = true);
+
+  void add(const Row& row);
+  // Ends the output and the sink.
+  void finish();
+
+ private:
+  void write_csv(const Row& row);
+  void write_json(const Row& row);
+  void write_table();
+
+  Sink& sink_;
+  Format format_;
+  std::vector<std::string> columns_;
+  int digits_;
+  std::size_t count_ = 0;
+  std::vector<std::vector<std::string>> table_;  // the widths of a table are known at its end
+};
+
+}  // namespace tiltrotor::cli

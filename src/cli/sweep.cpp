@@ -1,0 +1,65 @@
+#include "cli/sweep.hpp"
+
+#include <cmath>
+
+#include "cli/errors.hpp"
+
+namespace tiltrotor::cli {
+
+namespace {
+
+constexpr double max_points = 100000;
+
+// A range ends at `to` also when rounding carries the last step a little past it.
+constexpr double step_tolerance = 1e-9;
+
+void append_range(const std::vector<std::string>& parts, const std::string& text, const std::string& where,
+                  const Range& range, std::vector<double>& values) {
+  const double from = parse_number(parts[0], where, range);
+  const double step = parse_number(parts[1], where);
+  const double to = parse_number(parts[2], where, range);
+  if (step == 0) throw UsageError(where + ": the step of range '" + text + "' is zero");
+  const double steps = std::floor((to - from) / step + step_tolerance);
+  if (steps < 0) {
+    throw UsageError(where + ": range '" + text + "' is empty: its step leads away from " + parts[2]);
+  }
+  if (steps >= max_points) {
+    throw UsageError(where + ": range '" + text + "' has more than " + number_text(max_points) + " values");
+  }
+  for (double i = 0; i <= steps; ++i) {
+    const double value = from + i * step;
+    const bool last = std::abs(value - to) <= step_tolerance * std::abs(step);
+    values.push_back(last ? to : value);
+  }
+}
+
+}  // namespace
+
+std::vector<std::string> split(std::string_view text, char separator) {
+  std::vector<std::string> parts(1);
+  for (const char c : text) {
+    if (c == separator) {
+      parts.emplace_back();
+    } else {
+      parts.back() += c;
+    }
+  }
+  return parts;
+}
+
+std::vector<double> parse_sweep(std::string_view text, const std::string& where, const Range& range) {
+  std::vector<double> values;
+  for (const std::string& item : split(text, ',')) {
+    const std::vector<std::string> parts = split(item, ':');
+    if (parts.size() == 1) {
+      values.push_back(parse_number(item, where, range));
+    } else if (parts.size() == 3) {
+      append_range(parts, item, where, range, values);
+    } else {
+      throw UsageError(where + ": '" + item + "' is not a range; write from:step:to, for example 0:5:50");
+    }
+  }
+  return values;
+}
+
+}  // namespace tiltrotor::cli

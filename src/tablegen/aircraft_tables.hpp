@@ -1,0 +1,24 @@
+// Which files fill which tables of struct Aircraft, and how they are put together.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "tablegen/entries.hpp"
+
+namespace tablegen {
+
+// One table, ready to be written: axes, and values with the linear axes outermost, then the smooth ones in
+// order.
+struct TableArray {
+  std::string field;   // member of Aircraft
+  std::string source;  // files it comes from
+  std::vector<std::vector<double>> smooth;
+  std::vector<std::vector<double>> linear;
+  std::vector<double> value;
+};
+
+// Reads every table of the folder, also those the product does not use yet.
+std::vector<TableArray> compose_tables(const std::string& folder, const Entries& entries);
+
+}  // namespace tablegen

@@ -1,0 +1,16 @@
+// The generated C++ file.
+#pragma once
+
+#include <ostream>
+#include <string>
+#include <vector>
+
+#include "tablegen/aircraft_tables.hpp"
+#include "tablegen/entries.hpp"
+
+namespace tablegen {
+
+void emit(std::ostream& out, const std::string& aircraft, const Entries& entries,
+          const std::vector<TableArray>& tables);
+
+}  // namespace tablegen

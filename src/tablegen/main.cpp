@@ -1,0 +1,68 @@
+// tablegen FOLDER OUTPUT: turns the CSV files of one aircraft into a C++ file with constant arrays.
+//
+// Exit code 0, or 2 with one line `file:line: message` on stderr; then there is no OUTPUT.
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <system_error>
+
+#include "tablegen/aircraft_tables.hpp"
+#include "tablegen/emit.hpp"
+#include "tablegen/entries.hpp"
+#include "tablegen/fault.hpp"
+
+namespace fs = std::filesystem;
+
+namespace {
+
+// Complete or not at all: written beside its place and moved there.
+void write(const fs::path& output, const std::string& text) {
+  const fs::path part = output.string() + ".tmp";
+  std::ofstream out(part, std::ios::binary);
+  out << text;
+  out.close();
+  std::error_code error;
+  if (out) {
+    fs::rename(part, output, error);
+    if (!error) return;
+  }
+  fs::remove(part, error);
+  throw tablegen::Fault{output.string(), 1, "cannot be written"};
+}
+
+void generate(const std::string& folder, const fs::path& output) {
+  if (!fs::is_directory(folder)) throw tablegen::Fault{folder, 1, "is not a folder of tables"};
+  const fs::path base(folder);
+  tablegen::Entries entries;
+  entries.read_aircraft((base / "aircraft.csv").string());
+  entries.read_choices((base / "choices.csv").string());
+  const std::vector<tablegen::TableArray> tables = tablegen::compose_tables(folder, entries);
+  std::ostringstream text;
+  tablegen::emit(text, fs::absolute(base).lexically_normal().filename().string(), entries, tables);
+  write(output, text.str());
+}
+
+}  // namespace
+
+int main(int count, char** argument) {
+  if (count != 3) {
+    std::fputs("usage: tablegen FOLDER_OF_TABLES OUTPUT\n", stderr);
+    return 2;
+  }
+  const fs::path output = argument[2];
+  std::string message;
+  try {
+    generate(argument[1], output);
+    return 0;
+  } catch (const tablegen::Fault& fault) {
+    message = fault.file + ":" + std::to_string(fault.line) + ": " + fault.message;
+  } catch (const std::exception& error) {
+    message = std::string(argument[1]) + ":1: " + error.what();
+  }
+  std::fprintf(stderr, "%s\n", message.c_str());
+  std::error_code ignored;
+  if (fs::is_regular_file(output, ignored)) fs::remove(output, ignored);  // nor that of an earlier run
+  return 2;
+}

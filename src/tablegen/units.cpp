@@ -1,0 +1,81 @@
+#include "tablegen/units.hpp"
+
+namespace tablegen {
+
+namespace {
+
+// Definitions of 1959 (foot, pound), 1901 (standard gravity), 1929 (knot); hp is 550 ft lbf/s.
+constexpr double kFoot = 0.3048;
+constexpr double kInch = 0.0254;
+constexpr double kPound = 0.45359237;
+constexpr double kPoundForce = 4.4482216152605;
+constexpr double kSlug = kPoundForce / kFoot;
+constexpr double kHorsepower = 745.69987158227;
+constexpr double kKnot = 1852.0 / 3600.0;
+constexpr double kPi = 3.14159265358979323846;
+constexpr double kDegree = kPi / 180;
+
+constexpr Unit kUnits[] = {
+    {"ND", 1, "ND"},
+    {"count", 1, "count"},
+    {"lb", kPound, "kg"},
+    {"slug", kSlug, "kg"},
+    {"kg", 1, "kg"},
+    {"slug ft2", kSlug* kFoot* kFoot, "kg m2"},
+    {"kg m2", 1, "kg m2"},
+    {"slug ft2/deg", kSlug* kFoot* kFoot / kDegree, "kg m2/rad"},
+    {"kg m2/deg", 1 / kDegree, "kg m2/rad"},
+    {"kg m2/rad", 1, "kg m2/rad"},
+    {"slug/ft3", kSlug / (kFoot * kFoot * kFoot), "kg/m3"},
+    {"kg/m3", 1, "kg/m3"},
+    {"in", kInch, "m"},
+    {"ft", kFoot, "m"},
+    {"m", 1, "m"},
+    {"ft2", kFoot* kFoot, "m2"},
+    {"m2", 1, "m2"},
+    {"ft3", kFoot* kFoot* kFoot, "m3"},
+    {"m3", 1, "m3"},
+    {"deg", kDegree, "rad"},
+    {"degrees", kDegree, "rad"},
+    {"rad", 1, "rad"},
+    {"1/deg", 1 / kDegree, "1/rad"},
+    {"1/rad", 1, "1/rad"},
+    {"1/deg2", 1 / (kDegree * kDegree), "1/rad2"},
+    {"1/rad2", 1, "1/rad2"},
+    {"deg/in", kDegree / kInch, "rad/m"},
+    {"rad/in", 1 / kInch, "rad/m"},
+    {"rad/m", 1, "rad/m"},
+    {"deg/s", kDegree, "rad/s"},
+    {"rpm", kPi / 30, "rad/s"},
+    {"rad/s", 1, "rad/s"},
+    {"ft/s", kFoot, "m/s"},
+    {"kt", kKnot, "m/s"},
+    {"m/s", 1, "m/s"},
+    {"ft/s/deg", kFoot / kDegree, "m/s/rad"},
+    {"m/s/rad", 1, "m/s/rad"},
+    {"ft/s2", kFoot, "m/s2"},
+    {"m/s2", 1, "m/s2"},
+    {"lb/ft2", kPoundForce / (kFoot * kFoot), "Pa"},
+    {"Pa", 1, "Pa"},
+    {"ft lbf/rad", kFoot* kPoundForce, "N m/rad"},
+    {"ft lbf/deg", kFoot* kPoundForce / kDegree, "N m/rad"},
+    {"N m/rad", 1, "N m/rad"},
+    {"ft lbf s/rad", kFoot* kPoundForce, "N m s/rad"},
+    {"N m s/rad", 1, "N m s/rad"},
+    {"hp", kHorsepower, "W"},
+    {"W", 1, "W"},
+};
+
+}  // namespace
+
+const Unit* find_unit(const std::string& name) {
+  for (const Unit& unit : kUnits)
+    if (name == unit.name) return &unit;
+  return nullptr;
+}
+
+double converted(double value, const Unit& from, const Unit& to) {
+  return &from == &to ? value : value * from.to_si / to.to_si;
+}
+
+}  // namespace tablegen

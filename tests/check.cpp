@@ -1,0 +1,181 @@
+// The test runner: see usage_text below.
+#include "check.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <exception>
+#include <vector>
+
+namespace {
+
+const char* const usage_text =
+    "usage: run_tests [--list] [--verbose] [--skip PREFIX] [NAME ...]\n"
+    "  NAME           run the tests whose name contains NAME (several: any of them)\n"
+    "  --skip PREFIX  leave out the tests whose name begins with PREFIX\n"
+    "  --list         print the names only\n"
+    "  --verbose      print each test's name before it runs, and its time\n"
+    "exit status: 0 all passed, 1 a test failed, 2 nothing was run\n";
+
+// A check inside a loop would bury the first failure, the one worth reading.
+constexpr int max_failures_printed = 10;
+
+struct Test {
+  std::string name;
+  const char* file;
+  int line;
+  check::TestFunction function;
+};
+
+/// In a function, because registrations in other files may run before this file's own initialisers.
+std::vector<Test>& all_tests() {
+  static std::vector<Test> tests;
+  return tests;
+}
+
+const char* running_test = "";
+int failures_of_running_test = 0;
+
+struct Options {
+  bool list = false;
+  bool verbose = false;
+  std::vector<std::string> names;
+  std::vector<std::string> skipped_prefixes;
+};
+
+bool contains(const Test& test, const std::string& name) { return test.name.find(name) != std::string::npos; }
+
+/// Sorts the tests by place and refuses a name that is used twice.
+bool sort_tests() {
+  std::vector<Test>& tests = all_tests();
+  std::sort(tests.begin(), tests.end(), [](const Test& a, const Test& b) { return a.name < b.name; });
+  bool unique = true;
+  for (std::size_t i = 1; i < tests.size(); ++i) {
+    const Test& a = tests[i - 1];
+    const Test& b = tests[i];
+    if (a.name != b.name) continue;
+    std::fprintf(stderr, "run_tests: test %s is defined twice: %s:%d and %s:%d\n", a.name.c_str(), a.file,
+                 a.line, b.file, b.line);
+    unique = false;
+  }
+  std::sort(tests.begin(), tests.end(), [](const Test& a, const Test& b) {
+    const int order = std::string(a.file).compare(b.file);
+    return order != 0 ? order < 0 : a.line < b.line;
+  });
+  return unique;
+}
+
+bool parse(int count, char** arguments, Options& options) {
+  for (int i = 1; i < count; ++i) {
+    const std::string argument = arguments[i];
+    if (argument == "--list") {
+      options.list = true;
+    } else if (argument == "--verbose") {
+      options.verbose = true;
+    } else if (argument == "--skip" && i + 1 < count) {
+      options.skipped_prefixes.push_back(arguments[++i]);
+    } else if (argument.empty() || argument[0] == '-') {
+      return false;
+    } else {
+      options.names.push_back(argument);
+    }
+  }
+  return true;
+}
+
+bool every_name_matches(const Options& options) {
+  bool all_match = true;
+  for (const std::string& name : options.names) {
+    const auto matches = [&](const Test& test) { return contains(test, name); };
+    if (std::any_of(all_tests().begin(), all_tests().end(), matches)) continue;
+    std::fprintf(stderr, "run_tests: no test name contains '%s' (--list shows them)\n", name.c_str());
+    all_match = false;
+  }
+  return all_match;
+}
+
+bool is_selected(const Test& test, const Options& options) {
+  const auto named = [&](const std::string& name) { return contains(test, name); };
+  const auto skipped = [&](const std::string& prefix) {
+    return test.name.compare(0, prefix.size(), prefix) == 0;
+  };
+  if (std::any_of(options.skipped_prefixes.begin(), options.skipped_prefixes.end(), skipped)) return false;
+  return options.names.empty() || std::any_of(options.names.begin(), options.names.end(), named);
+}
+
+bool run(const Test& test, bool verbose) {
+  running_test = test.name.c_str();
+  failures_of_running_test = 0;
+  if (verbose) {
+    std::printf("run   %s\n", running_test);
+    std::fflush(stdout);
+  }
+  const auto start = std::chrono::steady_clock::now();
+  try {
+    test.function();
+  } catch (const std::exception& exception) {
+    check::report(false, test.file, test.line, "uncaught exception", exception.what());
+  } catch (...) {
+    check::report(false, test.file, test.line, "uncaught exception", "not a std::exception");
+  }
+  const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
+  const int unprinted = failures_of_running_test - max_failures_printed;
+  if (unprinted > 0) std::printf("  and %d more failed checks\n", unprinted);
+  if (failures_of_running_test > 0) std::printf("FAIL  %s\n", running_test);
+  if (verbose) std::printf("time  %s %.3f s\n", running_test, elapsed.count());
+  std::fflush(stdout);
+  return failures_of_running_test == 0;
+}
+
+}  // namespace
+
+namespace check {
+
+Registration::Registration(const char* name, const char* file, int line, TestFunction function) {
+  all_tests().push_back({name, file, line, function});
+}
+
+bool report(bool passed, const char* file, int line, const std::string& expression,
+            const std::string& values) {
+  if (passed) return true;
+  ++failures_of_running_test;
+  if (failures_of_running_test <= max_failures_printed) {
+    std::printf("%s:%d: %s: %s%s%s\n", file, line, running_test, expression.c_str(),
+                values.empty() ? "" : ": ", values.c_str());
+  }
+  return false;
+}
+
+void note(const std::string& text) { std::printf("note  %s: %s\n", running_test, text.c_str()); }
+
+}  // namespace check
+
+int main(int count, char** arguments) {
+  constexpr int exit_nothing_run = 2;
+  Options options;
+  if (!parse(count, arguments, options)) {
+    std::fputs(usage_text, stderr);
+    return exit_nothing_run;
+  }
+  if (!sort_tests() || !every_name_matches(options)) return exit_nothing_run;
+
+  std::vector<Test> selected;
+  for (const Test& test : all_tests()) {
+    if (is_selected(test, options)) selected.push_back(test);
+  }
+  if (selected.empty()) {
+    std::fputs("run_tests: there is no test to run\n", stderr);
+    return exit_nothing_run;
+  }
+  int passed = 0;
+  int failed = 0;
+  for (const Test& test : selected) {
+    if (options.list) {
+      std::printf("%s\n", test.name.c_str());
+    } else {
+      ++(run(test, options.verbose) ? passed : failed);
+    }
+  }
+  if (!options.list) std::printf("%d passed, %d failed\n", passed, failed);
+  return failed == 0 ? 0 : 1;
+}

@@ -1,0 +1,191 @@
+// Case-by-case comparison with tests/reference/, the outputs of a second, independent implementation of the same
+// equations on the same tables: rotor loads, component loads, state derivatives, with C1 and with linear tables.
+// The files give 12 digits. A difference counts relative to the number itself, or to a thousandth of the largest number
+// of its kind in the same case, whichever is larger.
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "csv_file.hpp"
+#include "flight_cases.hpp"
+
+using namespace flight_cases;
+
+namespace {
+
+constexpr double kTolerance = 1e-9;
+
+Options table_options(const std::string& tables) { return tables == "c1" ? Options{} : linear_tables(); }
+
+class Difference {
+ public:
+  void add(double actual, double expected, double kind_scale, const std::string& where) {
+    const double scale = std::max(std::abs(expected), 1e-3 * kind_scale);
+    const double relative = scale > 0 ? std::abs(actual - expected) / scale : std::abs(actual);
+    CHECK_LE(relative, kTolerance);
+    ++count_;
+    if (!(relative <= largest_)) {
+      largest_ = relative;
+      where_ = where;
+    }
+  }
+  void note(const std::string& file) const {
+    NOTE(file << ": " << count_ << " numbers, largest relative difference " << largest_ << " at " << where_);
+  }
+  int count() const { return count_; }
+
+ private:
+  double largest_ = 0;
+  std::string where_ = "none";
+  int count_ = 0;
+};
+
+std::string place(const check::CsvFile& file, int row, const std::string& column) {
+  return "case " + file.text(row, "case") + " " + column;
+}
+
+void replay_rotor_loads(const std::string& tables) {
+  const std::string name = "tests/reference/rotor_loads_" + tables + ".csv";
+  const check::CsvFile file(name);
+  Difference difference;
+  for (int row = 0; row < file.rows(); ++row) {
+    const auto at = [&](const char* column) { return file.number(row, column); };
+    FlightSetup<double> setup = flight_setup(aircraft(), at("mast_deg_for_coning"));
+    setup.rotor_speed = at("rpm") * 2 * kPi<double> / 60;
+    setup.options = table_options(tables);
+    Configuration<double> c;
+    if (!CHECK(prepare(aircraft(), setup, c) == Status::ok)) return;
+    CHECK_NEAR(c.coning, at("b0_deg") * kRadian<double>, 1e-12);
+
+    RotorInput<double> in{};
+    in.velocity = {at("Vx_A"), at("Vy_A"), at("Vz_A")};
+    in.rates = {at("wx_A"), at("wy_A"), at("wz_A")};
+    in.state = {at("b1c"), at("b1s"), at("db1c"), at("db1s"), at("n0"), at("nc"), at("ns")};
+    in.coning = {at("b0_deg") * kRadian<double>, 0};
+    in.collective = at("th75_rad");
+    in.lateral_cyclic = at("A1_rad");
+    in.long_cyclic = at("B1_rad");
+    const RotorResponse<double> out = rotor_response(c, in, c.azimuth);
+
+    struct Entry {
+      const char* column;
+      double value;
+      double kind_scale;
+    };
+    const double force = std::abs(at("Fz_A_n"));
+    const double moment = std::abs(at("M0_nm"));
+    const double flap = std::hypot(at("dd_b1c"), at("dd_b1s"));
+    const double inflow = std::max({std::abs(at("d_n0")), std::abs(at("d_nc")), std::abs(at("d_ns"))});
+    for (const Entry& e : {Entry{"Fx_A_n", out.loads.force.x, force}, Entry{"Fy_A_n", out.loads.force.y, force},
+                           Entry{"Fz_A_n", out.loads.force.z, force}, Entry{"Q_nm", out.loads.torque, moment},
+                           Entry{"Mc_nm", out.loads.mc, moment}, Entry{"Ms_nm", out.loads.ms, moment},
+                           Entry{"M0_nm", out.loads.m0, moment}, Entry{"d_b1c", out.flapping.b1c_rate, 0},
+                           Entry{"d_b1s", out.flapping.b1s_rate, 0},
+                           Entry{"dd_b1c", out.flapping.b1c_acceleration, flap},
+                           Entry{"dd_b1s", out.flapping.b1s_acceleration, flap}, Entry{"d_n0", out.inflow.n0, inflow},
+                           Entry{"d_nc", out.inflow.nc, inflow}, Entry{"d_ns", out.inflow.ns, inflow}}) {
+      difference.add(e.value, at(e.column), e.kind_scale, place(file, row, e.column));
+    }
+  }
+  difference.note(name);
+  CHECK_LT(0, difference.count());
+}
+
+struct ReferenceCase {
+  Configuration<double> c;
+  State<double> x;
+  Controls<double> u;
+};
+
+ReferenceCase read_case(const check::CsvFile& file, int row, const Options& options) {
+  ReferenceCase r{configuration(file.number(row, "mast_deg"), options), {}, {}};
+  int i = 0;
+  State<double>::each(r.x, [&](double& x) {
+    if (i <= ix_downwash) x = file.number(row, kStateNames[i].name);
+    ++i;
+  });
+  r.u.collective = file.number(row, "th75_rad");
+  r.u.long_stick = file.number(row, "lon_in");
+  r.u.lat_stick = file.number(row, "lat_in");
+  r.u.pedal = file.number(row, "ped_in");
+  return r;
+}
+
+void replay_state_derivatives(const std::string& tables) {
+  const std::string name = "tests/reference/state_derivatives_" + tables + ".csv";
+  const check::CsvFile file(name);
+  Difference difference;
+  for (int row = 0; row < file.rows(); ++row) {
+    const ReferenceCase r = read_case(file, row, table_options(tables));
+    State<double> rates;
+    derivative(r.c, r.x, r.u, rates);
+    const auto actual = flat(rates);
+    for (int i = 0; i <= ix_downwash; ++i) {
+      const std::string column = std::string("d_") + kStateNames[i].name;
+      // Kind: velocities, rates, angles one by one, flap accelerations, inflow.
+      double kind = 0;
+      const int rotor_place = i >= ix_rotor_right && i < ix_downwash ? (i - ix_rotor_right) % 7 : -1;
+      const int first = i < 6 ? 3 * (i / 3) : rotor_place >= 4 ? i - rotor_place + 4 : i - rotor_place + 2;
+      const int last = i < 6 ? first + 2 : rotor_place >= 4 ? first + 2 : first + 1;
+      if (i < 6 || rotor_place >= 2) {
+        for (int k = first; k <= last; ++k) {
+          kind = std::max(kind, std::abs(file.number(row, std::string("d_") + kStateNames[k].name)));
+        }
+      }
+      difference.add(actual[static_cast<std::size_t>(i)], file.number(row, column), kind, place(file, row, column));
+    }
+  }
+  difference.note(name);
+  CHECK_LT(0, difference.count());
+}
+
+void replay_component_loads(const std::string& tables) {
+  const std::string name = "tests/reference/component_loads_" + tables + ".csv";
+  const check::CsvFile states("tests/reference/state_derivatives_" + tables + ".csv");
+  const check::CsvFile file(name);
+  Difference difference;
+  for (int row = 0; row < file.rows(); ++row) {
+    const int state_row = static_cast<int>(file.number(row, "case"));
+    if (!CHECK_EQ(states.number(state_row, "case"), file.number(row, "case"))) return;
+    const ReferenceCase r = read_case(states, state_row, table_options(tables));
+    Evaluation<double> out;
+    evaluate(r.c, r.x, r.u, out);
+    const std::string component = file.text(row, "component");
+    Loads<double> loads{};
+    bool known = false;
+    for (int k = 0; k < component_count; ++k) {
+      if (component != kComponentNames[k]) continue;
+      loads = out.loads.component[k];
+      known = true;
+    }
+    if (component == "total_aero") {
+      for (const Loads<double>& l : out.loads.component) loads = loads + l;
+      known = true;
+    }
+    if (!CHECK(known)) {
+      NOTE("unknown component " << component);
+      continue;
+    }
+    const char* const columns[6] = {"X_n", "Y_n", "Z_n", "L_nm", "M_nm", "N_nm"};
+    const auto actual = flat(loads);
+    for (std::size_t k = 0; k < 6; ++k) {
+      double kind = 0;
+      for (std::size_t j = 3 * (k / 3); j < 3 * (k / 3) + 3; ++j) {
+        kind = std::max(kind, std::abs(file.number(row, columns[j])));
+      }
+      difference.add(actual[k], file.number(row, columns[k]), kind,
+                     place(file, row, component + " " + columns[k]));
+    }
+  }
+  difference.note(name);
+  CHECK_LT(0, difference.count());
+}
+
+}  // namespace
+
+TEST(reference_rotor_loads_c1) { replay_rotor_loads("c1"); }
+TEST(reference_rotor_loads_linear) { replay_rotor_loads("linear"); }
+TEST(reference_component_loads_c1) { replay_component_loads("c1"); }
+TEST(reference_component_loads_linear) { replay_component_loads("linear"); }
+TEST(reference_state_derivatives_c1) { replay_state_derivatives("c1"); }
+TEST(reference_state_derivatives_linear) { replay_state_derivatives("linear"); }
