@@ -1,11 +1,10 @@
 // `tiltrotor loads`: force and moment of every component.
 
-#include <cstdio>
-
 #include "cli/command.hpp"
 #include "cli/errors.hpp"
 #include "cli/output.hpp"
 #include "cli/states_option.hpp"
+#include "cli/trimmed_flights.hpp"
 #include "tiltrotor/model/derivative.hpp"
 
 namespace tiltrotor::cli {
@@ -46,9 +45,26 @@ int loads_at_given_states(const Arguments& arguments, const SetupOptions& setup)
   return exit_success;
 }
 
+int loads_at_trim(const Arguments& arguments, const SetupOptions& setup) {
+  flight_cases(arguments);
+  Output output(arguments);
+  Records records = output.records(columns, Output::to_compare);
+  const AnalysesRoom room;
+  const int exit_status =
+      for_each_trim(arguments, setup, output.shard(), *room, [&](const TrimmedFlight& flight) {
+        if (is_trimmed(flight.trim.status)) {
+          add_state(records, std::to_string(flight.number), flight.configuration, flight.trim.state,
+                    flight.trim.controls);
+        }
+        return exit_success;
+      });
+  records.finish();
+  return exit_status;
+}
+
 int run(const Arguments& arguments) {
   const SetupOptions setup(arguments);
-  return loads_at_given_states(arguments, setup);
+  return arguments.given("--states") ? loads_at_given_states(arguments, setup) : loads_at_trim(arguments, setup);
 }
 
 }  // namespace

@@ -14,7 +14,6 @@ constexpr double inch = 0.0254;
 
 constexpr Range mass_range{3000, 10000, "kg"};
 constexpr Range cg_range{276, 314, "in"};
-constexpr Range rotor_speed_range{200, 760, "rpm"};
 constexpr Range turn_rate_range{-60, 60, "deg/s"};
 
 std::optional<double> optional_number(const Arguments& arguments, const char* name, const Range& range, double unit) {
@@ -28,25 +27,40 @@ std::optional<double> flap_setting(const Arguments& arguments) {
   return aircraft_data<double>().wing.flap_deg[setting];
 }
 
+Configuration<double> prepared(const FlightSetup<double>& setup) {
+  Configuration<double> configuration;
+  const Status status = prepare(aircraft_data<double>(), setup, configuration);
+  if (status == Status::ok) return configuration;
+  throw UsageError("mast " + number_text(setup.mast_deg) + " deg: this configuration cannot be prepared: " +
+                   status_text(status));
+}
+
+const Option altitude_option = {"--altitude", "M", "-500..11000, standard atmosphere (0)"};
+const OptionList switch_options = {
+    {"--tables", "KIND", "interpolation: c1 or linear (c1)"},
+    {"--grid", "KIND", "blade stations: specification or realtime (specification)"},
+    {"--option", "NAME=VALUE", "any other switch of the model, repeatable; `tiltrotor --help` lists them", true},
+};
+
 }  // namespace
 
 OptionList SetupOptions::list() {
-  return {
-      {"--altitude", "M", "-500..11000, standard atmosphere (0)"},
+  const OptionList aircraft = {
+      altitude_option,
       {"--flap", "DEG", "0, 20, 40 or 75 (mast 0: 40; mast 90: 0; between: 20)"},
       {"--rotor-rpm", "RPM", "200..760 (mast 90: 517; else 589)"},
       {"--mass", "KG", "3000..10000 (5896.7 = 13000 lb)"},
       {"--cg-sl", "IN", "station of the CG at mast 0, 276..314 (301.2)"},
-      {"--tables", "KIND", "interpolation: c1 or linear (c1)"},
-      {"--grid", "KIND", "blade stations: specification or realtime (specification)"},
-      {"--option", "NAME=VALUE", "any other switch of the model, repeatable; `tiltrotor --help` lists them", true},
   };
+  return aircraft + switch_options;
 }
+
+OptionList SetupOptions::rotor_list() { return OptionList{altitude_option} + switch_options; }
 
 SetupOptions::SetupOptions(const Arguments& arguments)
     : altitude_(arguments.number("--altitude", 0, kAltitudeRange)),
       flap_deg_(flap_setting(arguments)),
-      rotor_speed_(optional_number(arguments, "--rotor-rpm", rotor_speed_range, rpm)),
+      rotor_speed_(optional_number(arguments, "--rotor-rpm", kRotorSpeedRange, rpm)),
       mass_(optional_number(arguments, "--mass", mass_range, 1)),
       sl_cg_(optional_number(arguments, "--cg-sl", cg_range, inch)) {
   for (const std::string& assignment : arguments.texts("--option")) {
@@ -59,22 +73,23 @@ SetupOptions::SetupOptions(const Arguments& arguments)
   }
 }
 
-Configuration<double> SetupOptions::configuration(double mast_deg) const {
-  const Aircraft<double>& aircraft = aircraft_data<double>();
-  FlightSetup<double> setup = flight_setup(aircraft, mast_deg);
+FlightSetup<double> SetupOptions::flight_setup(double mast_deg) const {
+  FlightSetup<double> setup = tiltrotor::flight_setup(aircraft_data<double>(), mast_deg);
   setup.altitude = altitude_;
   setup.flap_deg = flap_deg_.value_or(setup.flap_deg);
   setup.rotor_speed = rotor_speed_.value_or(setup.rotor_speed);
   setup.mass = mass_.value_or(setup.mass);
   setup.sl_cg = sl_cg_.value_or(setup.sl_cg);
   setup.options = switches_;
-  Configuration<double> configuration;
-  const Status status = prepare(aircraft, setup, configuration);
-  if (status != Status::ok) {
-    throw UsageError("mast " + number_text(mast_deg) + " deg: this configuration cannot be prepared: " +
-                     status_text(status));
-  }
-  return configuration;
+  return setup;
+}
+
+Configuration<double> SetupOptions::configuration(double mast_deg) const { return prepared(flight_setup(mast_deg)); }
+
+Configuration<double> SetupOptions::configuration(double mast_deg, double rotor_speed) const {
+  FlightSetup<double> setup = flight_setup(mast_deg);
+  setup.rotor_speed = rotor_speed;
+  return prepared(setup);
 }
 
 OptionList mast_option() { return {{"--mast", "DEG", "mast angle: 0 helicopter .. 90 airplane (0)"}}; }

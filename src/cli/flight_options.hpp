@@ -13,20 +13,26 @@ namespace tiltrotor::cli {
 inline constexpr Range kMastRange{0, 90, "deg"};
 inline constexpr Range kSpeedRange{0, 150, "m/s"};
 inline constexpr Range kAltitudeRange{-500, 11000, "m"};
+inline constexpr Range kRotorSpeedRange{200, 760, "rpm"};
 inline constexpr Range kAngleRange{-60, 60, "deg"};
 
 // The same configuration for any mast angle.
 class SetupOptions {
  public:
   static OptionList list();
+  static OptionList rotor_list();  // what concerns an isolated rotor
   explicit SetupOptions(const Arguments& arguments);
 
   // Throws UsageError when the model refuses the combination.
   Configuration<double> configuration(double mast_deg) const;
+  // With another rotor speed, rad/s.
+  Configuration<double> configuration(double mast_deg, double rotor_speed) const;
   double altitude() const { return altitude_; }
   const Options& switches() const { return switches_; }
 
  private:
+  FlightSetup<double> flight_setup(double mast_deg) const;
+
   double altitude_;
   std::optional<double> flap_deg_;
   std::optional<double> rotor_speed_;

@@ -21,8 +21,16 @@ Progress::Progress(std::string what, std::size_t total)
       start_(Clock::now()),
       last_drawn_(start_) {}
 
-Progress::~Progress() {
+Progress::~Progress() { clear(); }
+
+void Progress::clear() {
   if (drawn_) std::fputs(clear_line, stderr);
+  drawn_ = false;
+}
+
+void Progress::message(const std::string& text) {
+  clear();
+  std::fprintf(stderr, "tiltrotor: %s\n", text.c_str());
 }
 
 void Progress::advance() {

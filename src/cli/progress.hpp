@@ -15,8 +15,12 @@ class Progress {
   Progress& operator=(const Progress&) = delete;
 
   void advance();
+  // A line on stderr that does not collide with the display.
+  void message(const std::string& text);
 
  private:
+  void clear();
+
   using Clock = std::chrono::steady_clock;
   std::string what_;
   std::size_t total_;

@@ -6,6 +6,7 @@
 #include "cli/errors.hpp"
 #include "cli/flight_options.hpp"
 #include "cli/sweep.hpp"
+#include "tiltrotor/math/waist.hpp"
 
 namespace tiltrotor::cli {
 

@@ -1,5 +1,6 @@
 #include "tablegen/emit.hpp"
 
+#include <algorithm>
 #include <cctype>
 #include <cmath>
 #include <cstdio>
@@ -61,7 +62,7 @@ std::vector<double> nodes(const TableArray& table) {
   tiltrotor::Axis<double> axis[Smooth];
   std::size_t block = per_node;
   for (std::size_t a = 0; a < Smooth; ++a) {
-    axis[a] = {static_cast<int>(table.smooth[a].size()), table.smooth[a].data()};
+    axis[a] = {static_cast<int>(table.smooth[a].size()), table.smooth[a].data(), nullptr, 0, 0};
     block *= table.smooth[a].size();
   }
   std::vector<double> node(table.value.size() * per_node);
@@ -72,14 +73,49 @@ std::vector<double> nodes(const TableArray& table) {
   return node;
 }
 
+// Index of an axis: equal buckets no wider than its narrowest interval, each with the interval at its left end.
+struct AxisIndex {
+  std::vector<int> bucket;  // empty when the axis needs none
+  double per_width = 0;
+};
+
+constexpr std::size_t kMostBuckets = 1024;
+
+AxisIndex index_of(const std::vector<double>& knot) {
+  AxisIndex index;
+  if (knot.size() < 3) return index;
+  double narrowest = knot.back() - knot.front();
+  for (std::size_t i = 1; i < knot.size(); ++i) narrowest = std::min(narrowest, knot[i] - knot[i - 1]);
+  const double range = knot.back() - knot.front();
+  const auto buckets = static_cast<std::size_t>(std::ceil(range / narrowest * (1 - 1e-12)));
+  if (buckets > kMostBuckets) return index;
+  index.per_width = static_cast<double>(buckets) / range;
+  std::size_t interval = 0;
+  for (std::size_t b = 0; b < buckets; ++b) {
+    const double left = knot.front() + static_cast<double>(b) / index.per_width;
+    while (interval + 2 < knot.size() && knot[interval + 1] <= left) ++interval;
+    index.bucket.push_back(static_cast<int>(interval));
+  }
+  return index;
+}
+
+void emit_index(std::ostream& out, const std::string& name, const std::vector<int>& bucket) {
+  if (bucket.empty()) return;
+  out << "  static constexpr unsigned char " << name << "_bucket[] = {";
+  for (std::size_t i = 0; i < bucket.size(); ++i) out << (i % 32 == 0 ? "\n      " : " ") << bucket[i] << ",";
+  out << "\n  };\n";
+}
+
 std::string axis_name(const TableArray& table, const char* kind, std::size_t index) {
   return array_name(table.field) + "_" + kind + std::to_string(index);
 }
 
 void emit_table_arrays(std::ostream& out, const TableArray& table) {
   out << "  // " << table.source << "\n";
-  for (std::size_t a = 0; a < table.smooth.size(); ++a)
+  for (std::size_t a = 0; a < table.smooth.size(); ++a) {
     emit_array(out, axis_name(table, "x", a), table.smooth[a]);
+    emit_index(out, axis_name(table, "x", a), index_of(table.smooth[a]).bucket);
+  }
   for (std::size_t a = 0; a < table.linear.size(); ++a)
     emit_array(out, axis_name(table, "p", a), table.linear[a]);
   emit_array(out, array_name(table.field) + "_node",
@@ -89,9 +125,17 @@ void emit_table_arrays(std::ostream& out, const TableArray& table) {
 void emit_table(std::ostream& out, const TableArray& table) {
   out << "  // " << table.source << "\n";
   const auto axis = [&](const char* member, const char* kind, const std::vector<std::vector<double>>& axes) {
-    for (std::size_t a = 0; a < axes.size(); ++a)
+    for (std::size_t a = 0; a < axes.size(); ++a) {
+      const AxisIndex index = kind[0] == 'x' ? index_of(axes[a]) : AxisIndex{};
       out << "  a." << table.field << "." << member << "[" << a << "] = {" << axes[a].size()
-          << ", A::" << axis_name(table, kind, a) << "};\n";
+          << ", A::" << axis_name(table, kind, a);
+      if (index.bucket.empty()) {
+        out << ", nullptr, 0, R(0)};\n";
+      } else {
+        out << ", A::" << axis_name(table, kind, a) << "_bucket, " << index.bucket.size() << ", "
+            << literal(index.per_width) << "};\n";
+      }
+    }
   };
   axis("smooth", "x", table.smooth);
   axis("linear", "p", table.linear);

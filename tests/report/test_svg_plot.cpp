@@ -18,7 +18,7 @@ double attribute_of(const std::string& text, const std::string& tag, const std::
   if (start == std::string::npos) return NAN;
   const std::string element = text.substr(start, text.find('>', start) - start);
   const std::size_t place = element.find(" " + name + "=\"");
-  return place == std::string::npos ? NAN : std::atof(element.c_str() + place + name.size() + 3);
+  return place == std::string::npos ? double(NAN) : std::atof(element.c_str() + place + name.size() + 3);
 }
 
 Plot plot_of(const Series& series) {

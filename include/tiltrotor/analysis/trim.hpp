@@ -40,7 +40,7 @@ struct TrimResult {
   R collective_root;           // mean blade pitch at r = 0, rad
   R thrust[2];                 // resultant force of the rotor on its hub, right and left, N
   R power[2];                  // shaft power, right and left, W
-  R download_fraction;         // downward force of the wake on wings over the rotors' force
+  R download_fraction;         // force of the rotor wakes on the wing against the thrust, over the rotors' force
 
   TrimLimit limit;             // the first limit exceeded, or none
   R limit_value, limit_bound;  // rad or in
@@ -279,8 +279,12 @@ void describe(const Configuration<R>& c, const SteadyFlight<R>& flight, TrimWork
     result.thrust[side] = std::sqrt(dot(rotor.force, rotor.force));
     result.power[side] = rotor.torque * c.setup.rotor_speed;
   }
-  result.download_fraction = (e.loads.component[wing_wake_right].force.z + e.loads.component[wing_wake_left].force.z) /
-                             (result.thrust[right] + result.thrust[left]);
+  R download = R(0);
+  for (int side = 0; side < 2; ++side) {
+    const Loads<R>& wake = e.loads.component[side == right ? wing_wake_right : wing_wake_left];
+    download -= dot(wake.force, c.hub[side].thrust_axis);
+  }
+  result.download_fraction = download / (result.thrust[right] + result.thrust[left]);
   const LimitCheck<R> check =
       check_limits(c, flight.speed, result.wing_angle_of_attack, result.state, result.controls, result.blades);
   result.limit = check.limit;

@@ -18,7 +18,6 @@ struct ScalarTraits<std::complex<R>> {
   static T sqrt(const T& x) { return std::sqrt(x); }
   static T sin(const T& x) { return std::sin(x); }
   static T cos(const T& x) { return std::cos(x); }
-  static T tan(const T& x) { return std::sin(x) / std::cos(x); }
   // First-order extension of the real function: exact for the infinitesimal steps this scalar is used with.
   static T atan2(const T& y, const T& x) {
     const R square = x.real() * x.real() + y.real() * y.real();

@@ -73,25 +73,32 @@ struct ScalarTraits<Dual<R, N>> {
     return {root, scaled(R(0.5) / root, x.d)};
   }
   // sin' = cos
-  static T sin(const T& x) { return {std::sin(x.v), scaled(std::cos(x.v), x.d)}; }
+  static T sin(const T& x) {
+    const SineCosine<R> f = sine_cosine(x.v);
+    return {f.sine, scaled(f.cosine, x.d)};
+  }
   // cos' = -sin
-  static T cos(const T& x) { return {std::cos(x.v), scaled(-std::sin(x.v), x.d)}; }
-  // tan' = 1 + tan^2
-  static T tan(const T& x) {
-    const R t = std::tan(x.v);
-    return {t, scaled(R(1) + t * t, x.d)};
+  static T cos(const T& x) {
+    const SineCosine<R> f = sine_cosine(x.v);
+    return {f.cosine, scaled(-f.sine, x.d)};
   }
   // atan2(y, x)' = (x y' - y x') / (x^2 + y^2)
   static T atan2(const T& y, const T& x) {
     const R inverse = R(1) / (x.v * x.v + y.v * y.v);
-    return {std::atan2(y.v, x.v), combined(x.v * inverse, y.d, -y.v * inverse, x.d)};
+    return {arctangent2(y.v, x.v), combined(x.v * inverse, y.d, -y.v * inverse, x.d)};
   }
 
   // Result of a function whose value and slopes are known: touches the partials once.
   static constexpr bool kTakesSlopes = true;
-  static T from_slopes(R value, R slope, const T& x) { return {value, scaled(slope, x.d)}; }
-  static T from_slopes(R value, R slope_x, const T& x, R slope_y, const T& y) {
-    return {value, combined(slope_x, x.d, slope_y, y.d)};
+  template <int Arguments>
+  static T from_slopes(R value, const R* slope, const T* x) {
+    if constexpr (Arguments == 1) {
+      return {value, scaled(slope[0], x[0].d)};
+    } else {
+      T result(value, combined(slope[0], x[0].d, slope[1], x[1].d));
+      for (int a = 2; a < Arguments; ++a) result.d = combined(R(1), result.d, slope[a], x[a].d);
+      return result;
+    }
   }
 };
 

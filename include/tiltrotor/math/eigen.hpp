@@ -88,7 +88,7 @@ inline int load(const Matrix<R, N, N>& a, int n, PaddedSquare<R, N>& h) {
     }
     for (int j = n; j < h.kStride; ++j) to[j] = R(0);
   }
-  constexpr int kSafeExponent = std::numeric_limits<R>::max_exponent / 4;
+  constexpr int kSafeExponent = std::numeric_limits<R>::max_exponent / 16;
   int exponent = 0;
   std::frexp(largest, &exponent);
   if (exponent > -kSafeExponent && exponent < kSafeExponent) return 0;

@@ -24,6 +24,15 @@ namespace francis_detail {
 template <class R>
 inline constexpr R kEps = std::numeric_limits<R>::epsilon();
 
+// A subdiagonal entry this small counts as zero: 2^-484 in double precision. Squares of larger ones neither vanish nor
+// lose digits; the matrix is scaled so that this is far below eps |H|.
+template <class R>
+constexpr R negligible_size() {
+  R size = R(1);
+  for (int i = 0; i < (-std::numeric_limits<R>::min_exponent - std::numeric_limits<R>::digits) / 2; ++i) size /= R(2);
+  return size;
+}
+
 // I - g v v^T with v = (v0, v1, v2), and where it takes the first entry.
 template <class R>
 struct Reflection {
@@ -108,9 +117,9 @@ template <class R, int N>
 inline bool negligible(const PaddedSquare<R, N>& h, int k) {
   const R below = std::fabs(h(k, k - 1));
   const R a = h(k - 1, k - 1), d = h(k, k);
-  R size = std::fabs(a) + std::fabs(d);
-  if (below > kEps<R> * size && below > std::numeric_limits<R>::min()) return false;
-  if (below <= std::numeric_limits<R>::min()) return true;
+  constexpr R kZero = negligible_size<R>();
+  if (below <= kZero) return true;
+  if (below > kEps<R> * (std::fabs(a) + std::fabs(d))) return false;
   const R above = std::fabs(h(k - 1, k));
   const R larger = std::fmax(below, above), smaller = std::fmin(below, above);
   const R large_diagonal = std::fmax(std::fabs(d), std::fabs(a - d));

@@ -14,7 +14,9 @@ namespace tiltrotor {
 // The factors of the leading `size` x `size` part of a matrix: P A = L U. Placed by the caller.
 template <class R, int N>
 struct LU {
-  PaddedSquare<R, N> factor;  // row[k] holds step k: L left of column k (unit diagonal not stored), U from it on
+  // Row row[k] belongs to step k: `lower` holds L left of column k (ones on the diagonal not stored), `upper` U from
+  // column k on. Apart because a narrow store followed by a wide load of the same place stalls most processors.
+  PaddedSquare<R, N> lower, upper;
   R inverse_pivot[N];
   int row[N];
   int size;
@@ -50,19 +52,19 @@ inline bool eliminate_groups(LU<R, N>& lu, Pivot<R> pivot) {
       const int pivot_row = lu.row[pivot.place];
       lu.row[pivot.place] = lu.row[k];
       lu.row[k] = pivot_row;
-      const R inverse = R(1) / lu.factor(pivot_row, k);
-      lu.inverse_pivot[k] = inverse;
+      const R pivot_entry = lu.upper(pivot_row, k);
+      lu.inverse_pivot[k] = R(1) / pivot_entry;
       alignas(64) R from[kWidth];
-      for (int c = 0; c < kWidth; ++c) from[c] = lu.factor(pivot_row, kBegin + c);
-      for (int c = 0; c <= k - kBegin; ++c) from[c] = R(0);  // columns already done stay as they are
+      for (int c = 0; c < kWidth; ++c) from[c] = lu.upper(pivot_row, kBegin + c);
       const int here = k - kBegin, next = here + 1 < kWidth ? here + 1 : here;
       pivot = {k + 1, R(-1)};
       for (int i = k + 1; i < n; ++i) {
-        R* to = lu.factor.row(lu.row[i]) + kBegin;
-        const R multiplier = to[here] * inverse;
+        const int row = lu.row[i];
+        R* to = lu.upper.row(row) + kBegin;
+        const R multiplier = to[here] / pivot_entry;
+        lu.lower(row, k) = multiplier;
         for (int c = 0; c < kWidth; ++c) to[c] -= multiplier * from[c];
         pivot.offer(i, to[next]);
-        to[here] = multiplier;
       }
     }
     return eliminate_groups<kGroup + 1>(lu, pivot);
@@ -83,27 +85,31 @@ template <class R, int N>
 inline void substitute(const LU<R, N>& lu, R* x) {
   constexpr int kGroup = kLane<R>;
   const int n = lu.size;
-  const R* row[N];
+  const R* lower[N];
+  const R* upper[N];
   alignas(64) R y[lane_ceil<R>(N)] = {};
-  for (int i = 0; i < n; ++i) row[i] = lu.factor.row(lu.row[i]);
+  for (int i = 0; i < n; ++i) {
+    lower[i] = lu.lower.row(lu.row[i]);
+    upper[i] = lu.upper.row(lu.row[i]);
+  }
   for (int first = 0; first < n; first += kGroup) {
     const int last = first + kGroup < n ? first + kGroup : n;
     R own[kGroup];
-    for (int i = first; i < last; ++i) own[i - first] = x[lu.row[i]] - known_part(row[i], y, 0, first);
+    for (int i = first; i < last; ++i) own[i - first] = x[lu.row[i]] - known_part(lower[i], y, 0, first);
     for (int k = first; k < last; ++k) {
       y[k] = own[k - first];
-      for (int i = k + 1; i < last; ++i) own[i - first] -= row[i][k] * own[k - first];
+      for (int i = k + 1; i < last; ++i) own[i - first] -= lower[i][k] * own[k - first];
     }
   }
   const int end = lane_ceil<R>(n);
   for (int first = end - kGroup; first >= 0; first -= kGroup) {
     const int last = first + kGroup < n ? first + kGroup : n;
     R own[kGroup];
-    for (int i = first; i < last; ++i) own[i - first] = y[i] - known_part(row[i], y, first + kGroup, end);
+    for (int i = first; i < last; ++i) own[i - first] = y[i] - known_part(upper[i], y, first + kGroup, end);
     for (int k = last - 1; k >= first; --k) {
       own[k - first] *= lu.inverse_pivot[k];
       y[k] = own[k - first];
-      for (int i = first; i < k; ++i) own[i - first] -= row[i][k] * own[k - first];
+      for (int i = first; i < k; ++i) own[i - first] -= upper[i][k] * own[k - first];
     }
   }
   for (int i = 0; i < n; ++i) x[i] = y[i];
@@ -115,12 +121,12 @@ inline void substitute_transposed(const LU<R, N>& lu, R* x) {
   R y[N];
   for (int i = 0; i < n; ++i) y[i] = x[i];
   for (int k = 0; k < n; ++k) {
-    const R* u = lu.factor.row(lu.row[k]);
+    const R* u = lu.upper.row(lu.row[k]);
     y[k] *= lu.inverse_pivot[k];
     for (int j = k + 1; j < n; ++j) y[j] -= u[j] * y[k];
   }
   for (int k = n - 1; k >= 0; --k) {
-    const R* l = lu.factor.row(lu.row[k]);
+    const R* l = lu.lower.row(lu.row[k]);
     for (int j = 0; j < k; ++j) y[j] -= l[j] * y[k];
   }
   for (int i = 0; i < n; ++i) x[lu.row[i]] = y[i];
@@ -151,7 +157,7 @@ inline Status lu_factor(const Matrix<R, N, N>& a, int n, LU<R, N>& lu) {
   constexpr int kWide = lane_ceil<R>(N);
   alignas(64) R column[kWide] = {};
   for (int i = 0; i < n; ++i) {
-    R* to = lu.factor.row(i);
+    R* to = lu.upper.row(i);
     for (int j = 0; j < n; ++j) {
       to[j] = a(i, j);
       column[j] += std::fabs(to[j]);
@@ -164,7 +170,7 @@ inline Status lu_factor(const Matrix<R, N, N>& a, int n, LU<R, N>& lu) {
   lu_detail::Pivot<R> first = {0, R(-1)};
   for (int i = 0; i < n; ++i) first.offer(i, a(i, 0));
   const bool regular = lu_detail::eliminate_groups<0>(lu, first);
-  const bool finite = all_finite(lu.factor, n, n);
+  const bool finite = all_finite(lu.upper, n, n);
   if (regular && finite) return Status::ok;
   lu.size = 0;
   return finite ? Status::singular : Status::not_finite;
@@ -205,9 +211,9 @@ inline Status lu_solve(const LU<R, N>& lu, const Matrix<R, N, M>& b, int columns
     for (int j = 0; j < Matrix<R, N, M>::kStride; ++j) to[j] -= factor * from[j];
   };
   for (int i = 1; i < n; ++i)
-    for (int k = 0; k < i; ++k) subtract(i, lu.factor(lu.row[i], k), k);
+    for (int k = 0; k < i; ++k) subtract(i, lu.lower(lu.row[i], k), k);
   for (int i = n - 1; i >= 0; --i) {
-    for (int k = i + 1; k < n; ++k) subtract(i, lu.factor(lu.row[i], k), k);
+    for (int k = i + 1; k < n; ++k) subtract(i, lu.upper(lu.row[i], k), k);
     R* to = x.row(i);
     for (int j = 0; j < columns; ++j) to[j] *= lu.inverse_pivot[i];
   }

@@ -5,6 +5,8 @@
 
 #include <cmath>
 
+#include "tiltrotor/math/elementary.hpp"
+
 namespace tiltrotor {
 
 // Plain numbers. Other scalars specialise this: dual.hpp, complex_step.hpp.
@@ -13,12 +15,10 @@ struct ScalarTraits {
   using Real = T;
   static T value(T x) { return x; }
   static T sqrt(T x) { return std::sqrt(x); }
-  static T sin(T x) { return std::sin(x); }
-  static T cos(T x) { return std::cos(x); }
-  static T tan(T x) { return std::tan(x); }
-  static T atan2(T y, T x) { return std::atan2(y, x); }
-  // f at x given its value, one partial derivative and the argument: what a table look-up returns.
-  static constexpr bool kTakesSlopes = false;
+  static T sin(T x) { return sine_cosine(x).sine; }
+  static T cos(T x) { return sine_cosine(x).cosine; }
+  static T atan2(T y, T x) { return arctangent2(y, x); }
+  static constexpr bool kTakesSlopes = false;  // see Dual
 };
 
 template <class T>
@@ -43,7 +43,7 @@ T cos(const T& x) {
 }
 template <class T>
 T tan(const T& x) {
-  return ScalarTraits<T>::tan(x);
+  return sin(x) / cos(x);
 }
 // Angle of the point (x, y), -pi..pi.
 template <class T>

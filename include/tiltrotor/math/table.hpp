@@ -7,6 +7,8 @@
 // Outside the grid the end value holds with zero slope; on the end node itself the last interval counts.
 #pragma once
 
+#include <type_traits>
+
 #include "tiltrotor/math/scalar.hpp"
 
 namespace tiltrotor {
@@ -19,6 +21,11 @@ template <class R>
 struct Axis {
   int count;      // knots, 1..kMaxKnots
   const R* knot;  // strictly increasing
+  // Optional index, written by the table generator: equal buckets no wider than the narrowest interval, each with the
+  // interval at its left end. A search is then one multiplication and two comparisons, whatever the argument.
+  const unsigned char* bucket = nullptr;
+  int buckets = 0;
+  R per_width = 0;  // buckets per unit of the argument
 };
 
 // Nodes are stored with the linear axes outermost, then the smooth axes in order, then the 2^Smooth numbers of
@@ -38,9 +45,17 @@ struct Place {
   R fraction;
 };
 
-// Largest i <= count - 2 with knot[i] <= x; 0 when x lies before the grid. Bounded bisection.
+// Largest i <= count - 2 with knot[i] <= x; 0 when x lies before the grid. At least two knots; x is finite or NaN.
 template <class R>
 int find_interval(const Axis<R>& axis, R x) {
+  if (axis.bucket != nullptr) {
+    const R at = (x - axis.knot[0]) * axis.per_width;
+    const R last = static_cast<R>(axis.buckets - 1);
+    int i = axis.bucket[static_cast<int>(at > R(0) ? (at < last ? at : last) : R(0))];
+    i -= static_cast<int>(i > 0 && x < axis.knot[i]);  // rounding at the edge of a bucket
+    i += static_cast<int>(i < axis.count - 2 && x >= axis.knot[i + 1]);
+    return i;
+  }
   int low = 0;
   int high = axis.count - 1;
   for (int step = kMaxKnots; step > 1 && high - low > 1; step /= 2) {
@@ -102,27 +117,62 @@ struct Cell {
 template <class R, int Smooth>
 void gather(const Axis<R>* axis, const R* node, const Cell<R, Smooth>& cell, R* c) {
   constexpr int per_node = 1 << Smooth;
-  for (int k = 0; k < power_of_4(Smooth); ++k) {
+  const R* corner[1 << Smooth];  // bit a: right end of axis a
+  for (int k = 0; k < (1 << Smooth); ++k) {
     int index = 0;
-    int slopes = 0;
-    int digits = k;
     for (int a = 0; a < Smooth; ++a) {
-      const int digit = digits & 3;
-      digits >>= 2;
       const int last = axis[a].count - 1;
-      const int at = cell.interval[a] + (digit & 1);
+      const int at = cell.interval[a] + (k >> a & 1);
       index = index * axis[a].count + (at < last ? at : last);
-      slopes |= (digit >> 1) << a;
     }
-    c[k] = node[index * per_node + slopes];
+    corner[k] = node + index * per_node;
+  }
+  for (int k = 0; k < power_of_4(Smooth); ++k) {
+    int ends = 0;
+    int slopes = 0;
+    for (int a = 0; a < Smooth; ++a) {
+      ends |= (k >> (2 * a) & 1) << a;
+      slopes |= (k >> (2 * a + 1) & 1) << a;
+    }
+    c[k] = corner[ends][slopes];
   }
 }
 
-// Contract the coefficients with the weights of the last axis: 4^n numbers -> 4^(n-1).
-template <class T, class C>
-void contract(int remaining, const C* c, const T* w, T* out) {
-  for (int k = 0; k < remaining; ++k) {
-    out[k] = (w[0] * c[k] + w[1] * c[k + remaining]) + (w[2] * c[k + 2 * remaining] + w[3] * c[k + 3 * remaining]);
+// Contract the coefficients with the weights of the last axis: 4 Rest numbers -> Rest.
+template <int Rest, class T, class C>
+void contract(const C* c, const AxisWeights<T>& w, T* out) {
+  for (int k = 0; k < Rest; ++k) {
+    out[k] = (w.w[0] * c[k] + w.w[1] * c[k + Rest]) + (w.w[2] * c[k + 2 * Rest] + w.w[3] * c[k + 3 * Rest]);
+  }
+}
+
+// Value of the local polynomial: axes contracted from the last to the first.
+template <int Axes, class T, class C>
+T polynomial(const C* c, const AxisWeights<T>* w) {
+  constexpr int rest = power_of_4(Axes - 1);
+  T out[rest];
+  contract<rest>(c, w[Axes - 1], out);
+  if constexpr (Axes == 1) {
+    return out[0];
+  } else {
+    return polynomial<Axes - 1>(out, w);
+  }
+}
+
+// The same with its slope along every axis, from the weights `w` and their derivatives `d`.
+template <int Axes, class R>
+R polynomial_with_slopes(const R* c, const AxisWeights<R>* w, const AxisWeights<R>* d, R* slope) {
+  constexpr int rest = power_of_4(Axes - 1);
+  R out[rest];
+  R steep[rest];
+  contract<rest>(c, w[Axes - 1], out);
+  contract<rest>(c, d[Axes - 1], steep);
+  if constexpr (Axes == 1) {
+    slope[0] = steep[0];
+    return out[0];
+  } else {
+    slope[Axes - 1] = polynomial<Axes - 1>(steep, w);
+    return polynomial_with_slopes<Axes - 1>(out, w, d, slope);
   }
 }
 
@@ -143,54 +193,41 @@ PlainArgument<R> hold(const Axis<R>& axis, R x) {
 // One smooth block of nodes at arguments x[Smooth].
 template <class T, class R, int Smooth>
 T evaluate(const Axis<R>* axis, const R* node, Interpolation mode, const T* x) {
-  Cell<R, Smooth> cell{};
-  T fraction[Smooth];
+  // Dual numbers take plain fractions and the slopes of the polynomial; other scalars go through it themselves.
+  using Fraction = std::conditional_t<ScalarTraits<T>::kTakesSlopes, R, T>;
+  Cell<R, Smooth> cell;
+  Fraction fraction[Smooth];
   for (int a = 0; a < Smooth; ++a) {
     const PlainArgument<R> p = hold(axis[a], value(x[a]));
     cell.inside[a] = p.inside;
     cell.interval[a] = axis[a].count > 1 ? find_interval(axis[a], p.held) : 0;
     const R left = axis[a].knot[cell.interval[a]];
     cell.width[a] = axis[a].count > 1 ? axis[a].knot[cell.interval[a] + 1] - left : R(1);
-    // Inside: the argument with its derivative. Held at an end: a constant.
-    fraction[a] = p.inside ? (x[a] - left) / cell.width[a] : T((p.held - left) / cell.width[a]);
+    if constexpr (ScalarTraits<T>::kTakesSlopes) {
+      fraction[a] = (p.held - left) / cell.width[a];
+    } else {  // held at an end: a constant
+      fraction[a] = p.inside ? (x[a] - left) / cell.width[a] : T((p.held - left) / cell.width[a]);
+    }
   }
-  constexpr int count = power_of_4(Smooth);
-  R c[count];
+  R c[power_of_4(Smooth)];
   gather<R, Smooth>(axis, node, cell, c);
 
   if constexpr (ScalarTraits<T>::kTakesSlopes) {
     // Value and slopes in plain numbers; the partials of the arguments are touched once.
-    R current[count];
-    R gradient[Smooth][count / 4];
     AxisWeights<R> w[Smooth];
-    for (int k = 0; k < count; ++k) current[k] = c[k];
-    int remaining = count / 4;
-    for (int a = Smooth - 1; a >= 0; --a) {
-      w[a] = weights<R>(mode, value(fraction[a]), cell.width[a]);
-      AxisWeights<R> slope = weight_slopes<R>(mode, value(fraction[a]), cell.width[a]);
-      for (int k = 0; k < 4; ++k) slope.w[k] = cell.inside[a] ? slope.w[k] : R(0);
-      contract(remaining, current, slope.w, gradient[a]);
-      for (int b = Smooth - 1; b > a; --b) contract(remaining, gradient[b], w[a].w, gradient[b]);
-      contract(remaining, current, w[a].w, current);
-      remaining /= 4;
+    AxisWeights<R> d[Smooth];
+    R slope[Smooth];
+    for (int a = 0; a < Smooth; ++a) {
+      w[a] = weights<R>(mode, fraction[a], cell.width[a]);
+      d[a] = weight_slopes<R>(mode, fraction[a], cell.width[a]);
     }
-    T result = T(current[0]);
-    if constexpr (Smooth == 1) return ScalarTraits<T>::from_slopes(current[0], gradient[0][0], x[0]);
-    if constexpr (Smooth == 2) {
-      return ScalarTraits<T>::from_slopes(current[0], gradient[0][0], x[0], gradient[1][0], x[1]);
-    }
-    for (int a = 0; a < Smooth; ++a) result.d = combined(R(1), result.d, gradient[a][0], x[a].d);
-    return result;
+    const R f = polynomial_with_slopes<Smooth>(c, w, d, slope);
+    for (int a = 0; a < Smooth; ++a) slope[a] = cell.inside[a] ? slope[a] : R(0);
+    return ScalarTraits<T>::template from_slopes<Smooth>(f, slope, x);
   } else {
-    T current[count];
-    for (int k = 0; k < count; ++k) current[k] = T(c[k]);
-    int remaining = count / 4;
-    for (int a = Smooth - 1; a >= 0; --a) {
-      const AxisWeights<T> w = weights<T>(mode, fraction[a], cell.width[a]);
-      contract(remaining, current, w.w, current);
-      remaining /= 4;
-    }
-    return current[0];
+    AxisWeights<T> w[Smooth];
+    for (int a = 0; a < Smooth; ++a) w[a] = weights<T>(mode, fraction[a], cell.width[a]);
+    return polynomial<Smooth>(c, w);
   }
 }
 

@@ -134,7 +134,7 @@ WingConstants<R> wing_constants(const Aircraft<R>& aircraft, const FlightSetup<R
                            ? aircraft.wake.load_factor.at(s.mast_deg)
                            : aircraft.wake.gtrs_load_factor_0 + aircraft.wake.gtrs_load_factor_flap * s.flap_deg;
   c.aspect_ratio = w.span * w.span / w.area;
-  const Axis<R> settings{kFlapSettings, w.flap_deg};
+  const Axis<R> settings{kFlapSettings, w.flap_deg, nullptr, 0, R(0)};
   const Place<R> flap = place_on(settings, s.flap_deg);
   c.flap_below = flap.interval;
   c.flap_above = flap.interval + 1;
