@@ -55,7 +55,8 @@ std::string one_of(const std::vector<std::string>& choices) {
   return text;
 }
 
-Arguments::Arguments(const std::string& command, const OptionList& options, const std::vector<std::string>& words)
+Arguments::Arguments(const std::string& command, const OptionList& options,
+                     const std::vector<std::string>& words)
     : command_(command) {
   for (std::size_t i = 0; i < words.size(); ++i) {
     const std::string& word = words[i];
@@ -113,7 +114,8 @@ std::size_t Arguments::choice(const std::string& name, const std::string& otherw
                               const std::vector<std::string>& choices) const {
   const std::string word = text(name, otherwise);
   const auto place = std::find(choices.begin(), choices.end(), word);
-  if (place == choices.end()) throw UsageError(where(name) + ": '" + word + "' is not one of " + one_of(choices));
+  if (place == choices.end())
+    throw UsageError(where(name) + ": '" + word + "' is not one of " + one_of(choices));
   return static_cast<std::size_t>(place - choices.begin());
 }
 

@@ -39,8 +39,12 @@ int run(const Arguments&) {
 }  // namespace
 
 Command conventions_command() {
-  return {"conventions", "units, axes and signs", "Prints units, axes, signs and names used everywhere.\n",
-          "tiltrotor conventions", {}, run};
+  return {"conventions",
+          "units, axes and signs",
+          "Prints units, axes, signs and names used everywhere.\n",
+          "tiltrotor conventions",
+          {},
+          run};
 }
 
 }  // namespace tiltrotor::cli

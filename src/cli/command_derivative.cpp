@@ -35,7 +35,8 @@ int run(const Arguments& arguments) {
   Output output(arguments);
   Records records = output.records(columns, Output::to_compare);
   int status = exit_success;
-  for (std::size_t r = output.shard().begin(file.rows.size()); r < output.shard().end(file.rows.size()); ++r) {
+  for (std::size_t r = output.shard().begin(file.rows.size()); r < output.shard().end(file.rows.size());
+       ++r) {
     const StateRow& row = file.rows[r];
     State<double> rates;
     derivative(setup.configuration(*row.mast_deg), row.state, row.controls, rates);
@@ -45,8 +46,8 @@ int run(const Arguments& arguments) {
     for (const int i : states) cells.emplace_back(flat[i]);
     records.add(cells);
     if (!std::all_of(std::begin(flat), std::end(flat), [](double rate) { return std::isfinite(rate); })) {
-      std::fprintf(stderr, "tiltrotor: %s:%zu: the derivative of this state is not finite\n", file.path.c_str(),
-                   row.line);
+      std::fprintf(stderr, "tiltrotor: %s:%zu: the derivative of this state is not finite\n",
+                   file.path.c_str(), row.line);
       status = exit_case_failed;
     }
   }
@@ -57,13 +58,14 @@ int run(const Arguments& arguments) {
 }  // namespace
 
 Command derivative_command() {
-  return {"derivative",
-          "xdot = f(x, u) at given states",
-          "Prints the columns of the file as they stand and, for every state, d_<state>: its rate of change.\n"
-          "The configuration follows the column mast_deg of each row, else --mast.\n",
-          "tiltrotor derivative --states states.csv --tables linear",
-          states_option() + mast_option() + SetupOptions::list() + Output::list(),
-          run};
+  return {
+      "derivative",
+      "xdot = f(x, u) at given states",
+      "Prints the columns of the file as they stand and, for every state, d_<state>: its rate of change.\n"
+      "The configuration follows the column mast_deg of each row, else --mast.\n",
+      "tiltrotor derivative --states states.csv --tables linear",
+      states_option() + mast_option() + SetupOptions::list() + Output::list(),
+      run};
 }
 
 }  // namespace tiltrotor::cli

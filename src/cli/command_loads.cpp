@@ -11,8 +11,8 @@ namespace tiltrotor::cli {
 
 namespace {
 
-const std::vector<std::string> columns = {"case", "mast_deg", "component", "x_n",
-                                          "y_n",  "z_n",      "l_nm",      "m_nm", "n_nm"};
+const std::vector<std::string> columns = {"case", "mast_deg", "component", "x_n", "y_n",
+                                          "z_n",  "l_nm",     "m_nm",      "n_nm"};
 
 void add_row(Records& records, const std::string& name, double mast_deg, const char* component,
              const Loads<double>& loads) {
@@ -37,7 +37,8 @@ int loads_at_given_states(const Arguments& arguments, const SetupOptions& setup)
   const StateFile file = given_states(arguments, setup);
   Output output(arguments);
   Records records = output.records(columns, Output::to_compare);
-  for (std::size_t r = output.shard().begin(file.rows.size()); r < output.shard().end(file.rows.size()); ++r) {
+  for (std::size_t r = output.shard().begin(file.rows.size()); r < output.shard().end(file.rows.size());
+       ++r) {
     const StateRow& row = file.rows[r];
     add_state(records, row.name, setup.configuration(*row.mast_deg), row.state, row.controls);
   }
@@ -64,20 +65,23 @@ int loads_at_trim(const Arguments& arguments, const SetupOptions& setup) {
 
 int run(const Arguments& arguments) {
   const SetupOptions setup(arguments);
-  return arguments.given("--states") ? loads_at_given_states(arguments, setup) : loads_at_trim(arguments, setup);
+  return arguments.given("--states") ? loads_at_given_states(arguments, setup)
+                                     : loads_at_trim(arguments, setup);
 }
 
 }  // namespace
 
 Command loads_command() {
-  return {"loads",
-          "force and moment of every component at given states or at trim",
-          "Components and their sum, total_aero: force on the aircraft and moment about the CG, body axes, without\n"
-          "weight. States come from --states, else from trim at every combination of --mast and --speed; `case`\n"
-          "counts from 0 unless the file names it.\n",
-          "tiltrotor loads --mast 0 --speed 0,40",
-          states_option() + flight_list() + SetupOptions::list() + Output::list(),
-          run};
+  return {
+      "loads",
+      "force and moment of every component at given states or at trim",
+      "Components and their sum, total_aero: force on the aircraft and moment about the CG, body axes, "
+      "without\n"
+      "weight. States come from --states, else from trim at every combination of --mast and --speed; `case`\n"
+      "counts from 0 unless the file names it.\n",
+      "tiltrotor loads --mast 0 --speed 0,40",
+      states_option() + flight_list() + SetupOptions::list() + Output::list(),
+      run};
 }
 
 }  // namespace tiltrotor::cli

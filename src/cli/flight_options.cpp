@@ -16,7 +16,8 @@ constexpr Range mass_range{3000, 10000, "kg"};
 constexpr Range cg_range{276, 314, "in"};
 constexpr Range turn_rate_range{-60, 60, "deg/s"};
 
-std::optional<double> optional_number(const Arguments& arguments, const char* name, const Range& range, double unit) {
+std::optional<double> optional_number(const Arguments& arguments, const char* name, const Range& range,
+                                      double unit) {
   if (!arguments.given(name)) return std::nullopt;
   return arguments.number(name, 0, range) * unit;
 }
@@ -31,15 +32,16 @@ Configuration<double> prepared(const FlightSetup<double>& setup) {
   Configuration<double> configuration;
   const Status status = prepare(aircraft_data<double>(), setup, configuration);
   if (status == Status::ok) return configuration;
-  throw UsageError("mast " + number_text(setup.mast_deg) + " deg: this configuration cannot be prepared: " +
-                   status_text(status));
+  throw UsageError("mast " + number_text(setup.mast_deg) +
+                   " deg: this configuration cannot be prepared: " + status_text(status));
 }
 
 const Option altitude_option = {"--altitude", "M", "-500..11000, standard atmosphere (0)"};
 const OptionList switch_options = {
     {"--tables", "KIND", "interpolation: c1 or linear (c1)"},
     {"--grid", "KIND", "blade stations: specification or realtime (specification)"},
-    {"--option", "NAME=VALUE", "any other switch of the model, repeatable; `tiltrotor --help` lists them", true},
+    {"--option", "NAME=VALUE", "any other switch of the model, repeatable; `tiltrotor --help` lists them",
+     true},
 };
 
 }  // namespace
@@ -84,7 +86,9 @@ FlightSetup<double> SetupOptions::flight_setup(double mast_deg) const {
   return setup;
 }
 
-Configuration<double> SetupOptions::configuration(double mast_deg) const { return prepared(flight_setup(mast_deg)); }
+Configuration<double> SetupOptions::configuration(double mast_deg) const {
+  return prepared(flight_setup(mast_deg));
+}
 
 Configuration<double> SetupOptions::configuration(double mast_deg, double rotor_speed) const {
   FlightSetup<double> setup = flight_setup(mast_deg);

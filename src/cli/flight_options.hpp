@@ -49,7 +49,8 @@ struct FlightCase {
   SteadyFlight<double> flight;
 };
 
-// Every combination of --mast and --speed, in that order, with the common --climb, --sideslip and --turn-rate.
+// Every combination of --mast and --speed, in that order, with the common --climb, --sideslip and
+// --turn-rate.
 OptionList flight_list();
 std::vector<FlightCase> flight_cases(const Arguments& arguments);
 

@@ -1,4 +1,5 @@
-// The command line program: finds the command, runs it, turns errors into a line on stderr and an exit status.
+// The command line program: finds the command, runs it, turns errors into a line on stderr and an exit
+// status.
 
 #include <algorithm>
 #include <csignal>
@@ -27,8 +28,8 @@ int print(const std::string& text) {
 }
 
 const Command& find_command(const std::vector<Command>& commands, const std::string& name) {
-  const auto place =
-      std::find_if(commands.begin(), commands.end(), [&](const Command& command) { return command.name == name; });
+  const auto place = std::find_if(commands.begin(), commands.end(),
+                                  [&](const Command& command) { return command.name == name; });
   if (place != commands.end()) return *place;
   std::vector<std::string> names;
   for (const Command& command : commands) names.emplace_back(command.name);
@@ -47,7 +48,8 @@ int run(std::vector<std::string> words) {
 
   const Command& command = find_command(commands, words.empty() ? "" : words.front());
   words.erase(words.begin());
-  if (first == "help" || std::any_of(words.begin(), words.end(), asks_for_help)) return print(command_help(command));
+  if (first == "help" || std::any_of(words.begin(), words.end(), asks_for_help))
+    return print(command_help(command));
   return command.run(Arguments(command.name, command.options, words));
 }
 

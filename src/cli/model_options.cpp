@@ -21,7 +21,8 @@ struct Switch {
 
 // Words in the order of the enumerators.
 template <class Enum>
-Switch words(const char* name, Enum Options::*member, const std::vector<std::string>& choices, const char* help) {
+Switch words(const char* name, Enum Options::*member, const std::vector<std::string>& choices,
+             const char* help) {
   std::string values;
   for (const std::string& choice : choices) values += (values.empty() ? "" : "|") + choice;
   return {name, values, help, [=](Options& options, const std::string& value, const std::string& where) {
@@ -37,14 +38,16 @@ Switch on_off(const char* name, bool Options::*member, const char* help) {
   const bool is_on = Options().*member;
   return {name, is_on ? "on|off" : "off|on", help,
           [=](Options& options, const std::string& value, const std::string& where) {
-            if (value != "on" && value != "off") throw UsageError(where + ": '" + value + "' is not one of on or off");
+            if (value != "on" && value != "off")
+              throw UsageError(where + ": '" + value + "' is not one of on or off");
             options.*member = value == "on";
           }};
 }
 
 Switch number(const char* name, double Options::*member, double low, double high, const char* help) {
   const Range range{low, high, ""};
-  return {name, range_text(range), help, [=](Options& options, const std::string& value, const std::string& where) {
+  return {name, range_text(range), help,
+          [=](Options& options, const std::string& value, const std::string& where) {
             options.*member = parse_number(value, where, range);
           }};
 }
@@ -59,7 +62,8 @@ Switch whole(const char* name, int Options::*member, long low, long high, const 
 // Two stations or fewer cannot carry the first harmonics.
 Switch azimuth_stations() {
   constexpr long fewest = 3;
-  Switch s = whole("azimuth_stations", &Options::azimuth_stations, fewest, kMaxAzimuthStations, "0: the grid's own number");
+  Switch s = whole("azimuth_stations", &Options::azimuth_stations, fewest, kMaxAzimuthStations,
+                   "0: the grid's own number");
   s.values = "0|" + s.values;
   s.set = [set = s.set](Options& options, const std::string& value, const std::string& where) {
     if (value == "0") {
@@ -80,7 +84,8 @@ std::vector<Switch> all_switches() {
       azimuth_stations(),
       words("azimuth", &O::azimuth, {"averaged", "individual"}, "rotor average or each blade"),
       words("flapping", &O::flapping, {"second", "first"}, "order of the gimbal equations"),
-      on_off("flap_angular_acceleration", &O::flap_angular_acceleration, "hub angular acceleration in flapping"),
+      on_off("flap_angular_acceleration", &O::flap_angular_acceleration,
+             "hub angular acceleration in flapping"),
       on_off("coning_states", &O::coning_states, "coning as two states a rotor"),
       on_off("mast_cant", &O::mast_cant, "outboard cant of the masts"),
       number("hub_spring_factor", &O::hub_spring_factor, 0, 10, "times the gimbal spring"),

@@ -23,8 +23,9 @@ std::string_view without_plus(std::string_view text) {
 std::string number_text(double value, int digits) {
   char buffer[64];
   const std::to_chars_result result =
-      digits == kShortest ? std::to_chars(buffer, buffer + sizeof buffer, value)
-                          : std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::general, digits);
+      digits == kShortest
+          ? std::to_chars(buffer, buffer + sizeof buffer, value)
+          : std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::general, digits);
   return std::string(buffer, result.ptr);
 }
 

@@ -21,8 +21,8 @@ std::string number_text(double value, int digits = kShortest);
 
 std::string range_text(const Range& range);
 
-// A finite number, throughout the text. Throws UsageError "<where>: ..." for anything else; `where` names the option,
-// or the file and line.
+// A finite number, throughout the text. Throws UsageError "<where>: ..." for anything else; `where` names the
+// option, or the file and line.
 double parse_number(std::string_view text, const std::string& where);
 double parse_number(std::string_view text, const std::string& where, const Range& range);
 long parse_integer(std::string_view text, const std::string& where, long low, long high);

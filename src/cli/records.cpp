@@ -65,7 +65,8 @@ void Records::write_json(const Row& row) {
   std::vector<JsonMember> members;
   for (std::size_t i = 0; i < row.size(); ++i) {
     const double* number = std::get_if<double>(&row[i]);
-    members.emplace_back(columns_[i], number != nullptr ? json_number(*number) : json_text(std::get<std::string>(row[i])));
+    members.emplace_back(columns_[i],
+                         number != nullptr ? json_number(*number) : json_text(std::get<std::string>(row[i])));
   }
   sink_.write((count_ == 0 ? "[\n" : ",\n") + json_object(members));
 }

@@ -7,7 +7,8 @@ namespace tiltrotor::cli {
 Shard parse_shard(const std::string& text, const std::string& where) {
   constexpr long max_parts = 1000000;
   const std::vector<std::string> parts = split(text, '/');
-  if (parts.size() != 2) throw UsageError(where + ": '" + text + "' is not k/n with 1 <= k <= n, for example 1/4");
+  if (parts.size() != 2)
+    throw UsageError(where + ": '" + text + "' is not k/n with 1 <= k <= n, for example 1/4");
   Shard shard;
   shard.parts = parse_integer(parts[1], where, 1, max_parts);
   shard.part = parse_integer(parts[0], where, 1, shard.parts);

@@ -54,8 +54,8 @@ void Sink::finish() {
 bool Sink::is_terminal() const { return isatty(fileno(file_)) != 0; }
 
 void Sink::fail() {
-  throw OutputError("cannot write " + (temporary_path_.empty() ? std::string("to standard output") : path_) + ": " +
-                    reason());
+  throw OutputError("cannot write " + (temporary_path_.empty() ? std::string("to standard output") : path_) +
+                    ": " + reason());
 }
 
 void require_writable_folder(const std::string& folder, const std::string& where) {

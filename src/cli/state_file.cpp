@@ -77,7 +77,8 @@ std::vector<Target> read_header(const std::vector<std::string>& columns, const O
   for (std::size_t i = 0; i < columns.size(); ++i) {
     const std::optional<Target> target = find_target(columns[i]);
     if (!target) {
-      throw UsageError(where + ": unknown column '" + columns[i] + "'; `tiltrotor derivative --help` lists the columns");
+      throw UsageError(where + ": unknown column '" + columns[i] +
+                       "'; `tiltrotor derivative --help` lists the columns");
     }
     if (std::find(columns.begin(), columns.begin() + static_cast<std::ptrdiff_t>(i), columns[i]) !=
         columns.begin() + static_cast<std::ptrdiff_t>(i)) {

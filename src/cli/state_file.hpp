@@ -1,7 +1,8 @@
 // States and controls from a CSV file, columns in any order.
 //
-// States carry the names of kStateNames, controls th75_rad, lon_in, lat_in, ped_in. Optional: `case`, `mast_deg`, the
-// remaining controls as <name>_<unit> (elevator_rad, gust_u_mps; zero when absent), and d_<state>, which is ignored.
+// States carry the names of kStateNames, controls th75_rad, lon_in, lat_in, ped_in. Optional: `case`,
+// `mast_deg`, the remaining controls as <name>_<unit> (elevator_rad, gust_u_mps; zero when absent), and
+// d_<state>, which is ignored.
 #pragma once
 
 #include <optional>
@@ -29,8 +30,8 @@ struct StateFile {
   bool has_mast;
 };
 
-// Throws UsageError "FILE:LINE: ..." for anything that is not a complete, finite table of states. The states beyond
-// the first 24 are needed when `options` makes them alive.
+// Throws UsageError "FILE:LINE: ..." for anything that is not a complete, finite table of states. The states
+// beyond the first 24 are needed when `options` makes them alive.
 StateFile read_state_file(const std::string& path, const Options& options);
 
 }  // namespace tiltrotor::cli

@@ -40,7 +40,8 @@ struct TrimResult {
   R collective_root;           // mean blade pitch at r = 0, rad
   R thrust[2];                 // resultant force of the rotor on its hub, right and left, N
   R power[2];                  // shaft power, right and left, W
-  R download_fraction;         // force of the rotor wakes on the wing against the thrust, over the rotors' force
+  R download_fraction;         // force of the rotor wakes on the wing against the thrust, over the rotors' force (at
+                               // least a tenth of the weight); 0 where the wing in the wake pulls forward
 
   TrimLimit limit;             // the first limit exceeded, or none
   R limit_value, limit_bound;  // rad or in
@@ -73,7 +74,7 @@ struct TrimOptions {
 // Trim from a cold start. The result is defined whatever is returned; when is_trimmed(status) it fulfils the equations
 // of motion to the tolerance (1e-10 in double), otherwise it describes the best point of the first attempt.
 // not_converged: no trim found; result.residual_state tells which equation is left, result.limit which limit the last
-// point exceeds, often the reason. Cost: typically 3 to 9 Jacobians; at most about 600.
+// point exceeds, often the reason. Cost: typically 3 to 9 Jacobians; at most about 450 with the default options.
 template <class R, class Policy>
 TrimStatus trim(const Configuration<R>& c, const SteadyFlight<R>& flight, TrimWorkspace<R, Policy>& work,
                 TrimResult<R>& result, const TrimOptions& options = {});
@@ -94,7 +95,7 @@ constexpr R tolerance() {
 }
 
 inline constexpr int kHalvings = 12;
-inline constexpr int kStageIterations = 12;  // Newton steps of one stage of a continuation
+inline constexpr int kStageIterations = 12;  // Newton steps of one stage of a continuation, and of a start nearby
 inline constexpr int kFlightStages = 8;      // from level flight to the climb, turn and sideslip asked for
 inline constexpr int kSpeedSearch = 4;       // neighbouring speeds tried on each side, 5 m/s apart
 inline constexpr int kStagesPerSearch = 2;   // the way back in steps of 2.5 m/s
@@ -187,10 +188,10 @@ NewtonOutcome<R> newton(const Configuration<R>& c, const SteadyFlight<R>& flight
 // Climb, turn and sideslip in equal parts, beginning at level flight.
 template <class R, class Policy>
 NewtonOutcome<R> from_level_flight(const Configuration<R>& c, const SteadyFlight<R>& flight,
-                                   TrimWorkspace<R, Policy>& work, int max_iterations, int& iterations) {
+                                   TrimWorkspace<R, Policy>& work, int& iterations) {
   SteadyFlight<R> stage{flight.speed, R(0), R(0), R(0)};
   trim_first_guess(c, stage, work.equations, work.z);
-  NewtonOutcome<R> outcome = newton(c, stage, work, max_iterations, iterations);
+  NewtonOutcome<R> outcome = newton(c, stage, work, kStageIterations, iterations);
   for (int k = 1; k <= kFlightStages && outcome.status == TrimStatus::ok; ++k) {
     const R part = static_cast<R>(k) / R(kFlightStages);
     stage = {flight.speed, part * flight.climb, part * flight.turn_rate, part * flight.sideslip};
@@ -202,7 +203,7 @@ NewtonOutcome<R> from_level_flight(const Configuration<R>& c, const SteadyFlight
 // The nearest speed on one side that has a trim, and from there back to the speed asked for.
 template <class R, class Policy>
 NewtonOutcome<R> from_other_speed(const Configuration<R>& c, const SteadyFlight<R>& flight, R direction,
-                                  TrimWorkspace<R, Policy>& work, int max_iterations, int& iterations) {
+                                  TrimWorkspace<R, Policy>& work, int& iterations) {
   const R spacing = R(5);  // m/s
   NewtonOutcome<R> outcome{TrimStatus::not_converged, std::numeric_limits<R>::infinity(), 0};
   SteadyFlight<R> stage = flight;
@@ -211,7 +212,7 @@ NewtonOutcome<R> from_other_speed(const Configuration<R>& c, const SteadyFlight<
     stage.speed = flight.speed + direction * spacing * static_cast<R>(k);
     if (first_invalid(stage) != SteadyFlightField::none) return outcome;
     trim_first_guess(c, stage, work.equations, work.z);
-    outcome = newton(c, stage, work, max_iterations, iterations);
+    outcome = newton(c, stage, work, kStageIterations, iterations);
     distance = k;
   }
   const int stages = distance * kStagesPerSearch;
@@ -284,7 +285,9 @@ void describe(const Configuration<R>& c, const SteadyFlight<R>& flight, TrimWork
     const Loads<R>& wake = e.loads.component[side == right ? wing_wake_right : wing_wake_left];
     download -= dot(wake.force, c.hub[side].thrust_axis);
   }
-  result.download_fraction = download / (result.thrust[right] + result.thrust[left]);
+  const R thrust = result.thrust[right] + result.thrust[left];
+  const R least_thrust = R(0.1) * c.mass.mass * kGravity<R>;
+  result.download_fraction = download > R(0) ? download / (thrust > least_thrust ? thrust : least_thrust) : R(0);
   const LimitCheck<R> check =
       check_limits(c, flight.speed, result.wing_angle_of_attack, result.state, result.controls, result.blades);
   result.limit = check.limit;
@@ -345,12 +348,11 @@ TrimStatus trim(const Configuration<R>& c, const SteadyFlight<R>& flight, TrimWo
     const bool level = flight.climb == R(0) && flight.turn_rate == R(0) && flight.sideslip == R(0);
     if (!level) {
       ++result.attempts;
-      outcome = trim_detail::from_level_flight(c, flight, work, options.max_iterations, result.iterations);
+      outcome = trim_detail::from_level_flight(c, flight, work, result.iterations);
     }
     for (int side = 0; side < 2 && outcome.status != TrimStatus::ok; ++side) {
       ++result.attempts;
-      outcome = trim_detail::from_other_speed(c, flight, side == 0 ? R(-1) : R(1), work, options.max_iterations,
-                                              result.iterations);
+      outcome = trim_detail::from_other_speed(c, flight, side == 0 ? R(-1) : R(1), work, result.iterations);
     }
     if (outcome.status != TrimStatus::ok) {
       outcome = first_outcome;

@@ -54,12 +54,15 @@ constexpr bool is_trimmed(TrimStatus status) {
          status == TrimStatus::flap_limit;
 }
 
-// The angle of attack beyond which the free wing stalls (model.md 12.4). Where the wing's dynamic pressure carries
-// less than a tenth of the weight per unit of lift coefficient (23 m/s at sea level) its stall is no limit.
+// The angle of attack beyond which the free wing stalls (model.md 12.4). It is a limit where the aircraft rests on the
+// wing: not in helicopter mode, where rotors carry it through a descent with the wing stalled, and not where a unit of
+// lift coefficient carries less than a fiftieth of the weight (10 m/s at sea level).
 template <class R>
 inline constexpr R kWingStall = R(16) * kRadian<R>;
 template <class R>
-inline constexpr R kWingLoadShare = R(0.1);
+inline constexpr R kWingborneMast = R(15);  // deg
+template <class R>
+inline constexpr R kWingLoadShare = R(0.02);
 
 template <class R>
 struct LimitCheck {
@@ -75,7 +78,9 @@ LimitCheck<R> check_limits(const Configuration<R>& c, R speed, R wing_angle, con
   const Aircraft<R>& aircraft = *c.aircraft;
   const ControlTables<R>& t = aircraft.controls;
   const R pressure_lift = R(0.5) * c.air.density * speed * speed * aircraft.wing.area;
-  if (wing_angle > kWingStall<R> && pressure_lift > kWingLoadShare<R> * c.mass.mass * kGravity<R>) {
+  const bool wingborne =
+      c.setup.mast_deg >= kWingborneMast<R> && pressure_lift > kWingLoadShare<R> * c.mass.mass * kGravity<R>;
+  if (wingborne && wing_angle > kWingStall<R>) {
     return {TrimStatus::wing_stall, TrimLimit::wing_angle, wing_angle, kWingStall<R>};
   }
   const auto outside = [](R value, R bound) { return std::fabs(value) > bound; };

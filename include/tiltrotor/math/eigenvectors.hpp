@@ -34,7 +34,7 @@ inline Complex<R> times(Complex<R> a, Complex<R> b) {
 }
 template <class R>
 inline R size_of(Complex<R> a) {
-  return std::fmax(std::fabs(a.re), std::fabs(a.im));
+  return larger_of(std::fabs(a.re), std::fabs(a.im));
 }
 // 1 / a for |a| of at least `smallest`, which replaces a smaller one.
 template <class R>
@@ -88,8 +88,8 @@ inline void solve_triangular_eigenvectors(const Matrix<R, N, lane_ceil<R>(N)>& t
   R norm = R(0);
   R real[N], imag[N];  // eigenvalues as they stand on the diagonal; imag > 0 at the first place of a pair
   for (int i = 0; i < n; ++i)
-    for (int j = 0; j < n; ++j) norm = std::fmax(norm, std::fabs(t(i, j)));
-  const R smallest = std::fmax(norm * std::numeric_limits<R>::epsilon(),
+    for (int j = 0; j < n; ++j) norm = larger_of(norm, std::fabs(t(i, j)));
+  const R smallest = larger_of(norm * std::numeric_limits<R>::epsilon(),
                                std::numeric_limits<R>::min() / std::numeric_limits<R>::epsilon());
   for (int i = 0; i < n; ++i) {
     real[i] = t(i, i);
@@ -146,7 +146,7 @@ inline void solve_triangular_eigenvectors(const Matrix<R, N, lane_ceil<R>(N)>& t
       const Complex<R> u = {x(top, e), complex ? x(top, e + 1) : R(0)};
       const Complex<R> v = {x(i, e), complex ? x(i, e + 1) : R(0)};
       const Complex<R> pq = times(p, q);
-      const R unit = std::fmax(std::fmax(std::fabs(b), std::fabs(c)), std::fmax(size_of(p), size_of(q)));
+      const R unit = larger_of(larger_of(std::fabs(b), std::fabs(c)), larger_of(size_of(p), size_of(q)));
       const Complex<R> inverse = reciprocal<R>({(pq.re - b * c) / unit, pq.im / unit}, smallest);
       const Complex<R> qu = times(q, u), pv = times(p, v);
       const Complex<R> first = times<R>(inverse, {(qu.re - b * v.re) / unit, (qu.im - b * v.im) / unit});
@@ -157,7 +157,7 @@ inline void solve_triangular_eigenvectors(const Matrix<R, N, lane_ceil<R>(N)>& t
         x(top, e + 1) = first.im;
         x(i, e + 1) = second.im;
       }
-      shrink<R, N>(x, n, top, e, complex ? 2 : 1, std::fmax(size_of(first), size_of(second)));
+      shrink<R, N>(x, n, top, e, complex ? 2 : 1, larger_of(size_of(first), size_of(second)));
       if (complex) ++e;
     }
     --i;
@@ -177,7 +177,7 @@ inline void normalise(Matrix<R, N, lane_ceil<R>(N)>& vectors, int n, const R* im
       largest[c] = size > largest[c] ? size : largest[c];
     }
   for (int e = 0; e + 1 < n; ++e)
-    if (imag[e] > R(0)) largest[e] = largest[e + 1] = std::fmax(largest[e], largest[e + 1]);
+    if (imag[e] > R(0)) largest[e] = largest[e + 1] = larger_of(largest[e], largest[e + 1]);
   for (int c = 0; c < end; ++c) largest[c] = largest[c] > R(0) ? largest[c] : R(1);
   for (int i = 0; i < n; ++i)
     for (int c = 0; c < end; ++c) {
@@ -249,7 +249,7 @@ inline void eigenvalue_conditions(const Matrix<R, N, lane_ceil<R>(N)>& right,
       for (int i = 0; i < n; ++i) real_part += right(i, e) * left(i, e);
     }
     const R product = tiltrotor::sqrt(real_part * real_part + imag_part * imag_part);
-    condition[e] = R(1) / std::fmax(product, std::numeric_limits<R>::min());
+    condition[e] = R(1) / larger_of(product, std::numeric_limits<R>::min());
     if (imag[e] > R(0)) {
       condition[e + 1] = condition[e];
       ++e;

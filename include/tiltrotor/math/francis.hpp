@@ -46,10 +46,10 @@ inline Reflection<R> reflection(R x, R y, R z) {
   R square = y * y + z * z;
   R scale = R(1);
   if (square < kSmallestSquare) {
-    const R largest = std::fmax(std::fabs(y), std::fabs(z));
+    const R largest = larger_of(std::fabs(y), std::fabs(z));
     if (largest == R(0)) return {R(0), R(0), R(0), R(0), x};
     if (std::fabs(x) <= largest / kEps<R>) {  // otherwise x * x dominates and its square is safe
-      scale = std::fmax(std::fabs(x), largest);
+      scale = larger_of(std::fabs(x), largest);
       x /= scale;
       y /= scale;
       z /= scale;
@@ -121,11 +121,11 @@ inline bool negligible(const PaddedSquare<R, N>& h, int k) {
   if (below <= kZero) return true;
   if (below > kEps<R> * (std::fabs(a) + std::fabs(d))) return false;
   const R above = std::fabs(h(k - 1, k));
-  const R larger = std::fmax(below, above), smaller = std::fmin(below, above);
-  const R large_diagonal = std::fmax(std::fabs(d), std::fabs(a - d));
-  const R small_diagonal = std::fmin(std::fabs(d), std::fabs(a - d));
+  const R larger = larger_of(below, above), smaller = smaller_of(below, above);
+  const R large_diagonal = larger_of(std::fabs(d), std::fabs(a - d));
+  const R small_diagonal = smaller_of(std::fabs(d), std::fabs(a - d));
   const R sum = larger + large_diagonal;
-  return smaller * (larger / sum) <= std::fmax(std::numeric_limits<R>::min(),
+  return smaller * (larger / sum) <= larger_of(std::numeric_limits<R>::min(),
                                                kEps<R> * (small_diagonal * (large_diagonal / sum)));
 }
 
@@ -219,7 +219,7 @@ inline void sweep(PaddedSquare<R, N>& h, int n, int low, int high, int since_spl
 template <bool kWithBasis, class R, int N>
 inline void split_pair(PaddedSquare<R, N>& h, int n, int k, PaddedSquare<R, N>& basis, R* real, R* imag) {
   const R a = h(k, k), b = h(k, k + 1), c = h(k + 1, k), d = h(k + 1, k + 1);
-  const R size = std::fmax(std::fmax(std::fabs(a), std::fabs(b)), std::fmax(std::fabs(c), std::fabs(d)));
+  const R size = larger_of(larger_of(std::fabs(a), std::fabs(b)), larger_of(std::fabs(c), std::fabs(d)));
   const R unit = size > R(0) ? R(1) / size : R(1);
   const R half = R(0.5) * (a - d) * unit;
   const R product = (b * unit) * (c * unit);

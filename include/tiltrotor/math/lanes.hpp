@@ -32,10 +32,6 @@ template <class R, int Width>
 struct LaneType {
   typedef R type __attribute__((vector_size(Width * static_cast<int>(sizeof(R)))));
 };
-template <class R>
-struct LaneType<R, 1> {
-  typedef R type;
-};
 #else
 template <class R, int Width>
 struct alignas(Width * sizeof(R)) PortableLane {
@@ -60,6 +56,10 @@ struct LaneType {
   typedef PortableLane<R, Width> type;
 };
 #endif
+template <class R>
+struct LaneType<R, 1> {
+  typedef R type;
+};
 
 template <class R, int N>
 struct Partials {

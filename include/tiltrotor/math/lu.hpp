@@ -153,7 +153,6 @@ inline Status lu_factor(const Matrix<R, N, N>& a, int n, LU<R, N>& lu) {
   lu.size = 0;
   lu.norm1 = R(0);
   if (n < 1 || n > N) return Status::bad_argument;
-  if (!all_finite(a, n, n)) return Status::not_finite;
   constexpr int kWide = lane_ceil<R>(N);
   alignas(64) R column[kWide] = {};
   for (int i = 0; i < n; ++i) {
@@ -165,7 +164,10 @@ inline Status lu_factor(const Matrix<R, N, N>& a, int n, LU<R, N>& lu) {
     for (int j = n; j < kWide; ++j) to[j] = R(0);
     lu.row[i] = i;
   }
-  for (int j = 0; j < n; ++j) lu.norm1 = column[j] > lu.norm1 ? column[j] : lu.norm1;
+  for (int j = 0; j < n; ++j) {  // a NaN or an infinity anywhere shows in the sum of its column
+    if (!is_finite(column[j])) return Status::not_finite;
+    lu.norm1 = larger_of(column[j], lu.norm1);
+  }
   lu.size = n;
   lu_detail::Pivot<R> first = {0, R(-1)};
   for (int i = 0; i < n; ++i) first.offer(i, a(i, 0));
@@ -262,7 +264,7 @@ inline R lu_reciprocal_condition(const LU<R, N>& lu) {
   R sum = R(0);
   for (int i = 0; i < n; ++i) sum += std::fabs(x[i]);
   if (!is_finite(sum)) return R(0);
-  estimate = std::fmax(estimate, R(2) * sum / (R(3) * static_cast<R>(n)));
+  estimate = larger_of(estimate, R(2) * sum / (R(3) * static_cast<R>(n)));
   const R condition = estimate * lu.norm1;
   return is_finite(condition) && condition > R(0) ? R(1) / condition : R(0);
 }

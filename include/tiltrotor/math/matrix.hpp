@@ -93,6 +93,16 @@ constexpr void multiply(const Matrix<R, Rows, Cols>& a, const R* x, R* y) {
   }
 }
 
+// Plain comparisons: the library's fmax and fmin are calls on many targets because of their rule for NaN.
+template <class R>
+constexpr R larger_of(R a, R b) {
+  return a > b ? a : b;
+}
+template <class R>
+constexpr R smaller_of(R a, R b) {
+  return a < b ? a : b;
+}
+
 template <class R>
 inline bool is_finite(R x) {
   return std::fabs(x) <= std::numeric_limits<R>::max();

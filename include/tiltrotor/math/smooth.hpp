@@ -1,4 +1,4 @@
-// Smooth stand-ins for |x|, max, min, clip and switches: C1 or better, exact derivatives. Source: model.md 14.1.
+// Smooth stand-ins for |x|, max, min, clip and switches: C1 or better, exact derivatives.
 // Every width e is an absolute physical scale with a name in tables/<aircraft>/choices.csv.
 #pragma once
 

@@ -1,4 +1,4 @@
-// Interpolation tables on a rectangular grid, 1 to 4 dimensions, linear or C1 monotone cubic (model.md 14.3).
+// Interpolation tables on a rectangular grid, 1 to 4 dimensions, linear or C1 monotone cubic.
 //
 // A table has Smooth axes, which take any scalar and may be interpolated with C1 cubics, and Linear axes, which
 // take plain numbers fixed within a run (mast angle, flap) and are always linear. Each node stores the value and

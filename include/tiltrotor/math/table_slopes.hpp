@@ -1,4 +1,4 @@
-// Node slopes of the C1 monotone cubic interpolant (model.md 14.3): computed once, before a table is used.
+// Node slopes of the C1 monotone cubic interpolant (Fritsch and Butland 1984): computed once, before a table is used.
 //
 // Along one axis the inner slopes are the weighted harmonic mean of the neighbouring secants (zero where they
 // change sign), the end slopes one-sided and limited: no overshoot, nodes reproduced, first derivative continuous.

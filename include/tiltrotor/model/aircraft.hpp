@@ -1,7 +1,7 @@
 // The aircraft as plain numbers, SI units and radians, filled from tables/<aircraft>/ by the table generator.
 //
-// Table ordinates are SI; table abscissae keep the unit of the source (degrees, knots, Mach number), as in
-// model.md 0.1. Stations: SL aft, BL right, WL up, here in metres. Mast angle 0 is helicopter, 90 deg airplane.
+// Table ordinates are SI; table abscissae keep the unit of the source (degrees, knots, Mach number), so that
+// they can be compared with it. Stations: SL aft, BL right, WL up, here in metres. Mast angle 0 is helicopter, 90 deg airplane.
 // Every field names the entry of aircraft.csv or choices.csv (or the table) it comes from.
 #pragma once
 
@@ -84,7 +84,7 @@ struct InflowTables {
   R induced_power;           // choices: induced_power_factor (kappa_i)
 };
 
-// Rotor wake on the wing and the immersed part of the wing (model.md 5).
+// Rotor wake on the wing and the immersed part of the wing.
 template <class R>
 struct WakeTables {
   R axis_speed_factor;        // choices: wake_axis_speed_factor (kd 1.5)

@@ -79,7 +79,7 @@ FreeStream<T> free_stream(const Configuration<Real<T>>& c, const Vec3<T>& veloci
   return f;
 }
 
-// Force of lift, drag and side force Y' (wind axes at alpha, beta) in body axes (model.md 5.5).
+// Force of lift, drag and side force Y' (wind axes at alpha, beta) in body axes.
 template <class T>
 Vec3<T> wind_force(const T& lift, const T& drag, const T& side, const T& alpha, const T& beta) {
   const T sa = sin(alpha);

@@ -1,4 +1,4 @@
-// International Standard Atmosphere, troposphere (model.md 10.2).
+// International Standard Atmosphere, troposphere: ISO 2533.
 #pragma once
 
 #include <cmath>

@@ -1,4 +1,4 @@
-// Aerodynamic load of one blade element and of one blade (model.md 2.3 to 2.6).
+// Aerodynamic load of one blade element and of one blade.
 //
 // At a given azimuth the flow along a blade is linear in radius, so five numbers describe it whatever the state of
 // the aircraft: BladeFlow. That is the waist through which the derivatives of a blade pass.

@@ -1,4 +1,4 @@
-// Stations of the blade and azimuth where the blade-element integrals are summed (model.md 2.2).
+// Stations of the blade and azimuth where the blade-element integrals are summed.
 #pragma once
 
 #include "tiltrotor/model/aircraft.hpp"

@@ -1,4 +1,4 @@
-// Gearing from inceptors to blades and surfaces, phased with mast angle (model.md 11).
+// Gearing from inceptors to blades and surfaces, phased with mast angle (NASA CR-166536 tables 8a-I to 8a-VIII, pp. B-88 to B-95).
 #pragma once
 
 #include "tiltrotor/model/airflow.hpp"

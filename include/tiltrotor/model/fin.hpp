@@ -1,4 +1,4 @@
-// One of the two vertical fins, with rudder, in the sidewash of body and rotors (model.md 9).
+// One of the two vertical fins, with rudder, in the sidewash of body and rotors (NASA CR-166536 pp. B-69 to B-81).
 #pragma once
 
 #include "tiltrotor/model/tail_flow.hpp"

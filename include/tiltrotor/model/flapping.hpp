@@ -1,4 +1,4 @@
-// Gimbal tilt and coning of one rotor (model.md 3), in multiblade coordinates of the rotor frame A.
+// Gimbal tilt and coning of one rotor, in multiblade coordinates of the rotor frame A.
 //
 // Centrifugal stiffness cancels against the transformation to non-rotating coordinates: the gimbal is held by its
 // spring and the air alone.

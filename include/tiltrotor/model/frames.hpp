@@ -1,4 +1,4 @@
-// Frames of the tilting masts (model.md 1.2 to 1.5).
+// Frames of the tilting masts; mast geometry: NASA CR-166536 p. B-31.
 //
 // B: body axes. H: hub axes of one rotor, non-rotating: x_h forward at mast 0 and up at mast 90, z_h down the shaft.
 // A: rotor frame, x aft, y to the advancing side, z up the shaft; mirrored for the left rotor, so that one routine for

@@ -1,4 +1,4 @@
-// Fuselage: drag areas and volumes against angle of attack and sideslip, tables 3-I to 3-IX (model.md 7).
+// Fuselage: drag areas and volumes against angle of attack and sideslip, tables 3-I to 3-IX (NASA CR-166536 p. A-44).
 #pragma once
 
 #include "tiltrotor/model/airflow.hpp"

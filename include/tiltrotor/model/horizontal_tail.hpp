@@ -1,4 +1,4 @@
-// Horizontal tail with elevator, in the wing's downwash and the rotors' wash (model.md 8).
+// Horizontal tail with elevator, in the wing's downwash and the rotors' wash (NASA CR-166536 pp. ).
 #pragma once
 
 #include "tiltrotor/model/tail_flow.hpp"

@@ -1,4 +1,4 @@
-// CG and inertia against mast angle (model.md 1.6): the nacelles with their rotors swing about the conversion axis.
+// CG and inertia against mast angle: the nacelles with their rotors swing about the conversion axis.
 #pragma once
 
 #include "tiltrotor/model/aircraft.hpp"

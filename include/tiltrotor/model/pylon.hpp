@@ -1,4 +1,4 @@
-// Small drag items of the pylons (model.md 10.4): spinners, pylon-wing interference, side plates.
+// Small drag items of the pylons (NASA CR-166536 pp. ): spinners, pylon-wing interference, side plates.
 #pragma once
 
 #include "tiltrotor/model/wing_in_wake.hpp"

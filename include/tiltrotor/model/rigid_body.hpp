@@ -1,4 +1,4 @@
-// Six-degree-of-freedom rigid body in body axes (model.md 10.1). Symmetric aircraft: Ixy = Iyz = 0.
+// Six-degree-of-freedom rigid body in body axes (Etkin, Dynamics of Atmospheric Flight, ch. 5). Symmetric aircraft: Ixy = Iyz = 0.
 #pragma once
 
 #include "tiltrotor/model/configuration.hpp"

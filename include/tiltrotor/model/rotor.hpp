@@ -75,7 +75,7 @@ struct RotorResponse {
   }
 };
 
-// Flow seen by the blade at one azimuth, no small angles (model.md 2.3).
+// Flow seen by the blade at one azimuth, no small angles.
 template <class T>
 BladeFlow<T> blade_flow(const Configuration<Real<T>>& c, const RotorInput<T>& in, const T& sin_flap, const T& cos_flap,
                         Real<T> cosine, Real<T> sine) {
@@ -96,7 +96,7 @@ BladeFlow<T> blade_flow(const Configuration<Real<T>>& c, const RotorInput<T>& in
   return flow;
 }
 
-// Blade-element loads of the rotor (model.md 2.6).
+// Blade-element loads of the rotor.
 template <class T>
 RotorLoads<T> rotor_loads(const Configuration<Real<T>>& c, const RotorInput<T>& in,
                           const AzimuthStations<Real<T>>& azimuth) {
@@ -124,7 +124,7 @@ RotorLoads<T> rotor_loads(const Configuration<Real<T>>& c, const RotorInput<T>& 
   return {w * sum.force, w * sum.torque, w * sum.mc, w * sum.ms, w * sum.m0};
 }
 
-// What drives the inflow: load coefficients and the motion of the hub through the air (model.md 4.1, 4.7, 2.8).
+// What drives the inflow: load coefficients and the motion of the hub through the air.
 template <class T>
 InflowForcing<T> inflow_forcing(const Configuration<Real<T>>& c, const RotorInput<T>& in, const RotorLoads<T>& loads) {
   using R = Real<T>;
@@ -178,7 +178,7 @@ RotorResponse<T> rotor_response(const Configuration<Real<T>>& c, const RotorInpu
   return out;
 }
 
-// Hub force and moment on the airframe, body axes about the CG (model.md 2.7): force, spring moment and torque.
+// Hub force and moment on the airframe, body axes about the CG: force, spring moment and torque.
 // The load harmonics are balanced inside the gimbal and are not added again.
 template <class T>
 Loads<T> hub_loads(const Configuration<Real<T>>& c, int side, const RotorState<T>& x, const RotorLoads<T>& loads) {

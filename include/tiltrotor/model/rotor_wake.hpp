@@ -1,5 +1,5 @@
 // Rotor wake on one half wing: immersed area and where it lies, from the geometry of a contracting skewed vortex
-// cylinder (model.md 5.1 to 5.4), or from the empirical law of the source.
+// cylinder (on-axis speed of a semi-infinite vortex tube, radius by continuity), or from the empirical law of the source.
 #pragma once
 
 #include "tiltrotor/model/airflow.hpp"

@@ -1,4 +1,4 @@
-// State of the aircraft (model.md 0.2) and its time derivative: one plain struct, trivially copyable.
+// State of the aircraft and its time derivative: one plain struct, trivially copyable.
 //
 // Body axes x forward, y right, z down, origin at the CG; velocity relative to the air mass. Flapping and inflow of
 // each rotor stand in its own mirrored frame (frames.hpp), so that symmetric flight has equal rotors.

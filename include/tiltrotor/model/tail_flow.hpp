@@ -1,4 +1,4 @@
-// What horizontal tail and fins share: rotor wash at the tail, control effectiveness, Mach blend (model.md 8, 9).
+// What horizontal tail and fins share: rotor wash at the tail, control effectiveness, Mach blend (NASA CR-166536 tables 2-I, 2-II, 5-IV, 5-VI).
 #pragma once
 
 #include "tiltrotor/model/airflow.hpp"

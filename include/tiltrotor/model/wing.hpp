@@ -1,5 +1,5 @@
 // The part of wing and pylons in the free stream, with flap, aileron and rate terms, and the wing's downwash
-// (model.md 6).
+// (NASA CR-166536 pp.; constants pp. B-31 to B-33).
 #pragma once
 
 #include "tiltrotor/model/wing_coefficients.hpp"
@@ -14,7 +14,7 @@ struct FreeWing {
   Loads<T> loads;
 };
 
-// Roll and yaw coefficients due to sideslip and rates (model.md 6.3).
+// Roll and yaw coefficients due to sideslip and rates (NASA CR-166536 pp. A-71, B-31 to B-33; DATCOM compressibility factors).
 template <class T>
 struct LateralCoefficients {
   T roll, yaw;

@@ -1,4 +1,4 @@
-// Lift and drag coefficients of wing and pylons against angle of attack, mast angle, flap and Mach (model.md 6.2).
+// Lift and drag coefficients of wing and pylons against angle of attack, mast angle, flap and Mach (NASA CR-166536 tables 4-I to 4-IV).
 #pragma once
 
 #include "tiltrotor/model/airflow.hpp"

@@ -1,4 +1,4 @@
-// The part of one half wing inside its rotor's wake (model.md 5.5).
+// The part of one half wing inside its rotor's wake (NASA CR-166536 pp. A-40 ff. in structure; calibration in choices.csv).
 #pragma once
 
 #include "tiltrotor/model/rotor_wake.hpp"
