@@ -58,6 +58,7 @@ find = $(sort $(shell find $(1) -name '$(2)' 2>/dev/null))
 
 HEADERS         := $(call find,include,*.h) $(call find,include,*.hpp)
 TABLES          := $(call find,tables/$(AIRCRAFT),*.csv)
+PUBLISHED       := $(call find,tests/validation,*.csv)
 TABLEGEN_SOURCE := $(call find,src/tablegen,*.cpp)
 LIBRARY_SOURCE  := $(call find,src/library,*.cpp)
 PROGRAM_SOURCE  := $(call find,src/cli,*.cpp) $(call find,src/report,*.cpp)
@@ -73,7 +74,9 @@ BENCH_OBJECTS      := $(BENCH_SOURCE:bench/%.cpp=$(BUILD)/bench/%.o)
 OBJECTS            := $(TABLEGEN_OBJECTS) $(LIBRARY_OBJECTS) $(LIBRARY_ND_OBJECTS) $(PROGRAM_OBJECTS) \
                       $(TEST_OBJECTS) $(BENCH_OBJECTS)
 
-GENERATED  := $(if $(TABLEGEN_SOURCE),$(BUILD)/generated/aircraft_tables.inc)
+GENERATED  := $(if $(TABLEGEN_SOURCE),$(BUILD)/generated/aircraft_tables.inc) $(BUILD)/generated/reference_points.inc
+# Everything of the program but main(): tests look into it.
+PROGRAM_PARTS := $(filter-out %/main.o,$(PROGRAM_OBJECTS))
 LIBRARIES  := $(BUILD)/libtiltrotor.a $(BUILD)/libtiltrotor-nd.a
 PROGRAMS   := $(if $(PROGRAM_SOURCE),$(BUILD)/tiltrotor $(BUILD)/tiltrotor-nd)
 BENCHMARKS := $(BENCH_SOURCE:bench/%.cpp=$(BUILD)/bench_%)
@@ -126,7 +129,7 @@ help: ## list the goals
 
 STAMP_flags   := $(CXX) $(shell $(CXX) --version 2>/dev/null | head -n 1) $(FLAGS) $(CORE_FLAGS) $(PRIVATE)
 STAMP_host    := $(HOST_CXX) $(HOST_FLAGS)
-STAMP_tables  := $(TABLES)
+STAMP_tables  := $(TABLES) $(PUBLISHED)
 STAMP_sources := $(AR) $(LDFLAGS) $(LDLIBS) $(OBJECTS)
 
 $(BUILD)/flags.stamp $(BUILD)/host.stamp $(BUILD)/tables.stamp $(BUILD)/sources.stamp: $(BUILD)/%.stamp: FORCE
@@ -146,6 +149,13 @@ $(BUILD)/generated/aircraft_tables.inc: $(BUILD)/tablegen $(TABLES) $(BUILD)/tab
 	@echo "  tables  tables/$(AIRCRAFT)"; mkdir -p $(@D)
 	$(Q)$(BUILD)/tablegen tables/$(AIRCRAFT) $@.part && mv $@.part $@ || { rm -f $@.part; exit 1; }
 
+# Published numbers that the report lays over its curves, as text inside the program: it runs without the source tree.
+$(BUILD)/generated/reference_points.inc: $(PUBLISHED) $(BUILD)/tables.stamp
+	@echo "  points  tests/validation"; mkdir -p $(@D)
+	$(Q)for set in $(PUBLISHED); do \
+	  printf '{"%s", R"csv(' "$$(basename "$$set" .csv)" && cat "$$set" && printf ')csv"},\n' || exit 1; \
+	done > $@.part && mv $@.part $@
+
 # ---- libraries and programs ----
 
 $(BUILD)/libtiltrotor.a: $(LIBRARY_OBJECTS)
@@ -156,7 +166,7 @@ $(LIBRARIES): $(BUILD)/sources.stamp
 
 $(BUILD)/tiltrotor: $(PROGRAM_OBJECTS) $(BUILD)/libtiltrotor.a
 $(BUILD)/tiltrotor-nd: $(PROGRAM_OBJECTS) $(BUILD)/libtiltrotor-nd.a
-$(BUILD)/run_tests: $(TEST_OBJECTS) $(BUILD)/libtiltrotor.a
+$(BUILD)/run_tests: $(TEST_OBJECTS) $(PROGRAM_PARTS) $(BUILD)/libtiltrotor.a
 $(BENCHMARKS): $(BUILD)/bench_%: $(BUILD)/bench/%.o $(BUILD)/libtiltrotor.a
 $(BUILD)/tiltrotor $(BUILD)/tiltrotor-nd $(BUILD)/run_tests $(BENCHMARKS): $(BUILD)/sources.stamp
 	$(link)

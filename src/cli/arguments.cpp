@@ -14,9 +14,10 @@ const Option* find(const OptionList& options, const std::string& name) {
   return place == options.end() ? nullptr : &*place;
 }
 
-std::string names(const OptionList& options) {
-  std::string text;
-  for (const Option& option : options) text += std::string(text.empty() ? "" : " ") + option.name;
+std::string choices(const OptionList& options) {
+  if (options.empty()) return "the command takes no options";
+  std::string text = "options are";
+  for (const Option& option : options) text += std::string(" ") + option.name;
   return text;
 }
 
@@ -63,11 +64,11 @@ Arguments::Arguments(const std::string& command, const OptionList& options,
     const std::size_t equals = word.find('=');
     const std::string name = word.substr(0, equals);
     if (name.compare(0, 2, "--") != 0) {
-      throw UsageError(command + ": unexpected argument '" + word + "'; options are " + names(options));
+      throw UsageError(command + ": unexpected argument '" + word + "'; " + choices(options));
     }
     const Option* option = find(options, name);
     if (option == nullptr) {
-      throw UsageError(command + ": unknown option " + name + "; options are " + names(options));
+      throw UsageError(command + ": unknown option " + name + "; " + choices(options));
     }
     if (given(name) && !option->repeatable) throw UsageError(where(name) + ": given more than once");
     const bool is_flag = *option->value == '\0';

@@ -42,7 +42,7 @@ int run(const Arguments& arguments) {
     derivative(setup.configuration(*row.mast_deg), row.state, row.controls, rates);
     double flat[state_count];
     pack(rates, flat);
-    Row cells(row.cells.begin(), row.cells.end());
+    Row cells = row.cells;
     for (const int i : states) cells.emplace_back(flat[i]);
     records.add(cells);
     if (!std::all_of(std::begin(flat), std::end(flat), [](double rate) { return std::isfinite(rate); })) {

@@ -1,5 +1,8 @@
 // `tiltrotor loads`: force and moment of every component.
 
+#include <cmath>
+#include <cstdio>
+
 #include "cli/command.hpp"
 #include "cli/errors.hpp"
 #include "cli/output.hpp"
@@ -21,8 +24,8 @@ void add_row(Records& records, const std::string& name, double mast_deg, const c
   records.add({name, mast_deg, component, f.x, f.y, f.z, m.x, m.y, m.z});
 }
 
-void add_state(Records& records, const std::string& name, const Configuration<double>& configuration,
-               const State<double>& state, const Controls<double>& controls) {
+int add_state(Records& records, const std::string& name, const Configuration<double>& configuration,
+              const State<double>& state, const Controls<double>& controls) {
   Evaluation<double> evaluation;
   evaluate(configuration, state, controls, evaluation);
   Loads<double> total{};
@@ -31,19 +34,26 @@ void add_state(Records& records, const std::string& name, const Configuration<do
     total = total + evaluation.loads.component[i];
   }
   add_row(records, name, configuration.setup.mast_deg, "total_aero", total);
+  const double size = dot(total.force, total.force) + dot(total.moment, total.moment);
+  if (std::isfinite(size)) return exit_success;
+  std::fprintf(stderr, "tiltrotor: loads: case %s: the loads of this state are not finite\n", name.c_str());
+  return exit_case_failed;
 }
 
 int loads_at_given_states(const Arguments& arguments, const SetupOptions& setup) {
   const StateFile file = given_states(arguments, setup);
   Output output(arguments);
   Records records = output.records(columns, Output::to_compare);
+  int exit_status = exit_success;
   for (std::size_t r = output.shard().begin(file.rows.size()); r < output.shard().end(file.rows.size());
        ++r) {
     const StateRow& row = file.rows[r];
-    add_state(records, row.name, setup.configuration(*row.mast_deg), row.state, row.controls);
+    const int done =
+        add_state(records, row.name, setup.configuration(*row.mast_deg), row.state, row.controls);
+    if (done != exit_success) exit_status = done;
   }
   records.finish();
-  return exit_success;
+  return exit_status;
 }
 
 int loads_at_trim(const Arguments& arguments, const SetupOptions& setup) {
@@ -52,12 +62,10 @@ int loads_at_trim(const Arguments& arguments, const SetupOptions& setup) {
   Records records = output.records(columns, Output::to_compare);
   const AnalysesRoom room;
   const int exit_status =
-      for_each_trim(arguments, setup, output.shard(), *room, [&](const TrimmedFlight& flight) {
-        if (is_trimmed(flight.trim.status)) {
-          add_state(records, std::to_string(flight.number), flight.configuration, flight.trim.state,
-                    flight.trim.controls);
-        }
-        return exit_success;
+      for_each_trim(arguments, setup, output.shard(), *room, [&](const TrimmedFlight& flight) -> int {
+        if (!is_trimmed(flight.trim.status)) return exit_case_failed;
+        return add_state(records, std::to_string(flight.number), flight.configuration, flight.trim.state,
+                         flight.trim.controls);
       });
   records.finish();
   return exit_status;

@@ -66,12 +66,16 @@ SetupOptions::SetupOptions(const Arguments& arguments)
       mass_(optional_number(arguments, "--mass", mass_range, 1)),
       sl_cg_(optional_number(arguments, "--cg-sl", cg_range, inch)) {
   for (const std::string& assignment : arguments.texts("--option")) {
-    set_model_option(switches_, assignment, arguments.where("--option"));
+    const std::string where = arguments.where("--option") + " " + assignment;
+    const std::size_t equals = assignment.find('=');
+    if (equals == std::string::npos) throw UsageError(where + ": not NAME=VALUE, for example grid=realtime");
+    set_model_option(switches_, assignment.substr(0, equals), assignment.substr(equals + 1), where);
   }
   for (const char* name : {"tables", "grid"}) {
     const std::string option = std::string("--") + name;
-    if (!arguments.given(option)) continue;
-    set_model_option(switches_, name + ("=" + arguments.text(option, "")), arguments.where(option));
+    if (arguments.given(option)) {
+      set_model_option(switches_, name, arguments.text(option, ""), arguments.where(option));
+    }
   }
 }
 

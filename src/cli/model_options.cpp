@@ -133,10 +133,8 @@ std::string model_options_help() {
   return text;
 }
 
-void set_model_option(Options& options, const std::string& assignment, const std::string& where) {
-  const std::size_t equals = assignment.find('=');
-  const std::string name = assignment.substr(0, equals);
-  if (equals == std::string::npos) throw UsageError(where + ": '" + assignment + "' is not name=value");
+void set_model_option(Options& options, const std::string& name, const std::string& value,
+                      const std::string& where) {
   const auto place =
       std::find_if(switches().begin(), switches().end(), [&](const Switch& s) { return s.name == name; });
   if (place == switches().end()) {
@@ -144,7 +142,7 @@ void set_model_option(Options& options, const std::string& assignment, const std
     for (const Switch& s : switches()) names.push_back(s.name);
     throw UsageError(where + ": no switch '" + name + "'; choose " + one_of(names));
   }
-  place->set(options, assignment.substr(equals + 1), where + " " + name);
+  place->set(options, value, where);
 }
 
 }  // namespace tiltrotor::cli

@@ -10,7 +10,8 @@ namespace tiltrotor::cli {
 // Every switch with its values, the default first; for help and messages.
 std::string model_options_help();
 
-// Sets one switch from "name=value". Throws UsageError "<where>: ...".
-void set_model_option(Options& options, const std::string& assignment, const std::string& where);
+// Throws UsageError "<where>: ..." for an unknown name or value.
+void set_model_option(Options& options, const std::string& name, const std::string& value,
+                      const std::string& where);
 
 }  // namespace tiltrotor::cli

@@ -21,6 +21,7 @@ std::string_view without_plus(std::string_view text) {
 }  // namespace
 
 std::string number_text(double value, int digits) {
+  if (value == 0) return "0";  // not -0
   char buffer[64];
   const std::to_chars_result result =
       digits == kShortest
@@ -34,22 +35,26 @@ std::string range_text(const Range& range) {
   return number_text(range.low) + ".." + number_text(range.high) + (unit.empty() ? "" : " ") + unit;
 }
 
-double parse_number(std::string_view text, const std::string& where) {
+namespace {
+
+// `hint` ends the message.
+double parse_finite(std::string_view text, const std::string& where, const std::string& hint) {
+  const auto refuse = [&](const char* what) { throw UsageError(where + ": " + quoted(text) + what + hint); };
   const std::string_view digits = without_plus(text);
   double value = 0;
   const std::from_chars_result result = std::from_chars(digits.data(), digits.data() + digits.size(), value);
-  if (result.ec == std::errc::result_out_of_range) {
-    throw UsageError(where + ": " + quoted(text) + " is beyond the range of floating-point numbers");
-  }
-  if (result.ec != std::errc() || result.ptr != digits.data() + digits.size()) {
-    throw UsageError(where + ": " + quoted(text) + " is not a number");
-  }
-  if (!std::isfinite(value)) throw UsageError(where + ": " + quoted(text) + " is not a finite number");
+  if (result.ec == std::errc::result_out_of_range) refuse(" is beyond the range of floating-point numbers");
+  if (result.ec != std::errc() || result.ptr != digits.data() + digits.size()) refuse(" is not a number");
+  if (!std::isfinite(value)) refuse(" is not a finite number");
   return value;
 }
 
+}  // namespace
+
+double parse_number(std::string_view text, const std::string& where) { return parse_finite(text, where, ""); }
+
 double parse_number(std::string_view text, const std::string& where, const Range& range) {
-  const double value = parse_number(text, where);
+  const double value = parse_finite(text, where, "; give " + range_text(range));
   if (value < range.low || value > range.high) {
     throw UsageError(where + ": " + std::string(text) + " lies outside " + range_text(range));
   }

@@ -14,10 +14,16 @@ namespace {
 constexpr int table_digits = 6;
 
 std::string cell_text(const Cell& cell, int digits) {
-  if (const double* number = std::get_if<double>(&cell)) {
-    return std::isfinite(*number) ? number_text(*number, digits) : "";
-  }
-  return std::get<std::string>(cell);
+  if (const std::string* text = std::get_if<std::string>(&cell)) return *text;
+  if (const Quotation* quotation = std::get_if<Quotation>(&cell)) return quotation->text;
+  const double number = std::get<double>(cell);
+  return std::isfinite(number) ? number_text(number, digits) : "";
+}
+
+std::string cell_json(const Cell& cell) {
+  if (const std::string* text = std::get_if<std::string>(&cell)) return json_text(*text);
+  if (const Quotation* quotation = std::get_if<Quotation>(&cell)) return json_number(quotation->value);
+  return json_number(std::get<double>(cell));
 }
 
 // A comma, quote or line end within a cell needs quotes around it.
@@ -63,11 +69,7 @@ void Records::finish() {
 
 void Records::write_json(const Row& row) {
   std::vector<JsonMember> members;
-  for (std::size_t i = 0; i < row.size(); ++i) {
-    const double* number = std::get_if<double>(&row[i]);
-    members.emplace_back(columns_[i],
-                         number != nullptr ? json_number(*number) : json_text(std::get<std::string>(row[i])));
-  }
+  for (std::size_t i = 0; i < row.size(); ++i) members.emplace_back(columns_[i], cell_json(row[i]));
   sink_.write((count_ == 0 ? "[\n" : ",\n") + json_object(members));
 }
 

@@ -11,8 +11,14 @@ namespace tiltrotor::cli {
 
 enum class Format { table, csv, json };
 
+// A number of an input file: repeated as it was written there.
+struct Quotation {
+  std::string text;
+  double value;
+};
+
 // A number that is not finite is an empty cell (null in JSON).
-using Cell = std::variant<double, std::string>;
+using Cell = std::variant<double, std::string, Quotation>;
 using Row = std::vector<Cell>;
 
 class Records {

@@ -9,9 +9,10 @@ Shard parse_shard(const std::string& text, const std::string& where) {
   const std::vector<std::string> parts = split(text, '/');
   if (parts.size() != 2)
     throw UsageError(where + ": '" + text + "' is not k/n with 1 <= k <= n, for example 1/4");
+  const std::string here = where + " " + text;
   Shard shard;
-  shard.parts = parse_integer(parts[1], where, 1, max_parts);
-  shard.part = parse_integer(parts[0], where, 1, shard.parts);
+  shard.parts = parse_integer(parts[1], here, 1, max_parts);
+  shard.part = parse_integer(parts[0], here, 1, shard.parts);
   return shard;
 }
 

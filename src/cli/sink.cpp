@@ -22,16 +22,19 @@ std::string temporary_name(const std::string& path) { return path + ".part" + st
 Sink::Sink(const std::string& path, const std::string& where) : path_(path), file_(stdout) {
   if (path == "-") return;
   std::error_code error;
-  if (std::filesystem::is_directory(path, error)) throw UsageError(where + ": " + path + " is a folder");
-  temporary_path_ = temporary_name(path);
-  file_ = std::fopen(temporary_path_.c_str(), "wb");
+  const std::filesystem::file_status existing = std::filesystem::status(path, error);
+  if (std::filesystem::is_directory(existing)) throw UsageError(where + ": " + path + " is a folder");
+  if (std::filesystem::is_regular_file(existing))
+    path_ = std::filesystem::canonical(path).string();  // behind links
+  if (!std::filesystem::is_other(existing)) temporary_path_ = temporary_name(path_);
+  file_ = std::fopen(temporary_path_.empty() ? path_.c_str() : temporary_path_.c_str(), "wb");
   if (file_ == nullptr) throw UsageError(where + ": cannot write " + path + ": " + reason());
 }
 
 Sink::~Sink() {
-  if (temporary_path_.empty() || file_ == nullptr) return;
+  if (file_ == nullptr || file_ == stdout) return;
   std::fclose(file_);
-  std::remove(temporary_path_.c_str());
+  if (!temporary_path_.empty()) std::remove(temporary_path_.c_str());
 }
 
 void Sink::write(const std::string& text) {
@@ -39,23 +42,21 @@ void Sink::write(const std::string& text) {
 }
 
 void Sink::finish() {
-  if (temporary_path_.empty()) {
-    if (std::fflush(file_) != 0) fail();
-    return;
-  }
-  const int closed = std::fclose(file_);
+  if (std::fflush(file_) != 0) fail();
+  if (file_ == stdout) return;
+  const bool closed = std::fclose(file_) == 0;
   file_ = nullptr;
-  if (closed == 0 && std::rename(temporary_path_.c_str(), path_.c_str()) == 0) return;
+  if (closed && (temporary_path_.empty() || std::rename(temporary_path_.c_str(), path_.c_str()) == 0)) return;
   const std::string why = reason();
-  std::remove(temporary_path_.c_str());
+  if (!temporary_path_.empty()) std::remove(temporary_path_.c_str());
   throw OutputError("cannot write " + path_ + ": " + why);
 }
 
 bool Sink::is_terminal() const { return isatty(fileno(file_)) != 0; }
 
 void Sink::fail() {
-  throw OutputError("cannot write " + (temporary_path_.empty() ? std::string("to standard output") : path_) +
-                    ": " + reason());
+  throw OutputError("cannot write " + (file_ == stdout ? std::string("to standard output") : path_) + ": " +
+                    reason());
 }
 
 void require_writable_folder(const std::string& folder, const std::string& where) {

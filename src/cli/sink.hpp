@@ -8,7 +8,8 @@ namespace tiltrotor::cli {
 
 class Sink {
  public:
-  // "-" is standard output. Throws UsageError "<where>: ..." when the file cannot be created.
+  // "-" is standard output; a device or pipe is written in place. Throws UsageError "<where>: ..." when the
+  // file cannot be created.
   explicit Sink(const std::string& path, const std::string& where);
   // A file that was not finished is removed.
   ~Sink();
@@ -26,8 +27,8 @@ class Sink {
   [[noreturn]] void fail();
 
   std::string path_;
-  std::string temporary_path_;  // empty: standard output
-  std::FILE* file_;
+  std::string temporary_path_;  // empty: written in place
+  std::FILE* file_;             // null: finished
 };
 
 // Creates the folder, with its parents, and tries to write in it. Throws UsageError "<where>: ...".

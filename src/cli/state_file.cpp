@@ -107,11 +107,17 @@ StateRow read_row(const std::vector<std::string>& cells, const std::vector<std::
     const std::string here = where + ": column " + columns[i];
     const Target& target = targets[i];
     if (target.kind == Target::ignored) continue;
-    row.cells.push_back(cells[i]);
-    if (target.kind == Target::name) row.name = cells[i];
-    if (target.kind == Target::mast) row.mast_deg = parse_number(cells[i], here, kMastRange);
-    if (target.kind == Target::state) x[target.index] = parse_number(cells[i], here);
-    if (target.kind == Target::control) u[target.index] = parse_number(cells[i], here);
+    if (target.kind == Target::name) {
+      row.name = cells[i];
+      row.cells.emplace_back(cells[i]);
+      continue;
+    }
+    const double value =
+        target.kind == Target::mast ? parse_number(cells[i], here, kMastRange) : parse_number(cells[i], here);
+    row.cells.emplace_back(Quotation{cells[i], value});
+    if (target.kind == Target::mast) row.mast_deg = value;
+    if (target.kind == Target::state) x[target.index] = value;
+    if (target.kind == Target::control) u[target.index] = value;
   }
   unpack(x, row.state);
   unpack(u, row.controls);

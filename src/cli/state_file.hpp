@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/records.hpp"
 #include "tiltrotor/model/controls.hpp"
 #include "tiltrotor/model/state.hpp"
 
@@ -20,7 +21,7 @@ struct StateRow {
   std::optional<double> mast_deg;
   State<double> state;
   Controls<double> controls;
-  std::vector<std::string> cells;  // of the columns of the file
+  Row cells;  // of StateFile::columns
 };
 
 struct StateFile {

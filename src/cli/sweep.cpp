@@ -8,7 +8,7 @@ namespace tiltrotor::cli {
 
 namespace {
 
-constexpr double max_points = 100000;
+constexpr int max_points = 100000;
 
 // A range ends at `to` also when rounding carries the last step a little past it.
 constexpr double step_tolerance = 1e-9;
@@ -24,7 +24,8 @@ void append_range(const std::vector<std::string>& parts, const std::string& text
     throw UsageError(where + ": range '" + text + "' is empty: its step leads away from " + parts[2]);
   }
   if (steps >= max_points) {
-    throw UsageError(where + ": range '" + text + "' has more than " + number_text(max_points) + " values");
+    throw UsageError(where + ": range '" + text + "' has more than " + std::to_string(max_points) +
+                     " values");
   }
   for (double i = 0; i <= steps; ++i) {
     const double value = from + i * step;

@@ -55,8 +55,8 @@ struct Plot {
   Cells cells;
   std::vector<Series> series;  // drawn in this order, above the cells
   std::vector<Label> labels;
-  double width = 480;
-  double axes_height = 270;  // of the area inside the axes
+  double width = 420;
+  double axes_height = 250;  // of the area inside the axes
 };
 
 // Points outside the axes are clipped (lines) or left out (markers, labels).

@@ -1,4 +1,5 @@
-// The part of one half wing inside its rotor's wake (NASA CR-166536 pp. A-40 ff. in structure; calibration in choices.csv).
+// The part of one half wing inside its rotor's wake (structure of GTRS, NASA CR-166536; wash factor and centre of
+// pressure from replaying the printed runs of NASA CR-166537, load factor in choices.csv).
 #pragma once
 
 #include "tiltrotor/model/rotor_wake.hpp"

@@ -1,0 +1,137 @@
+// The linear model about any state, trimmed or not: A = df/dx, B = df/du (model.md 13.1).
+#pragma once
+
+#include <type_traits>
+
+#include "tiltrotor/analysis/differentiation.hpp"
+#include "tiltrotor/math/matrix.hpp"
+
+namespace tiltrotor {
+
+// 8 rigid-body states, 7 a rotor, downwash, 4 of coning. Heading and position are left out: nothing depends on them.
+inline constexpr int kMaxLinearStates = 27;
+inline constexpr int kMaxLinearControls = control_count;
+inline constexpr int kRigidStates = 8;
+
+// Columns of B: places in kControlNames.
+struct ControlSet {
+  int count;
+  int index[kMaxLinearControls];
+};
+// Collective lever, sticks and pedal, as the pilot moves them.
+inline constexpr ControlSet kInceptors = {4, {iu_collective, iu_long_stick, iu_lat_stick, iu_pedal}};
+// Blade angles and surfaces, one by one.
+inline constexpr ControlSet kBladeControls = {7,
+                                              {iu_collective, iu_long_cyclic, iu_diff_collective, iu_diff_long_cyclic,
+                                               iu_elevator, iu_aileron, iu_rudder}};
+// Every input of the model, lateral cyclic and gusts included.
+inline constexpr ControlSet kAllControls = {control_count,
+                                            {iu_collective, iu_long_stick, iu_lat_stick, iu_pedal, iu_long_cyclic,
+                                             iu_diff_collective, iu_diff_long_cyclic, iu_elevator, iu_aileron, iu_rudder,
+                                             iu_lateral_cyclic, iu_gust, iu_gust + 1, iu_gust + 2}};
+
+// xdot - rates = A (x' - x) + B (u' - u). Units as in kStateNames and kControlNames.
+template <class R>
+struct LinearModel {
+  int states;
+  int controls;
+  int state[kMaxLinearStates];      // row and column i of A belong to kStateNames[state[i]]
+  int control[kMaxLinearControls];  // column j of B belongs to kControlNames[control[j]]
+  R x[kMaxLinearStates];            // the point
+  R u[kMaxLinearControls];
+  R rates[kMaxLinearStates];        // f at the point; zero when it is trimmed and straight
+  Matrix<R, kMaxLinearStates, kMaxLinearStates> a;
+  Matrix<R, kMaxLinearStates, kMaxLinearControls> b;
+
+  const char* state_name(int i) const { return kStateNames[state[i]].name; }
+  const char* state_unit(int i) const { return kStateNames[state[i]].unit; }
+  const char* control_name(int j) const { return kControlNames[control[j]].name; }
+  const char* control_unit(int j) const { return kControlNames[control[j]].unit; }
+};
+
+template <class R, class Policy = DefaultDifferentiation>
+struct LinearizationWorkspace {
+  static constexpr int kInputs = kMaxLinearStates + kMaxLinearControls;
+  using Seeded = typename Policy::template Scalar<R, kModelDirections>;
+  typename Policy::template Workspace<R, kModelDirections, kInputs, kMaxLinearStates> differentiation;
+  ModelRooms<R, Seeded> rooms;
+  R base_x[state_count];
+  R base_u[control_count];
+  R input[kInputs];
+  R scale[kInputs];
+};
+
+// The states of a linear model in their order: u w q theta | v p phi r | right rotor | left rotor | downwash | coning.
+template <class R>
+void linear_states(const Options& options, LinearModel<R>& model) {
+  const int rigid[kRigidStates] = {ix_u, ix_w, ix_q, ix_pitch, ix_v, ix_p, ix_roll, ix_r};
+  model.states = 0;
+  for (int index : rigid) model.state[model.states++] = index;
+  const ActiveStates active = active_states(options, false);
+  for (int k = 0; k < active.count; ++k) {
+    const int index = active.index[k];
+    if (index >= ix_rotor_right && index < ix_position) model.state[model.states++] = index;
+  }
+}
+
+template <class R>
+void clear(LinearModel<R>& model) {
+  model.states = model.controls = 0;
+  for (int i = 0; i < kMaxLinearStates; ++i) {
+    model.state[i] = 0;
+    model.x[i] = model.rates[i] = R(0);
+  }
+  for (int j = 0; j < kMaxLinearControls; ++j) {
+    model.control[j] = 0;
+    model.u[j] = R(0);
+  }
+  set_zero(model.a);
+  set_zero(model.b);
+}
+
+// A and B at (x, u). The arguments are not changed; the model keeps no memory.
+// Status: ok; not_finite (a number in the state, the controls, A or B is not finite: A, B and rates are then what was
+// found); bad_argument (`columns` names a control twice over the capacity or out of range, or c is not prepared: the
+// model is empty). `azimuth`: rad, for individual blades alone.
+// Cost: AutoDiff one pass of 32 directions for up to 32 states and controls, two beyond; NumDiff two evaluations each.
+template <class R, class Policy>
+Status linearize(const Configuration<R>& c, const State<R>& x, const Controls<R>& u, const ControlSet& columns,
+                 LinearizationWorkspace<R, Policy>& work, LinearModel<R>& model, R azimuth = R(0)) {
+  clear(model);
+  if (c.aircraft == nullptr || columns.count < 0 || columns.count > kMaxLinearControls) return Status::bad_argument;
+  for (int j = 0; j < columns.count; ++j)
+    if (columns.index[j] < 0 || columns.index[j] >= control_count) return Status::bad_argument;
+
+  linear_states(c.setup.options, model);
+  model.controls = columns.count;
+  const int n = model.states;
+  const int m = model.controls;
+  pack(x, work.base_x);
+  pack(u, work.base_u);
+  for (int i = 0; i < n; ++i) {
+    work.input[i] = model.x[i] = work.base_x[model.state[i]];
+    work.scale[i] = state_scale<R>(model.state[i]);
+  }
+  for (int j = 0; j < m; ++j) {
+    model.control[j] = columns.index[j];
+    work.input[n + j] = model.u[j] = work.base_u[model.control[j]];
+    work.scale[n + j] = control_scale<R>(model.control[j]);
+  }
+
+  const auto rates_of = [&](const auto* input, auto* rates) {
+    using T = std::remove_reference_t<decltype(*rates)>;
+    ModelRoom<T>& room = work.rooms.template of<T>();
+    for (int i = 0; i < state_count; ++i) room.x[i] = T(work.base_x[i]);
+    for (int j = 0; j < control_count; ++j) room.u[j] = T(work.base_u[j]);
+    for (int i = 0; i < n; ++i) room.x[model.state[i]] = input[i];
+    for (int j = 0; j < m; ++j) room.u[model.control[j]] = input[n + j];
+    model_rates(c, azimuth, room);
+    for (int i = 0; i < n; ++i) rates[i] = room.x[model.state[i]];
+  };
+  Policy::jacobian(rates_of, n + m, n, work.input, work.scale, model.rates, work.differentiation,
+                   [&model, n](int i, int j, R slope) { (j < n ? model.a(i, j) : model.b(i, j - n)) = slope; });
+  const bool finite = all_finite(model.a, n, n) && (m == 0 || all_finite(model.b, n, m));
+  return finite ? Status::ok : Status::not_finite;
+}
+
+}  // namespace tiltrotor

@@ -1,0 +1,102 @@
+// Names of modes: what a root of the linear model is called, decided by which states take part in it
+// (model.md 13.4, 17.3).
+#pragma once
+
+#include "tiltrotor/analysis/reduction.hpp"
+
+namespace tiltrotor {
+
+enum class ModeAxis : unsigned char { longitudinal, lateral, rotor };
+
+enum class ModeKind : unsigned char {
+  phugoid, short_period, heave, pitch_subsidence,    // longitudinal
+  dutch_roll, roll, spiral, roll_spiral,             // lateral
+  downwash,                                          // lag of the wing's downwash at the tail
+  flap_progressing, flap_regressing, inflow_mean, inflow_cyclic, coning,  // rotors, symmetric or antisymmetric
+  count
+};
+
+namespace mode_detail {
+inline constexpr const char* kAxisWords[] = {"longitudinal", "lateral", "rotor"};
+inline constexpr const char* kKindWords[] = {
+    "phugoid",  "short_period",     "heave",           "pitch_subsidence", "dutch_roll",    "roll",  "spiral", "roll_spiral",
+    "downwash", "flap_progressing", "flap_regressing", "inflow_mean",      "inflow_cyclic", "coning"};
+static_assert(sizeof(kKindWords) / sizeof(kKindWords[0]) == static_cast<unsigned>(ModeKind::count),
+              "one word per kind");
+}  // namespace mode_detail
+
+constexpr const char* axis_word(ModeAxis axis) { return mode_detail::kAxisWords[static_cast<unsigned>(axis)]; }
+constexpr const char* kind_word(ModeKind kind) { return mode_detail::kKindWords[static_cast<unsigned>(kind)]; }
+constexpr bool is_rotor_kind(ModeKind kind) { return kind >= ModeKind::flap_progressing; }
+
+// What the name of a mode is made of. Two modes of one set never have the same.
+struct ModeLabel {
+  ModeKind kind;
+  Symmetry symmetry;  // of rotor modes: mean (both rotors alike) or difference
+  int ordinal;        // 1, 2, ... among modes of the same kind and symmetry
+};
+constexpr bool operator==(const ModeLabel& a, const ModeLabel& b) {
+  return a.kind == b.kind && a.symmetry == b.symmetry && a.ordinal == b.ordinal;
+}
+
+inline constexpr int kModeNameLength = 32;
+
+// "flap_regressing_sym_2": kind, _sym or _anti for rotor modes, the ordinal when above 1.
+inline void write_name(const ModeLabel& label, char (&name)[kModeNameLength]) {
+  int length = 0;
+  const auto append = [&](const char* text) {
+    for (; *text != '\0' && length < kModeNameLength - 1; ++text) name[length++] = *text;
+  };
+  append(kind_word(label.kind));
+  if (label.symmetry != Symmetry::none) append(label.symmetry == Symmetry::mean ? "_sym" : "_anti");
+  if (label.ordinal > 1) {
+    const char tens = static_cast<char>('0' + label.ordinal / 10 % 10);
+    const char digits[] = {'_', tens, static_cast<char>('0' + label.ordinal % 10), '\0'};
+    const char digit[] = {'_', digits[2], '\0'};
+    append(label.ordinal >= 10 ? digits : digit);
+  }
+  name[length] = '\0';
+}
+
+// How much each group of states takes part in a mode; all groups together sum to 1.
+template <class R>
+struct ModeShares {
+  R u, w, q, pitch;
+  R v, p, roll, r;
+  R downwash;
+  R flap, inflow_mean, inflow_cyclic, coning;
+  R mean, difference;  // the rotors' part again, by symmetry
+
+  R longitudinal_body() const { return u + w + q + pitch; }
+  R lateral_body() const { return v + p + roll + r; }
+  R body() const { return longitudinal_body() + lateral_body(); }
+};
+
+namespace mode_detail {
+
+template <class R>
+void add_share(const SplitCoordinate& coordinate, R part, ModeShares<R>& shares) {
+  switch (coordinate.state) {
+    case ix_u: shares.u += part; return;
+    case ix_w: shares.w += part; return;
+    case ix_q: shares.q += part; return;
+    case ix_pitch: shares.pitch += part; return;
+    case ix_v: shares.v += part; return;
+    case ix_p: shares.p += part; return;
+    case ix_roll: shares.roll += part; return;
+    case ix_r: shares.r += part; return;
+    case ix_downwash: shares.downwash += part; return;
+    default: break;
+  }
+  (coordinate.symmetry == Symmetry::mean ? shares.mean : shares.difference) += part;
+  if (coordinate.state >= ix_coning_right) {
+    shares.coning += part;
+  } else {
+    const int place = (coordinate.state - ix_rotor_right) % 7;
+    (place < 4 ? shares.flap : place == 4 ? shares.inflow_mean : shares.inflow_cyclic) += part;
+  }
+}
+
+}  // namespace mode_detail
+
+}  // namespace tiltrotor

@@ -1,0 +1,226 @@
+// Time response of the complete nonlinear model: a stepper with fixed step and fixed memory.
+//
+//   Simulation<double> flight;  static SimulationWorkspace<double> work;
+//   start(c, trimmed.state, trimmed.controls, 0.005, Integrator::rk4, flight);
+//   add_input(flight, {InputShape::step, iu_collective, one_degree, 0.0, 0.0});
+//   for (...) if (advance(c, work, flight) != Status::ok) ... flight.fault_state, flight.fault_time
+//
+// Simulation is plain: a snapshot is a copy, and a replay is exact. Heading, and position when it is a state, are
+// integrated with the rest. A and B at any moment: linearize(c, flight.state, current_controls(flight), ...,
+// current_azimuth(c, flight)).
+#pragma once
+
+#include <type_traits>
+
+#include "tiltrotor/analysis/differentiation.hpp"
+#include "tiltrotor/analysis/input_signal.hpp"
+#include "tiltrotor/math/integrate.hpp"
+
+namespace tiltrotor {
+
+// rk4: explicit, four derivatives a step; stable to about 20 ms (the progressing flapping mode).
+// rodas3: Rosenbrock, L-stable, three derivatives and one Jacobian a step; for longer steps and stiff settings.
+enum class Integrator : unsigned char { rk4, rodas3 };
+
+inline constexpr int kMaxInputs = 8;
+
+template <class R>
+struct Simulation {
+  State<R> state;
+  Controls<R> controls;               // what the inputs add to; may be changed between steps
+  InputSignal<R> input[kMaxInputs];
+  int inputs;
+  Integrator integrator;
+  R dt;
+  unsigned steps;                     // done so far; time = steps dt
+  Status status;                      // of the last step; a failed flight stays where it was
+  int fault_state;                    // place in kStateNames of the state that failed, or -1
+  R fault_time;                       // s, end of the step that failed
+};
+
+template <class R, class Policy = DefaultDifferentiation>
+struct SimulationWorkspace {
+  using Seeded = typename Policy::template Scalar<R, kModelDirections>;
+  ModelRooms<R, Seeded> rooms;
+  typename Policy::template Workspace<R, kModelDirections, state_count, state_count> differentiation;
+  Matrix<R, state_count, state_count> jacobian;
+  union Method {
+    RungeKuttaWorkspace<R, state_count> runge_kutta;
+    RosenbrockWorkspace<R, state_count> rosenbrock;
+  } method;
+  ActiveStates active;
+  R x[state_count];       // active states
+  R rates[state_count];
+  R ahead[state_count], behind[state_count];
+  R scale[state_count];
+  R whole[state_count];   // every state, for those that stand still
+};
+
+template <class R>
+R current_time(const Simulation<R>& s) {
+  return static_cast<R>(s.steps) * s.dt;
+}
+
+// Position of the right rotor's first blade.
+template <class R>
+R current_azimuth(const Configuration<R>& c, const Simulation<R>& s) {
+  return c.setup.rotor_speed * current_time(s);
+}
+
+// Controls at a time: the simulation's own and every input.
+template <class R>
+Controls<R> controls_at(const Simulation<R>& s, R time) {
+  R u[control_count];
+  pack(s.controls, u);
+  for (int k = 0; k < s.inputs; ++k) u[s.input[k].control] += value_at(s.input[k], time);
+  Controls<R> controls;
+  unpack(u, controls);
+  return controls;
+}
+// What acts during the next step.
+template <class R>
+Controls<R> current_controls(const Simulation<R>& s) {
+  return controls_at(s, current_time(s) + R(0.5) * s.dt);
+}
+
+// Begin at a state with constant controls, no inputs, time 0. dt: 0 < dt <= 1 s.
+// Status: ok; out_of_range (dt); not_finite (state or controls).
+template <class R>
+Status start(const Configuration<R>& c, const State<R>& x, const Controls<R>& u, R dt, Integrator integrator,
+             Simulation<R>& s) {
+  s.state = x;
+  s.controls = u;
+  s.inputs = 0;
+  s.integrator = integrator;
+  s.dt = dt;
+  s.steps = 0;
+  s.fault_state = -1;
+  s.fault_time = R(0);
+  s.status = Status::ok;
+  if (c.aircraft == nullptr) return s.status = Status::bad_argument;
+  if (!(dt > R(0) && dt <= R(1))) return s.status = Status::out_of_range;
+  bool finite = true;
+  State<R>::each(x, [&finite](R value) { finite = finite && is_finite(value); });
+  Controls<R>::each(u, [&finite](R value) { finite = finite && is_finite(value); });
+  if (!finite) s.status = Status::not_finite;
+  return s.status;
+}
+
+// Status: ok; bad_argument (no room left, or the signal is not valid).
+template <class R>
+Status add_input(Simulation<R>& s, const InputSignal<R>& signal) {
+  if (s.inputs >= kMaxInputs || !is_valid(signal)) return Status::bad_argument;
+  s.input[s.inputs++] = signal;
+  return Status::ok;
+}
+
+namespace response_detail {
+
+// Beyond these a flight has diverged: the tables end long before. In the order of State::each.
+template <class R>
+constexpr R state_bound(int index) {
+  if (index <= ix_w) return R(300);                              // m/s
+  if (index <= ix_r) return R(20);                               // rad/s
+  if (index == ix_roll) return R(1000);                          // rolls may add up
+  if (index == ix_pitch) return R(89.5) * kRadian<R>;            // Euler angles end there
+  if (index == ix_yaw || index >= ix_position) return std::numeric_limits<R>::max();
+  if (index == ix_downwash) return R(2);
+  const bool rate = index > ix_downwash ? (index - ix_coning_right) % 2 == 1
+                                        : (index - ix_rotor_right) % 7 == 2 || (index - ix_rotor_right) % 7 == 3;
+  return rate ? R(200) : R(2);                                   // flapping rad and rad/s, inflow
+}
+
+// Right side of the active states at constant controls.
+template <class R, class Policy>
+struct RightSide {
+  const Configuration<R>& c;
+  SimulationWorkspace<R, Policy>& work;
+  const Controls<R>& controls;
+  int& fault_state;
+
+  template <class T>
+  void rates(const T* x, T* rates, R azimuth) const {
+    ModelRoom<T>& room = work.rooms.template of<T>();
+    R u[control_count];
+    pack(controls, u);
+    for (int i = 0; i < state_count; ++i) room.x[i] = T(work.whole[i]);
+    for (int j = 0; j < control_count; ++j) room.u[j] = T(u[j]);
+    for (int k = 0; k < work.active.count; ++k) room.x[work.active.index[k]] = x[k];
+    model_rates(c, azimuth, room);
+    for (int k = 0; k < work.active.count; ++k) rates[k] = room.x[work.active.index[k]];
+  }
+
+  Status operator()(R time, const R* x, R* xdot) const {
+    rates(x, xdot, c.setup.rotor_speed * time);
+    for (int k = 0; k < work.active.count; ++k) {
+      if (!is_finite(xdot[k])) {
+        fault_state = work.active.index[k];
+        return Status::not_finite;
+      }
+    }
+    return Status::ok;
+  }
+};
+
+template <class R, class Policy>
+Status rodas3(const RightSide<R, Policy>& f, R time, R dt) {
+  SimulationWorkspace<R, Policy>& work = f.work;
+  const Configuration<R>& c = f.c;
+  const int n = work.active.count;
+  const R azimuth = c.setup.rotor_speed * time;
+  for (int k = 0; k < n; ++k) work.scale[k] = state_scale<R>(work.active.index[k]);
+  Policy::jacobian([&f, azimuth](const auto* x, auto* rates) { f.rates(x, rates, azimuth); }, n, n, work.x, work.scale,
+                   work.rates, work.differentiation, [&work](int i, int j, R slope) { work.jacobian(i, j) = slope; });
+  if (c.setup.options.azimuth == AzimuthMode::averaged)
+    return rodas3_step(f, work.jacobian, time, dt, work.x, n, work.method.rosenbrock);
+
+  // Blades that turn make f depend on time; azimuth carries no partials, so a central difference.
+  const R step = std::cbrt(std::numeric_limits<R>::epsilon());
+  f.rates(static_cast<const R*>(work.x), work.ahead, azimuth + step);
+  f.rates(static_cast<const R*>(work.x), work.behind, azimuth - step);
+  for (int k = 0; k < n; ++k) work.ahead[k] = c.setup.rotor_speed * (work.ahead[k] - work.behind[k]) / (R(2) * step);
+  return rodas3_step(f, work.jacobian, static_cast<const R*>(work.ahead), time, dt, work.x, n, work.method.rosenbrock);
+}
+
+}  // namespace response_detail
+
+// One step of dt. The controls are held during a step at their value in its middle: an input takes effect on the step
+// boundary nearest to its time.
+// Status: ok; not_finite or out_of_range (the flight has diverged: fault_state and fault_time tell which state and
+// when, the state stays that of the last good step); singular (rodas3). A failed simulation does not move again.
+// Cost: four derivatives (rk4); three derivatives and a Jacobian (rodas3).
+template <class R, class Policy>
+Status advance(const Configuration<R>& c, SimulationWorkspace<R, Policy>& work, Simulation<R>& s) {
+  if (s.status != Status::ok) return s.status;
+  work.active = active_states(c.setup.options, true);
+  const int n = work.active.count;
+  pack(s.state, work.whole);
+  for (int k = 0; k < n; ++k) work.x[k] = work.whole[work.active.index[k]];
+  const Controls<R> controls = current_controls(s);
+  const R time = current_time(s);
+  s.fault_state = -1;
+  const response_detail::RightSide<R, Policy> f{c, work, controls, s.fault_state};
+
+  if (s.integrator == Integrator::rk4) {
+    s.status = rk4_step(f, time, s.dt, work.x, n, work.method.runge_kutta);
+  } else {
+    s.status = response_detail::rodas3(f, time, s.dt);
+  }
+  for (int k = 0; k < n && s.status == Status::ok; ++k) {
+    const int index = work.active.index[k];
+    if (!(std::fabs(work.x[k]) <= response_detail::state_bound<R>(index))) {
+      s.fault_state = index;
+      s.status = Status::out_of_range;
+    }
+    work.whole[index] = work.x[k];
+  }
+  if (s.status != Status::ok) {
+    s.fault_time = time + s.dt;
+    return s.status;
+  }
+  unpack(work.whole, s.state);
+  ++s.steps;
+  return s.status;
+}
+
+}  // namespace tiltrotor

@@ -1,0 +1,120 @@
+// One sentence that explains how a trim ended.
+#pragma once
+
+#include "tiltrotor/analysis/trim.hpp"
+
+namespace tiltrotor {
+
+namespace trim_detail {
+
+inline constexpr const char* kFieldWords[] = {"", "speed must be 0..150 m/s", "climb angle must be within 60 deg",
+                                              "turn rate must be within 60 deg/s", "sideslip must be within 60 deg"};
+
+// Appends to a buffer and always leaves it terminated; what does not fit is cut.
+class Sentence {
+ public:
+  Sentence(char* text, int capacity) : text_(text), capacity_(capacity) {
+    if (capacity_ > 0) text_[0] = '\0';
+  }
+  Sentence& operator<<(const char* words) {
+    for (; *words != '\0'; ++words) put(*words);
+    return *this;
+  }
+  Sentence& operator<<(int number) {
+    char digit[12];
+    int count = 0;
+    long rest = number < 0 ? -static_cast<long>(number) : number;
+    if (number < 0) put('-');
+    do {
+      digit[count++] = static_cast<char>('0' + rest % 10);
+      rest /= 10;
+    } while (rest > 0 && count < 12);
+    while (count > 0) put(digit[--count]);
+    return *this;
+  }
+  // Two decimals.
+  Sentence& fixed(double number) {
+    const double limit = 1e7;
+    if (!(number > -limit && number < limit)) return *this << (number > 0 ? "very large" : "no number");
+    const double size = number < 0 ? -number : number;
+    const long hundredths = static_cast<long>(size * 100 + 0.5);
+    if (number < 0 && hundredths > 0) put('-');
+    *this << static_cast<int>(hundredths / 100);
+    put('.');
+    put(static_cast<char>('0' + hundredths / 10 % 10));
+    put(static_cast<char>('0' + hundredths % 10));
+    return *this;
+  }
+  // One digit and a power of ten, rounded down.
+  Sentence& scientific(double number) {
+    if (!(number > 0 && number < 1e300)) return *this << (number == 0 ? "0" : "no number");
+    int exponent = 0;
+    for (int k = 0; k < 320 && number >= 10; ++k, ++exponent) number /= 10;
+    for (int k = 0; k < 320 && number < 1; ++k, --exponent) number *= 10;
+    *this << static_cast<int>(number) << "e" << exponent;
+    return *this;
+  }
+  int length() const { return length_; }
+
+ private:
+  void put(char c) {
+    if (length_ + 1 >= capacity_) return;
+    text_[length_++] = c;
+    text_[length_] = '\0';
+  }
+  char* text_;
+  int capacity_;
+  int length_ = 0;
+};
+
+// "wing angle of attack 17.20 deg is beyond 16.00 deg"
+template <class R>
+void write_limit(const TrimResult<R>& r, Sentence& sentence) {
+  const LimitName& limit = kLimitNames[static_cast<unsigned>(r.limit)];
+  const bool degrees = limit.unit[0] == 'd';
+  const double factor = degrees ? kDegree<double> : 1.0;
+  sentence << limit.name << " ";
+  sentence.fixed(factor * static_cast<double>(r.limit_value)) << " " << limit.unit << " is beyond ";
+  sentence.fixed(factor * static_cast<double>(r.limit_bound)) << " " << limit.unit;
+}
+
+}  // namespace trim_detail
+
+// Writes at most capacity - 1 characters and a terminating zero; returns the length. 160 characters are enough.
+template <class R>
+int explain(const TrimResult<R>& r, char* text, int capacity) {
+  trim_detail::Sentence sentence(text, capacity);
+  switch (r.status) {
+    case TrimStatus::ok:
+      sentence << "trimmed in " << r.iterations << " Newton steps";
+      break;
+    case TrimStatus::wing_stall:
+    case TrimStatus::control_limit:
+    case TrimStatus::flap_limit:
+      sentence << "trimmed, but ";
+      trim_detail::write_limit(r, sentence);
+      break;
+    case TrimStatus::not_converged:
+    case TrimStatus::singular:
+      sentence << "no trim found in " << r.iterations << " Newton steps: scaled residual ";
+      sentence.scientific(static_cast<double>(r.residual)) << " left in the rate of "
+                                                           << kStateNames[r.residual_state].name;
+      if (r.limit != TrimLimit::none) {
+        sentence << "; at the last point ";
+        trim_detail::write_limit(r, sentence);
+      }
+      break;
+    case TrimStatus::not_finite:
+      sentence << "the rate of " << kStateNames[r.residual_state].name << " is not a number at the first guess";
+      break;
+    case TrimStatus::out_of_range:
+    case TrimStatus::count:
+      sentence << "bad input: "
+               << (r.invalid == SteadyFlightField::none ? "configuration or options"
+                                                         : trim_detail::kFieldWords[static_cast<unsigned>(r.invalid)]);
+      break;
+  }
+  return sentence.length();
+}
+
+}  // namespace tiltrotor

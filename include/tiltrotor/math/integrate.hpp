@@ -1,0 +1,131 @@
+// One step of an initial value problem x' = f(t, x): explicit Runge-Kutta (RK4) and Rosenbrock (RODAS3).
+//
+// The right side is a callable  Status f(R t, const R* x, R* xdot).  A step replaces x[n] only when every evaluation
+// returned ok and the result is finite; otherwise it returns the reason and x stays as it was.
+#pragma once
+
+#include "tiltrotor/math/lu.hpp"
+#include "tiltrotor/math/matrix.hpp"
+#include "tiltrotor/math/status.hpp"
+
+namespace tiltrotor {
+
+template <class R, int N>
+struct RungeKuttaWorkspace {
+  R slope[4][N];
+  R stage[N];
+};
+
+template <class R, int N>
+struct RosenbrockWorkspace {
+  Matrix<R, N, N> system;  // 1/(gamma dt) I - J
+  LU<R, N> lu;
+  R increment[4][N];
+  R slope[N];
+  R stage[N];
+};
+
+namespace integrate_detail {
+
+template <class R>
+inline bool vector_finite(const R* x, int n) {
+  for (int i = 0; i < n; ++i)
+    if (!is_finite(x[i])) return false;
+  return true;
+}
+
+template <class R>
+inline Status accept(const R* candidate, int n, R* x) {
+  if (!vector_finite(candidate, n)) return Status::not_finite;
+  for (int i = 0; i < n; ++i) x[i] = candidate[i];
+  return Status::ok;
+}
+
+}  // namespace integrate_detail
+
+// The classical method of order 4, four evaluations of f, from t to t + dt.
+// Status: that of f; not_finite; bad_argument (n outside 1..N).
+template <class R, int N, class RightSide>
+inline Status rk4_step(RightSide&& f, R t, R dt, R* x, int n, RungeKuttaWorkspace<R, N>& work) {
+  if (n < 1 || n > N) return Status::bad_argument;
+  if (!is_finite(t) || !is_finite(dt) || !integrate_detail::vector_finite(x, n)) return Status::not_finite;
+  const R node[4] = {R(0), R(0.5), R(0.5), R(1)};
+  for (int s = 0; s < 4; ++s) {
+    for (int i = 0; i < n; ++i) work.stage[i] = s == 0 ? x[i] : x[i] + node[s] * dt * work.slope[s - 1][i];
+    const Status status = f(t + node[s] * dt, static_cast<const R*>(work.stage), static_cast<R*>(work.slope[s]));
+    if (status != Status::ok) return status;
+  }
+  for (int i = 0; i < n; ++i) {
+    const R middle = work.slope[1][i] + work.slope[2][i];
+    work.stage[i] = x[i] + dt / R(6) * (work.slope[0][i] + R(2) * middle + work.slope[3][i]);
+  }
+  return integrate_detail::accept(work.stage, n, x);
+}
+
+// RODAS3: four stages, order 3, L-stable, stiffly accurate, gamma = 1/2 (Sandu et al., Atmospheric Environment 31,
+// 1997), in the form whose linear systems are (I / (gamma dt) - J) u_i = right side; three evaluations of f, one
+// LU factorisation and four solutions per step.
+//
+// `jacobian` is df/dx at (t, x); the order needs it exact. `time_slope` is df/dt[n] at (t, x), nullptr when f does
+// not depend on t: leaving it out for a right side that does lowers the order to 1, and 2 at best.
+// `error`, when given, receives the difference to the embedded solution of order 2.
+// Status: that of f; singular; not_finite; bad_argument (n outside 1..N, dt = 0). `error` is written only with ok.
+template <class R, int N, class RightSide>
+inline Status rodas3_step(RightSide&& f, const Matrix<R, N, N>& jacobian, const R* time_slope, R t, R dt, R* x, int n,
+                          RosenbrockWorkspace<R, N>& work, R* error = nullptr) {
+  constexpr R kDiagonal = R(2);  // 1 / gamma
+  constexpr R kNode[4] = {R(0), R(0), R(1), R(1)};
+  constexpr R kTimeSlope[4] = {R(0.5), R(1.5), R(0), R(0)};
+  constexpr R kStage[4][3] = {{R(0), R(0), R(0)}, {R(0), R(0), R(0)}, {R(2), R(0), R(0)}, {R(2), R(0), R(1)}};
+  constexpr R kCoupling[4][3] = {
+      {R(0), R(0), R(0)}, {R(4), R(0), R(0)}, {R(1), R(-1), R(0)}, {R(1), R(-1), R(-8) / R(3)}};
+  constexpr R kWeight[4] = {R(2), R(0), R(1), R(1)};
+  // The embedded solution leaves out the last increment, which is therefore the error estimate.
+
+  if (n < 1 || n > N || dt == R(0)) return Status::bad_argument;
+  if (!is_finite(t) || !is_finite(dt) || !integrate_detail::vector_finite(x, n)) return Status::not_finite;
+  for (int i = 0; i < n; ++i) {
+    for (int j = 0; j < n; ++j) work.system(i, j) = -jacobian(i, j);
+    work.system(i, i) += kDiagonal / dt;
+  }
+  const Status factored = lu_factor(work.system, n, work.lu);
+  if (factored != Status::ok) return factored;
+
+  for (int s = 0; s < 4; ++s) {
+    if (s != 1) {  // the second stage shares the point of the first
+      for (int i = 0; i < n; ++i) {
+        work.stage[i] = x[i];
+        for (int p = 0; p < s; ++p) work.stage[i] += kStage[s][p] * work.increment[p][i];
+      }
+      const Status status =
+          f(t + kNode[s] * dt, static_cast<const R*>(work.stage), static_cast<R*>(work.slope));
+      if (status != Status::ok) return status;
+    }
+    R* u = work.increment[s];
+    for (int i = 0; i < n; ++i) {
+      R coupled = R(0);
+      for (int p = 0; p < s; ++p) coupled += kCoupling[s][p] * work.increment[p][i];
+      u[i] = work.slope[i] + coupled / dt;
+      if (time_slope != nullptr) u[i] += kTimeSlope[s] * dt * time_slope[i];
+    }
+    const Status solved = lu_solve(work.lu, u);
+    if (solved != Status::ok) return solved;
+  }
+  for (int i = 0; i < n; ++i) {
+    work.stage[i] = x[i];
+    for (int p = 0; p < 4; ++p) work.stage[i] += kWeight[p] * work.increment[p][i];
+  }
+  const Status accepted = integrate_detail::accept(work.stage, n, x);
+  if (accepted == Status::ok && error != nullptr)
+    for (int i = 0; i < n; ++i) error[i] = work.increment[3][i];
+  return accepted;
+}
+
+// The same for a right side that does not depend on time.
+template <class R, int N, class RightSide>
+inline Status rodas3_step(RightSide&& f, const Matrix<R, N, N>& jacobian, R t, R dt, R* x, int n,
+                          RosenbrockWorkspace<R, N>& work, R* error = nullptr) {
+  return rodas3_step(f, jacobian, static_cast<const R*>(nullptr), t, dt, x, n, work, error);
+}
+
+}  // namespace tiltrotor

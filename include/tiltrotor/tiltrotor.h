@@ -1,0 +1,278 @@
+/* tiltrotor: flight dynamics of a tilt-rotor aircraft, as a C library.
+ *
+ *   static tr_sim sim;        the aircraft: configuration, state, controls; a copy of it is a snapshot
+ *   static tr_work work;      scratch of the calls that name it; nothing in it outlives a call
+ *   tr_setup setup;
+ *   tr_default_setup(&setup, TR_API_VERSION, TR_XV15, 0.0);
+ *   tr_init(&sim, TR_API_VERSION, &setup);
+ *   tr_flight flight = {40.0, 0.0, 0.0, 0.0};
+ *   tr_trim(&sim, &work, &flight, NULL);
+ *   for (;;) tr_step(&sim, &work, 0.005);
+ *
+ * Memory: the caller owns all of it. No function allocates, keeps a pointer, does input or output, or writes a global
+ * variable; two aircraft never disturb each other. Threads may run at once on different tr_sim with different tr_work.
+ * One tr_work serves any number of aircraft that take turns.
+ *
+ * Errors: every function that can fail returns a tr_status. When it is not TR_OK, outputs are untouched unless the
+ * function says otherwise, and the aircraft is as it was. Null pointers, NaN, infinities, short arrays, numbers out of
+ * range, a wrong version and an aircraft that is not initialised are all found and reported. The content of a tr_sim
+ * that a call of tr_init has filled must not be written by anything else.
+ *
+ * Units: SI and radians unless the name says otherwise. Body axes x forward, y right, z down; attitude 3-2-1 Euler;
+ * velocity relative to the air mass. Right rotor first.
+ *
+ * Costs are worst cases, in evaluations of the equations of motion ("derivatives") and of their Jacobian. A derivative
+ * is constant work: the same for every state but for the branches of table searches.
+ *
+ * Define TR_SINGLE_PRECISION to use a library built with PRECISION=single: tr_real is then float. */
+#ifndef TILTROTOR_TILTROTOR_H
+#define TILTROTOR_TILTROTOR_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#ifdef TR_SINGLE_PRECISION
+typedef float tr_real;
+#define TR_API_VERSION 0x00010004u
+#define TR_SIM_SIZE 3072
+#define TR_WORK_SIZE 49152
+#else
+typedef double tr_real;
+/* Changes when a program must be compiled again: interface in the upper half, bytes of a tr_real in the lower. */
+#define TR_API_VERSION 0x00010008u
+#define TR_SIM_SIZE 6144   /* bytes */
+#define TR_WORK_SIZE 81920 /* bytes */
+#endif
+
+typedef enum tr_status {
+  TR_OK,
+  TR_NOT_CONVERGED,   /* the iteration reached its limit before its tolerance */
+  TR_SINGULAR,        /* a matrix that must be inverted is singular */
+  TR_NOT_FINITE,      /* NaN or infinity in an input, or arisen in the computation */
+  TR_OUT_OF_RANGE,    /* an input, or the state after a step, is outside the range of the model */
+  TR_BAD_ARGUMENT,    /* a null pointer, an unknown choice or an impossible size */
+  TR_SHORT_BUFFER,    /* an array is too short for the result */
+  TR_WRONG_VERSION,   /* the program was compiled for another version or precision of the library */
+  TR_NOT_INITIALIZED, /* tr_init has not succeeded on this tr_sim */
+  TR_WING_STALL,      /* trimmed, but the wing is past its stall */
+  TR_CONTROL_LIMIT,   /* trimmed, but a control is beyond its stop */
+  TR_FLAP_LIMIT,      /* trimmed, but a gimbal is beyond its stop */
+  TR_STATUS_COUNT
+} tr_status;
+
+/* ---- the aircraft ---- */
+
+/* Opaque. Plain memory: may be copied, moved and stored as a whole. */
+typedef struct tr_sim {
+  uint64_t reserved[TR_SIM_SIZE / 8];
+} tr_sim;
+typedef struct tr_work {
+  uint64_t reserved[TR_WORK_SIZE / 8];
+} tr_work;
+
+typedef enum tr_aircraft { TR_XV15 = 1 } tr_aircraft;
+typedef enum tr_grid {
+  TR_GRID_REALTIME = 1,     /* fewest blade stations that keep the accuracy of the finer grid */
+  TR_GRID_SPECIFICATION = 2 /* 20 radial by 24 azimuth stations a rotor */
+} tr_grid;
+typedef enum tr_tables {
+  TR_TABLES_SMOOTH = 1, /* continuous slopes */
+  TR_TABLES_LINEAR = 2  /* the tables' own linear interpolation */
+} tr_tables;
+
+/* What stays fixed during a flight. tr_default_setup fills it; change fields afterwards. */
+typedef struct tr_setup {
+  int32_t aircraft;      /* tr_aircraft */
+  int32_t grid;          /* tr_grid; default TR_GRID_REALTIME */
+  int32_t tables;        /* tr_tables; default TR_TABLES_SMOOTH */
+  int32_t coning_states; /* 0: coning is constant (default); 1: two more states a rotor */
+  tr_real mast_deg;      /* 0 helicopter .. 90 airplane */
+  tr_real flap_deg;      /* 0..75; default 40, 20 or 0 by mast angle */
+  tr_real altitude_m;    /* of the air's density, ISA, -500..11000; default 0 */
+  tr_real mass_kg;       /* 3000..10000; default 13000 lbf */
+  tr_real rotor_radps;   /* rotor speed, 20..80; default by mast angle */
+  tr_real cg_station_m;  /* station of the centre of gravity at mast 0, 7..8; default 301.2 in */
+} tr_setup;
+
+/* States in the order of tr_state.x. Inflow over tip speed; flapping and inflow in each rotor's mirrored frame. */
+enum {
+  TR_U, TR_V, TR_W,                   /* m/s */
+  TR_P, TR_Q, TR_R,                   /* rad/s */
+  TR_ROLL, TR_PITCH, TR_YAW,          /* rad */
+  TR_ROTOR_RIGHT = 9,                 /* b1c b1s (rad), their rates (rad/s), n0 nc ns */
+  TR_ROTOR_LEFT = 16,                 /* the same */
+  TR_DOWNWASH = 23,                   /* at the tail, rad */
+  TR_CONING_RIGHT = 24,               /* angle (rad), rate (rad/s) */
+  TR_CONING_LEFT = 26,
+  TR_NORTH = 28, TR_EAST, TR_DOWN,    /* position relative to the air mass, m */
+  TR_STATES = 31
+};
+
+/* Controls in the order of tr_state.u, with the ranges tr_set_controls accepts. */
+enum {
+  TR_COLLECTIVE,                      /* mean blade pitch at 0.75 radius, rad, -0.35..1.4 */
+  TR_LONG_STICK, TR_LAT_STICK,        /* in from neutral, + forward and right, within 4.8 */
+  TR_PEDAL,                           /* in from neutral, + right, within 2.5 */
+  TR_LONG_CYCLIC,                     /* increments on blades and surfaces, rad, within 0.5: */
+  TR_DIFF_COLLECTIVE,
+  TR_DIFF_LONG_CYCLIC,
+  TR_ELEVATOR, TR_AILERON, TR_RUDDER,
+  TR_LATERAL_CYCLIC,
+  TR_GUST_U, TR_GUST_V, TR_GUST_W,    /* velocity of the air mass, body axes, m/s, within 50 */
+  TR_CONTROLS = 14
+};
+
+/* The complete state of a flight: restoring it replays bit for bit. */
+typedef struct tr_state {
+  double time_s;
+  uint64_t steps; /* done so far */
+  tr_real x[TR_STATES];
+  tr_real u[TR_CONTROLS];
+} tr_state;
+
+/* Fills `setup` with the defaults for a tr_aircraft and a mast angle, 0..90 deg.
+ * TR_WRONG_VERSION, TR_BAD_ARGUMENT, TR_OUT_OF_RANGE. Cost: a few assignments. */
+tr_status tr_default_setup(tr_setup *setup, uint32_t version, int32_t aircraft, tr_real mast_deg);
+
+/* Makes an aircraft at rest: all states and controls zero, time zero. `version` is TR_API_VERSION.
+ * With TR_WRONG_VERSION `sim` is untouched; with TR_BAD_ARGUMENT and TR_OUT_OF_RANGE it is not initialised.
+ * Cost: 1 derivative. */
+tr_status tr_init(tr_sim *sim, uint32_t version, const tr_setup *setup);
+
+/* Bytes the library really uses, for tools that place memory: at most TR_SIM_SIZE and TR_WORK_SIZE. */
+size_t tr_sim_size(void);
+size_t tr_work_size(void);
+
+/* ---- flying ---- */
+
+/* Sets the first `length` controls (1..TR_CONTROLS), in force from the next step; the others keep their value.
+ * One bad number and none is set. TR_NOT_FINITE, TR_OUT_OF_RANGE, TR_BAD_ARGUMENT. Cost: a few comparisons. */
+tr_status tr_set_controls(tr_sim *sim, const tr_real *controls, size_t length);
+
+/* One step of 0 < dt <= 0.02 s by the classical Runge-Kutta method, controls held.
+ * TR_OUT_OF_RANGE (dt, or the flight has diverged), TR_NOT_FINITE: the aircraft stays where it was.
+ * Cost: 4 derivatives. */
+tr_status tr_step(tr_sim *sim, tr_work *work, tr_real dt);
+
+/* Snapshot and restore. tr_set_state accepts finite states of |velocity| <= 300 m/s, |rates| <= 20 rad/s,
+ * |roll| <= 1000 rad, |pitch| <= 89.5 deg, |angles and inflow| <= 2, |their rates| <= 200 rad/s, |controls| <= 100.
+ * TR_NOT_FINITE, TR_OUT_OF_RANGE. Cost: a copy. */
+tr_status tr_get_state(const tr_sim *sim, tr_state *state);
+tr_status tr_set_state(tr_sim *sim, const tr_state *state);
+
+/* Time derivative of the state, for integrators of your own: rates[i] belongs to x[i]; `length` >= TR_STATES.
+ * TR_SHORT_BUFFER; TR_NOT_FINITE (rates are then as computed). Cost: 1 derivative. */
+tr_status tr_derivative(const tr_sim *sim, tr_real *rates, size_t length);
+
+typedef struct tr_outputs {
+  double time_s;
+  tr_real airspeed_mps;
+  tr_real angle_of_attack_rad, sideslip_rad;   /* of the body; 0 at rest */
+  tr_real specific_force_mps2[3];              /* at the centre of gravity, body axes: what an accelerometer reads */
+  tr_real load_factor;                         /* -specific force z over gravity */
+  tr_real climb_rate_mps;
+  tr_real thrust_n[2];                         /* resultant force of a rotor on its hub */
+  tr_real torque_nm[2];
+  tr_real power_w[2];                          /* shaft power */
+  tr_real collective_rad[2];                   /* blade pitch at 0.75 radius */
+  tr_real long_cyclic_rad[2];
+  tr_real gimbal_tilt_rad[2];
+  tr_real elevator_rad, aileron_rad, rudder_rad;
+} tr_outputs;
+
+/* What an instrument would read now. TR_NOT_FINITE (outputs are then as computed). Cost: 1 derivative. */
+tr_status tr_get_outputs(const tr_sim *sim, tr_outputs *outputs);
+
+/* ---- trim ---- */
+
+typedef struct tr_flight {
+  tr_real speed_mps;       /* 0..150 */
+  tr_real climb_rad;       /* of the flight path, + up, within 60 deg */
+  tr_real turn_rate_radps; /* of the heading, + right, within 60 deg/s */
+  tr_real sideslip_rad;    /* + wind from the right, within 60 deg */
+} tr_flight;
+
+typedef struct tr_trim_result {
+  int32_t iterations; /* Newton steps */
+  int32_t attempts;   /* 1: the cold start converged; more: continuation from an easier flight */
+  tr_real residual;   /* largest left over, accelerations over gravity */
+  char text[160];     /* one sentence on how it ended */
+} tr_trim_result;
+
+/* Puts the aircraft in steady flight: state, controls and time 0. With TR_WING_STALL, TR_CONTROL_LIMIT and
+ * TR_FLAP_LIMIT too: the equations are fulfilled, a limit is exceeded. Otherwise (TR_NOT_CONVERGED, TR_SINGULAR,
+ * TR_NOT_FINITE, TR_OUT_OF_RANGE) the aircraft stays as it was. `result` may be NULL; it is filled whenever the
+ * aircraft is initialised. Cost: 3 to 9 Jacobians as a rule, at most about 450 with 13 derivatives each. */
+tr_status tr_trim(tr_sim *sim, tr_work *work, const tr_flight *flight, tr_trim_result *result);
+
+/* ---- linear model and modes ---- */
+
+enum { TR_MAX_LINEAR_STATES = 27 };
+
+typedef enum tr_columns {
+  TR_INCEPTORS = 1,      /* collective, sticks, pedal: 4 */
+  TR_BLADE_CONTROLS = 2, /* blade angles and surfaces: 7 */
+  TR_ALL_CONTROLS = 3    /* 14 */
+} tr_columns;
+
+/* Meaning of rows and columns: A is states by states, B states by controls. */
+typedef struct tr_linear_shape {
+  int32_t states;
+  int32_t controls;
+  int32_t state[TR_MAX_LINEAR_STATES]; /* place in tr_state.x; see tr_state_name */
+  int32_t control[TR_CONTROLS];        /* place in tr_state.u */
+} tr_linear_shape;
+
+/* A = df/dx and B = df/du at the present state and controls, exact, by rows without gaps: a[i * states + j].
+ * Heading and position are left out. `columns` is a tr_columns. `shape` comes first and is filled with TR_SHORT_BUFFER too: call with lengths 0
+ * to learn the sizes. `b` may be NULL with length 0 when only A is wanted and the columns are still counted.
+ * The aircraft is not changed. TR_SHORT_BUFFER; TR_NOT_FINITE (a and b are then as computed).
+ * Cost: 1 Jacobian (2 with TR_ALL_CONTROLS). */
+tr_status tr_linearize(const tr_sim *sim, tr_work *work, int32_t columns, tr_linear_shape *shape, tr_real *a,
+                       size_t a_length, tr_real *b, size_t b_length);
+
+/* Eigenvalues of any real square matrix of order n (1..TR_MAX_LINEAR_STATES) given by rows. `real` and `imag` hold at
+ * least n numbers (`length`). With TR_NOT_CONVERGED those not found are NaN. TR_NOT_FINITE, TR_SHORT_BUFFER.
+ * Cost: about 10 n^3 multiplications, at most 30 n sweeps. */
+tr_status tr_eigenvalues(tr_work *work, const tr_real *a, size_t n, tr_real *real, tr_real *imag, size_t length);
+
+typedef struct tr_mode {
+  tr_real real, imag;      /* eigenvalue, 1/s; imag >= 0, a conjugate pair is one mode */
+  tr_real frequency_radps; /* |eigenvalue| */
+  tr_real damping_ratio;
+  tr_real time_to_half_s;  /* negative: time to double */
+  char name[32];           /* short_period, dutch_roll, flap_regressing_sym, ... */
+} tr_mode;
+
+/* Modes of a linear model made by tr_linearize, longitudinal ones first. `capacity` of shape->states is always enough;
+ * *count is the number found, with TR_SHORT_BUFFER the number needed.
+ * TR_NOT_CONVERGED, TR_NOT_FINITE, TR_SHORT_BUFFER. Cost: about 25 n^3 multiplications. */
+tr_status tr_modes(tr_work *work, const tr_linear_shape *shape, const tr_real *a, size_t a_length, tr_mode *modes,
+                   size_t capacity, size_t *count);
+
+/* ---- words and hashes ---- */
+
+/* Never NULL; "unknown" and "" for a number out of range. */
+const char *tr_status_word(int32_t status);
+const char *tr_status_text(int32_t status);
+const char *tr_state_name(int32_t index);
+const char *tr_state_unit(int32_t index);
+const char *tr_control_name(int32_t index);
+const char *tr_control_unit(int32_t index);
+const char *tr_version(void); /* of the library, "0.1.0" */
+
+#define TR_HASH_START UINT64_C(14695981039346656037)
+
+/* Continues *hash (begin with TR_HASH_START) over the bits of `length` numbers: FNV-1a, least significant byte first on
+ * every machine. Equal hashes of two flights: they agree bit for bit. Cost: 8 multiplications a number. */
+tr_status tr_hash(const tr_real *numbers, size_t length, uint64_t *hash);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,107 @@
+// `tiltrotor linearize`: A and B at trim or at given states.
+
+#include <cmath>
+#include <cstdio>
+#include <memory>
+
+#include "cli/command.hpp"
+#include "cli/errors.hpp"
+#include "cli/linear_options.hpp"
+#include "cli/linear_output.hpp"
+#include "cli/states_option.hpp"
+#include "cli/trimmed_flights.hpp"
+
+namespace tiltrotor::cli {
+
+namespace {
+
+// One linear model after another, written to the output.
+class Linearizer {
+ public:
+  Linearizer(const Arguments& arguments, bool single)
+      : output_(arguments, single),
+        rigid_(wants_rigid(arguments)),
+        controls_(control_set(arguments)),
+        model_(std::make_unique<LinearModel<double>>()) {}
+
+  const Shard& shard() const { return output_.shard(); }
+  Analyses& room() const { return *room_; }
+
+  int add(LinearCase which, const Configuration<double>& c, const State<double>& x,
+          const Controls<double>& u) {
+    Status status = linearize(c, x, u, controls_, *room_, *model_);
+    if (status == Status::ok && rigid_) status = reduce_to_rigid(*model_);
+    which.valid = status == Status::ok;
+    if (!which.valid) {
+      which.status = status_word(status);
+      std::fprintf(stderr, "tiltrotor: %s: %s\n",
+                   flight_text("linearize", which.mast_deg, which.speed).c_str(), status_text(status));
+    }
+    output_.add(which, *model_);
+    return which.valid ? exit_success : exit_case_failed;
+  }
+
+  void add_without_model(const LinearCase& which) { output_.add(which, *model_); }
+  void finish() { output_.finish(); }
+
+ private:
+  LinearOutput output_;
+  bool rigid_;
+  ControlSet controls_;
+  std::unique_ptr<LinearModel<double>> model_;
+  AnalysesRoom room_;
+};
+
+int at_given_states(const Arguments& arguments, const SetupOptions& setup) {
+  const StateFile file = given_states(arguments, setup);
+  Linearizer linearizer(arguments, file.rows.size() == 1);
+  int exit_status = exit_success;
+  for (std::size_t r = linearizer.shard().begin(file.rows.size());
+       r < linearizer.shard().end(file.rows.size()); ++r) {
+    const StateRow& row = file.rows[r];
+    const Vec3<double>& v = row.state.velocity;
+    const LinearCase which{row.name, *row.mast_deg, std::sqrt(dot(v, v)), "ok", true};
+    const int done = linearizer.add(which, setup.configuration(*row.mast_deg), row.state, row.controls);
+    if (done != exit_success) exit_status = done;
+  }
+  linearizer.finish();
+  return exit_status;
+}
+
+int at_trim(const Arguments& arguments, const SetupOptions& setup) {
+  Linearizer linearizer(arguments, flight_cases(arguments).size() == 1);
+  const int exit_status = for_each_trim(
+      arguments, setup, linearizer.shard(), linearizer.room(), [&](const TrimmedFlight& flight) -> int {
+        const bool trimmed = is_trimmed(flight.trim.status);
+        const LinearCase which{std::to_string(flight.number), flight.mast_deg, flight.flight.speed,
+                               trim_status_word(flight.trim.status), trimmed};
+        if (trimmed)
+          return linearizer.add(which, flight.configuration, flight.trim.state, flight.trim.controls);
+        linearizer.add_without_model(which);
+        return exit_success;
+      });
+  linearizer.finish();
+  return exit_status;
+}
+
+int run(const Arguments& arguments) {
+  const SetupOptions setup(arguments);
+  return arguments.given("--states") ? at_given_states(arguments, setup) : at_trim(arguments, setup);
+}
+
+}  // namespace
+
+Command linearize_command() {
+  return {"linearize",
+          "exact linear models A, B at trim or at given states",
+          "A = df/dx and B = df/du with names and units of every row and column, at every combination of "
+          "--mast and\n"
+          "--speed or at the states of a file. JSON is an object for one case and an array for several:\n"
+          "  case mast_deg speed_mps status states[{name,unit}] controls[{name,unit}] x0 u0 A B\n",
+          "tiltrotor linearize --mast 90 --speed 80 --format json",
+          reduce_option() + control_set_option() + states_option() + flight_list() + SetupOptions::list() +
+              LinearOutput::list(),
+          run};
+}
+
+}  // namespace tiltrotor::cli

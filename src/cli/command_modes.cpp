@@ -1,0 +1,125 @@
+// `tiltrotor modes`: eigenvalues with names.
+
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <memory>
+
+#include "cli/command.hpp"
+#include "cli/errors.hpp"
+#include "cli/linear_options.hpp"
+#include "cli/output.hpp"
+#include "cli/trimmed_flights.hpp"
+
+namespace tiltrotor::cli {
+
+namespace {
+
+const std::vector<std::string> columns = {
+    "mast_deg", "speed_mps",       "axis",          "mode",           "real",
+    "imag",     "frequency_rad_s", "damping_ratio", "time_to_half_s", "status"};
+
+// Neighbours in a sweep of speed, or of the mast angle at one speed, closer than these.
+constexpr double speed_neighbour = 10;  // m/s
+constexpr double mast_neighbour = 10;   // deg
+
+bool neighbours(const FlightCase& a, const FlightCase& b) {
+  const double speed_step = std::abs(a.flight.speed - b.flight.speed);
+  const double mast_step = std::abs(a.mast_deg - b.mast_deg);
+  return (mast_step == 0 && speed_step <= speed_neighbour) ||
+         (speed_step == 0 && mast_step <= mast_neighbour);
+}
+
+// Modes of one flight after another; names are carried along.
+class ModeRun {
+ public:
+  explicit ModeRun(const Arguments& arguments)
+      : rigid_(wants_rigid(arguments)), room_(std::make_unique<Room>()) {}
+
+  Analyses& analyses() const { return *analyses_; }
+
+  Status find(const TrimmedFlight& flight) {
+    Status status = linearize(flight.configuration, flight.trim.state, flight.trim.controls, ControlSet{},
+                              *analyses_, room_->model);
+    if (status == Status::ok && rigid_) status = reduce_to_rigid(room_->model);
+    if (status == Status::ok) status = modes(room_->model, room_->work, room_->current);
+    if (status == Status::ok && flight.connects && has_previous_)
+      status = follow(room_->previous, room_->current);
+    has_previous_ = status == Status::ok;
+    if (has_previous_) room_->previous = room_->current;
+    return status;
+  }
+  void lose_track() { has_previous_ = false; }
+  const ModeSet<double>& found() const { return room_->current; }
+
+ private:
+  struct Room {
+    LinearModel<double> model;
+    ModesWorkspace<double> work;
+    ModeSet<double> previous, current;
+  };
+  bool rigid_;
+  bool has_previous_ = false;
+  std::unique_ptr<Room> room_;
+  AnalysesRoom analyses_;
+};
+
+void add_empty_row(Records& records, const TrimmedFlight& flight, const char* status) {
+  constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+  records.add(
+      {flight.mast_deg, flight.flight.speed, "", "", nothing, nothing, nothing, nothing, nothing, status});
+}
+
+void add_rows(Records& records, const TrimmedFlight& flight, const ModeSet<double>& set) {
+  for (int i = 0; i < set.count; ++i) {
+    const Mode<double>& m = set.mode[i];
+    records.add({flight.mast_deg, flight.flight.speed, axis_word(m.axis), m.name, m.real, m.imag, m.frequency,
+                 m.damping_ratio, m.time_to_half, trim_status_word(flight.trim.status)});
+  }
+}
+
+int run(const Arguments& arguments) {
+  const SetupOptions setup(arguments);
+  flight_cases(arguments);
+  Output output(arguments);
+  ModeRun modes(arguments);
+  Records records = output.records(columns, Output::to_read);
+  const auto visit = [&](const TrimmedFlight& flight) -> int {
+    if (!is_trimmed(flight.trim.status)) {
+      modes.lose_track();
+      if (!flight.is_preliminary) add_empty_row(records, flight, trim_status_word(flight.trim.status));
+      return exit_success;
+    }
+    const Status status = modes.find(flight);
+    if (flight.is_preliminary) return exit_success;
+    if (status == Status::ok) {
+      add_rows(records, flight, modes.found());
+      return exit_success;
+    }
+    add_empty_row(records, flight, status_word(status));
+    std::fprintf(stderr, "tiltrotor: %s: %s\n",
+                 flight_text("modes", flight.mast_deg, flight.flight.speed).c_str(), status_text(status));
+    return exit_case_failed;
+  };
+  const int exit_status =
+      for_each_trim(arguments, setup, output.shard(), modes.analyses(), visit, neighbours);
+  records.finish();
+  return exit_status;
+}
+
+}  // namespace
+
+Command modes_command() {
+  return {"modes",
+          "eigenvalues of A with names, frequency and damping",
+          "One row for every real root or conjugate pair, longitudinal, lateral, then rotor, slow modes "
+          "first. A\n"
+          "negative time_to_half_s is the time to double. Names come from the states that take part; along a "
+          "sweep in\n"
+          "steps of at most 10 m/s, or 10 deg of mast angle at one speed, they follow the mode.\n",
+          "tiltrotor modes --mast 0,30,60,90 --speed 50",
+          reduce_option() + flight_list() + SetupOptions::list() + Output::list(),
+          run};
+}
+
+}  // namespace tiltrotor::cli

@@ -1,0 +1,162 @@
+// `tiltrotor rotor`: one rotor alone, as on a test stand or in a wind tunnel.
+
+#include <cstdio>
+
+#include "cli/command.hpp"
+#include "cli/errors.hpp"
+#include "cli/flight_options.hpp"
+#include "cli/output.hpp"
+#include "cli/progress.hpp"
+#include "tiltrotor/analysis/isolated_rotor.hpp"
+
+namespace tiltrotor::cli {
+
+namespace {
+
+constexpr double radian = kRadian<double>;
+constexpr double rpm_unit = kPi<double> / 30;
+constexpr double kilo = 1000;
+
+constexpr Range collective_range{-90, 90, "deg"};
+constexpr Range speed_range{-150, 150, "m/s"};
+constexpr Range cyclic_range{-30, 30, "deg"};
+
+struct Column {
+  const char* name;
+  double (*value)(const Configuration<double>&, const IsolatedRotor<double>&);
+};
+
+using Setting = const Configuration<double>&;
+using Rotor = const IsolatedRotor<double>&;
+
+// Between these columns and the words of the last ones stands everything the solver finds.
+const Column numbers[] = {
+    {"collective75_deg", [](Setting, Rotor r) { return r.input.collective / radian; }},
+    {"ct", [](Setting, Rotor r) { return r.figures.thrust_coefficient; }},
+    {"cp", [](Setting, Rotor r) { return r.figures.power_coefficient; }},
+    {"figure_of_merit", [](Setting, Rotor r) { return r.figures.figure_of_merit; }},
+    {"ct_sigma", [](Setting, Rotor r) { return r.figures.thrust_coefficient / r.figures.solidity; }},
+    {"thrust_n", [](Setting, Rotor r) { return r.figures.thrust; }},
+    {"power_kw", [](Setting, Rotor r) { return r.figures.power / kilo; }},
+    {"b1c_deg", [](Setting, Rotor r) { return r.input.state.b1c / radian; }},
+    {"b1s_deg", [](Setting, Rotor r) { return r.input.state.b1s / radian; }},
+    {"n0", [](Setting, Rotor r) { return r.input.state.n0; }},
+    {"efficiency", [](Setting, Rotor r) { return r.figures.efficiency; }},
+    {"cp_sigma", [](Setting, Rotor r) { return r.figures.power_coefficient / r.figures.solidity; }},
+    {"nc", [](Setting, Rotor r) { return r.input.state.nc; }},
+    {"ns", [](Setting, Rotor r) { return r.input.state.ns; }},
+    {"lateral_cyclic_deg", [](Setting, Rotor r) { return r.input.lateral_cyclic / radian; }},
+    {"long_cyclic_deg", [](Setting, Rotor r) { return r.input.long_cyclic / radian; }},
+    {"coning_deg", [](Setting, Rotor r) { return r.input.coning.angle / radian; }},
+    {"force_aft_n", [](Setting, Rotor r) { return r.response.loads.force.x; }},
+    {"force_advancing_n", [](Setting, Rotor r) { return r.response.loads.force.y; }},
+    {"torque_nm", [](Setting, Rotor r) { return r.figures.torque; }},
+    {"rotor_rpm", [](Setting c, Rotor) { return c.setup.rotor_speed / rpm_unit; }},
+    {"speed_axial_mps", [](Setting, Rotor r) { return r.input.velocity.z; }},
+    {"speed_inplane_mps", [](Setting, Rotor r) { return 0.0 - r.input.velocity.x; }},
+    {"axial_ratio", [](Setting, Rotor r) { return r.figures.axial_ratio; }},
+    {"advance_ratio", [](Setting, Rotor r) { return r.figures.advance_ratio; }},
+    {"iterations", [](Setting, Rotor r) { return static_cast<double>(r.iterations); }},
+    {"residual", [](Setting, Rotor r) { return r.residual; }},
+};
+
+std::vector<std::string> column_names() {
+  std::vector<std::string> names;
+  for (const Column& column : numbers) names.emplace_back(column.name);
+  names.emplace_back("status");
+  return names;
+}
+
+struct Case {
+  double rotor_speed;
+  RotorFlow<double> flow;
+};
+
+// Every combination; the collective changes fastest.
+std::vector<Case> cases(const Arguments& arguments, double default_rotor_speed) {
+  RotorFlow<double> flow{};
+  flow.lateral_cyclic = arguments.number("--lateral-cyclic", 0, cyclic_range) * radian;
+  flow.long_cyclic = arguments.number("--long-cyclic", 0, cyclic_range) * radian;
+  flow.cyclic = arguments.given("--cancel-tilt") ? CyclicUse::cancels_tilt : CyclicUse::given;
+  std::vector<double> rotor_speeds = {default_rotor_speed};
+  if (arguments.given("--rpm")) {
+    rotor_speeds = arguments.sweep("--rpm", "", kRotorSpeedRange);
+    for (double& speed : rotor_speeds) speed *= rpm_unit;
+  }
+  const std::vector<double> axial = arguments.sweep("--speed-axial", "0", speed_range);
+  const std::vector<double> in_plane = arguments.sweep("--speed-inplane", "0", speed_range);
+  const std::vector<double> collective = arguments.sweep("--collective75", "0:1:16", collective_range);
+  std::vector<Case> all;
+  for (const double rotor_speed : rotor_speeds) {
+    for (const double a : axial) {
+      for (const double i : in_plane) {
+        for (const double pitch : collective) {
+          flow.axial = a;
+          flow.in_plane = i;
+          flow.collective = pitch * radian;
+          all.push_back({rotor_speed, flow});
+        }
+      }
+    }
+  }
+  return all;
+}
+
+int run(const Arguments& arguments) {
+  const SetupOptions setup(arguments);
+  const double mast_deg = arguments.number("--mast", 0, kMastRange);
+  const std::vector<Case> all = cases(arguments, setup.configuration(mast_deg).setup.rotor_speed);
+  Output output(arguments);
+  Records records = output.records(column_names(), Output::to_read);
+  const std::size_t begin = output.shard().begin(all.size());
+  const std::size_t end = output.shard().end(all.size());
+  Progress progress("rotor", end - begin);
+  int exit_status = exit_success;
+  IsolatedRotorWorkspace<double> work;
+  for (std::size_t i = begin; i < end; ++i) {
+    const Configuration<double> configuration = setup.configuration(mast_deg, all[i].rotor_speed);
+    IsolatedRotor<double> rotor;
+    const Status status = isolated_rotor(configuration, all[i].flow, work, rotor);
+    Row row;
+    for (const Column& column : numbers) row.emplace_back(column.value(configuration, rotor));
+    row.emplace_back(status_word(status));
+    records.add(row);
+    if (status != Status::ok) {
+      progress.message("rotor: collective " + number_text(all[i].flow.collective / radian, 6) +
+                       " deg: " + status_text(status) + "; residual " + number_text(rotor.residual, 3));
+      exit_status = exit_case_failed;
+    }
+    progress.advance();
+  }
+  records.finish();
+  return exit_status;
+}
+
+OptionList options() {
+  return {
+      {"--collective75", "DEG", "blade pitch at 0.75 R, -90..90 (0:1:16)"},
+      {"--rpm", "RPM", "rotor speed, 200..760 (that of the mast angle)"},
+      {"--speed-axial", "MPS", "up the shaft: climb, or forward in airplane mode, -150..150 (0)"},
+      {"--speed-inplane", "MPS", "across the shaft, -150..150 (0)"},
+      {"--lateral-cyclic", "DEG", "A1, -30..30 (0)"},
+      {"--long-cyclic", "DEG", "B1, -30..30 (0)"},
+      {"--cancel-tilt", "", "find the cyclic that holds the disk normal to the shaft"},
+  };
+}
+
+}  // namespace
+
+Command rotor_command() {
+  return {"rotor",
+          "one rotor alone on a fixed shaft: thrust, power, efficiency",
+          "Brings inflow and flapping into equilibrium at every combination of pitch, rotor speed and flow "
+          "(each a\n"
+          "value, a list or a range). figure_of_merit stands where the rotor hovers, efficiency (thrust "
+          "times axial\n"
+          "speed over power) where it propels. The mast angle sets coning and the default rotor speed.\n",
+          "tiltrotor rotor --collective75 4:1:14 --rpm 589",
+          options() + mast_option() + SetupOptions::rotor_list() + Output::list(),
+          run};
+}
+
+}  // namespace tiltrotor::cli

@@ -1,0 +1,121 @@
+// `tiltrotor trim`: equilibrium at every combination of mast angle and speed.
+
+#include <limits>
+
+#include "cli/command.hpp"
+#include "cli/output.hpp"
+#include "cli/trimmed_flights.hpp"
+
+namespace tiltrotor::cli {
+
+namespace {
+
+constexpr double radian = kRadian<double>;
+constexpr double kilo = 1000;
+
+using Flight = const TrimmedFlight&;
+
+struct Column {
+  const char* name;
+  double (*value)(Flight);
+  bool always = false;  // also without a trim
+};
+
+double mean(const double (&sides)[2]) { return (sides[right] + sides[left]) / 2; }
+double half_difference(const double (&sides)[2]) { return (sides[right] - sides[left]) / 2; }
+
+const Column columns_before_status[] = {
+    {"mast_deg", [](Flight f) { return f.mast_deg; }, true},
+    {"speed_mps", [](Flight f) { return f.flight.speed; }, true},
+    {"altitude_m", [](Flight f) { return f.configuration.setup.altitude; }, true},
+    {"climb_deg", [](Flight f) { return f.flight.climb / radian; }, true},
+};
+
+const Column columns_after_status[] = {
+    {"iterations", [](Flight f) { return static_cast<double>(f.trim.iterations); }, true},
+    {"residual", [](Flight f) { return f.trim.residual; }, true},
+    {"pitch_deg", [](Flight f) { return f.trim.state.pitch / radian; }},
+    {"roll_deg", [](Flight f) { return f.trim.state.roll / radian; }},
+    {"alpha_deg", [](Flight f) { return f.trim.angle_of_attack / radian; }},
+    {"sideslip_deg", [](Flight f) { return f.trim.sideslip / radian; }},
+    {"collective75_deg", [](Flight f) { return f.trim.controls.collective / radian; }},
+    {"collective_root_deg", [](Flight f) { return f.trim.collective_root / radian; }},
+    {"long_cyclic_deg", [](Flight f) { return mean(f.trim.blades.long_cyclic) / radian; }},
+    {"diff_collective_deg", [](Flight f) { return half_difference(f.trim.blades.collective) / radian; }},
+    {"diff_long_cyclic_deg", [](Flight f) { return half_difference(f.trim.blades.long_cyclic) / radian; }},
+    {"elevator_deg", [](Flight f) { return f.trim.blades.elevator / radian; }},
+    {"aileron_deg", [](Flight f) { return f.trim.blades.aileron / radian; }},
+    {"rudder_deg", [](Flight f) { return f.trim.blades.rudder / radian; }},
+    // Counted from the rear stop.
+    {"long_stick_in",
+     [](Flight f) { return f.configuration.aircraft->controls.long_travel + f.trim.controls.long_stick; }},
+    {"lat_stick_in", [](Flight f) { return f.trim.controls.lat_stick; }},
+    {"pedal_in", [](Flight f) { return f.trim.controls.pedal; }},
+    {"thrust_right_n", [](Flight f) { return f.trim.thrust[right]; }},
+    {"thrust_left_n", [](Flight f) { return f.trim.thrust[left]; }},
+    {"power_kw", [](Flight f) { return (f.trim.power[right] + f.trim.power[left]) / kilo; }},
+    {"download_frac", [](Flight f) { return f.trim.download_fraction; }},
+    {"turn_rate_degps", [](Flight f) { return f.flight.turn_rate / radian; }, true},
+    {"load_factor", [](Flight f) { return f.trim.load_factor; }},
+    {"wing_alpha_deg", [](Flight f) { return f.trim.wing_angle_of_attack / radian; }},
+    {"downwash_deg", [](Flight f) { return f.trim.state.downwash / radian; }},
+    {"b1c_right_deg", [](Flight f) { return f.trim.state.rotor[right].b1c / radian; }},
+    {"b1s_right_deg", [](Flight f) { return f.trim.state.rotor[right].b1s / radian; }},
+    {"b1c_left_deg", [](Flight f) { return f.trim.state.rotor[left].b1c / radian; }},
+    {"b1s_left_deg", [](Flight f) { return f.trim.state.rotor[left].b1s / radian; }},
+    {"n0_right", [](Flight f) { return f.trim.state.rotor[right].n0; }},
+    {"n0_left", [](Flight f) { return f.trim.state.rotor[left].n0; }},
+    {"flap_deg", [](Flight f) { return f.configuration.setup.flap_deg; }, true},
+    {"rotor_rpm", [](Flight f) { return f.configuration.setup.rotor_speed * 30 / kPi<double>; }, true},
+};
+
+std::vector<std::string> column_names() {
+  std::vector<std::string> names;
+  for (const Column& column : columns_before_status) names.emplace_back(column.name);
+  names.emplace_back("status");
+  for (const Column& column : columns_after_status) names.emplace_back(column.name);
+  return names;
+}
+
+Row row(Flight flight) {
+  constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+  const bool trimmed = is_trimmed(flight.trim.status);
+  Row cells;
+  for (const Column& column : columns_before_status) cells.emplace_back(column.value(flight));
+  cells.emplace_back(trim_status_word(flight.trim.status));
+  for (const Column& column : columns_after_status) {
+    cells.emplace_back(trimmed || column.always ? column.value(flight) : nothing);
+  }
+  return cells;
+}
+
+int run(const Arguments& arguments) {
+  const SetupOptions setup(arguments);
+  flight_cases(arguments);
+  Output output(arguments);
+  Records records = output.records(column_names(), Output::to_read);
+  const AnalysesRoom room;
+  const int exit_status = for_each_trim(arguments, setup, output.shard(), *room, [&](Flight flight) {
+    records.add(row(flight));
+    return 0;
+  });
+  records.finish();
+  return exit_status;
+}
+
+}  // namespace
+
+Command trim_command() {
+  return {"trim",
+          "equilibrium at every combination of mast angle and speed",
+          "Level, climbing, turning or sideslipping flight, each from a cold start. --mast and --speed take "
+          "a value,\n"
+          "a list or a range. A row without a trim says so in `status` (wing_stall, control_limit, "
+          "not_converged,\n"
+          "...), stderr explains it, and the exit status is 1.\n",
+          "tiltrotor trim --mast 0,30 --speed 0:5:50 --format csv",
+          flight_list() + SetupOptions::list() + Output::list(),
+          run};
+}
+
+}  // namespace tiltrotor::cli

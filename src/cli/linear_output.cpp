@@ -1,0 +1,183 @@
+#include "cli/linear_output.hpp"
+
+#include <functional>
+
+#include "cli/errors.hpp"
+#include "cli/json.hpp"
+#include "cli/number.hpp"
+#include "cli/output.hpp"
+
+namespace tiltrotor::cli {
+
+namespace {
+
+using Model = LinearModel<double>;
+
+std::string joined(int count, const std::string& separator, const std::function<std::string(int)>& item) {
+  std::string text;
+  for (int i = 0; i < count; ++i) text += (i > 0 ? separator : "") + item(i);
+  return text;
+}
+
+std::string matrix_text(int rows, int columns, const std::string& row_separator, const std::string& separator,
+                        const std::function<double(int, int)>& entry,
+                        const std::function<std::string(const std::string&)>& wrap) {
+  return joined(rows, row_separator, [&](int i) {
+    return wrap(joined(columns, separator, [&](int j) { return json_number(entry(i, j)); }));
+  });
+}
+
+std::string bracketed(const std::string& text) { return "[" + text + "]"; }
+std::string unchanged(const std::string& text) { return text; }
+
+}  // namespace
+
+OptionList LinearOutput::list() {
+  return {
+      {"--format", "KIND",
+       "csv (one entry a line: x0, u0, A, B), json, matlab (a script) or\n"
+       "table (table on a terminal, else csv)"},
+      output_option(),
+      shard_option(),
+  };
+}
+
+LinearOutput::LinearOutput(const Arguments& arguments, bool single)
+    : sink_(arguments.text("--output", "-"), arguments.where("--output")),
+      shard_(parse_shard(arguments.text("--shard", "1/1"), arguments.where("--shard"))),
+      kind_(static_cast<Kind>(
+          arguments.choice("--format", sink_.is_terminal() && !arguments.given("--shard") ? "table" : "csv",
+                           {"table", "csv", "json", "matlab"}))),
+      single_(single) {
+  if (shard_.parts > 1 && kind_ != csv) {
+    throw UsageError(arguments.where("--shard") + ": parts can be joined with --format csv only");
+  }
+  if (kind_ == csv && shard_.first()) {
+    sink_.write("case,mast_deg,speed_mps,status,matrix,row,row_unit,column,column_unit,value\n");
+  }
+  if (kind_ == json && !single_) sink_.write("[\n");
+}
+
+void LinearOutput::add(const LinearCase& which, const Model& model) {
+  if (kind_ == table) add_table(which, model);
+  if (kind_ == csv) add_csv(which, model);
+  if (kind_ == json) add_json(which, model);
+  if (kind_ == matlab) add_matlab(which, model);
+  ++count_;
+}
+
+void LinearOutput::finish() {
+  if (kind_ == json) sink_.write(single_ ? "\n" : "\n]\n");
+  sink_.finish();
+}
+
+void LinearOutput::add_csv(const LinearCase& which, const Model& model) {
+  const std::string begin = which.name + "," + number_text(which.mast_deg) + "," + number_text(which.speed) +
+                            "," + which.status + ",";
+  if (!which.valid) {
+    sink_.write(begin + ",,,,,\n");
+    return;
+  }
+  std::string text;
+  const auto line = [&](const char* matrix, const char* row, const char* row_unit, const char* column,
+                        const char* column_unit, double value) {
+    text += begin + matrix + "," + row + "," + row_unit + "," + column + "," + column_unit + "," +
+            number_text(value) + "\n";
+  };
+  for (int i = 0; i < model.states; ++i)
+    line("x0", model.state_name(i), model.state_unit(i), "", "", model.x[i]);
+  for (int j = 0; j < model.controls; ++j) {
+    line("u0", model.control_name(j), model.control_unit(j), "", "", model.u[j]);
+  }
+  for (int i = 0; i < model.states; ++i) {
+    for (int j = 0; j < model.states; ++j) {
+      line("A", model.state_name(i), model.state_unit(i), model.state_name(j), model.state_unit(j),
+           model.a(i, j));
+    }
+  }
+  for (int i = 0; i < model.states; ++i) {
+    for (int j = 0; j < model.controls; ++j) {
+      line("B", model.state_name(i), model.state_unit(i), model.control_name(j), model.control_unit(j),
+           model.b(i, j));
+    }
+  }
+  sink_.write(text);
+}
+
+void LinearOutput::add_json(const LinearCase& which, const Model& model) {
+  const auto named = [](const char* name, const char* unit) {
+    return json_object({{"name", json_text(name)}, {"unit", json_text(unit)}});
+  };
+  std::string text = count_ > 0 ? ",\n" : "";
+  text += "{\n\"case\": " + json_text(which.name) + ",\n\"mast_deg\": " + json_number(which.mast_deg) +
+          ",\n\"speed_mps\": " + json_number(which.speed) + ",\n\"status\": " + json_text(which.status);
+  if (which.valid) {
+    const auto a = [&](int i, int j) { return model.a(i, j); };
+    const auto b = [&](int i, int j) { return model.b(i, j); };
+    const int n = model.states;
+    const int m = model.controls;
+    text += ",\n\"states\": [" +
+            joined(n, ", ", [&](int i) { return named(model.state_name(i), model.state_unit(i)); }) +
+            "],\n\"controls\": [" +
+            joined(m, ", ", [&](int j) { return named(model.control_name(j), model.control_unit(j)); }) +
+            "],\n\"x0\": [" + joined(n, ", ", [&](int i) { return json_number(model.x[i]); }) +
+            "],\n\"u0\": [" + joined(m, ", ", [&](int j) { return json_number(model.u[j]); }) +
+            "],\n\"A\": [\n" + matrix_text(n, n, ",\n", ", ", a, bracketed) + "\n],\n\"B\": [\n" +
+            matrix_text(n, m, ",\n", ", ", b, bracketed) + "\n]";
+  }
+  sink_.write(text + "\n}");
+}
+
+void LinearOutput::add_matlab(const LinearCase& which, const Model& model) {
+  const std::string name = "model(" + std::to_string(count_ + 1) + ").";
+  std::string text =
+      "% mast " + number_text(which.mast_deg) + " deg, " + number_text(which.speed) +
+      " m/s; xdot = A (x - x0) + B (u - u0)\n" + name + "mast_deg = " + number_text(which.mast_deg) + ";\n" +
+      name + "speed_mps = " + number_text(which.speed) + ";\n" + name + "status = '" + which.status + "';\n";
+  if (which.valid) {
+    const int n = model.states;
+    const int m = model.controls;
+    const auto words = [&](const char* member, int count, const std::function<const char*(int)>& word) {
+      text += name + member + " = {" +
+              joined(count, ", ", [&](int i) { return "'" + std::string(word(i)) + "'"; }) + "};\n";
+    };
+    const auto numbers = [&](const char* member, int rows, int columns,
+                             const std::function<double(int, int)>& entry) {
+      text += name + member + " = [\n" + matrix_text(rows, columns, ";\n", " ", entry, unchanged) + "];\n";
+    };
+    words("states", n, [&](int i) { return model.state_name(i); });
+    words("state_units", n, [&](int i) { return model.state_unit(i); });
+    words("controls", m, [&](int j) { return model.control_name(j); });
+    words("control_units", m, [&](int j) { return model.control_unit(j); });
+    numbers("x0", n, 1, [&](int i, int) { return model.x[i]; });
+    numbers("u0", m, 1, [&](int j, int) { return model.u[j]; });
+    numbers("A", n, n, [&](int i, int j) { return model.a(i, j); });
+    numbers("B", n, m, [&](int i, int j) { return model.b(i, j); });
+  }
+  sink_.write(text);
+}
+
+void LinearOutput::add_table(const LinearCase& which, const Model& model) {
+  constexpr int digits = 5;
+  constexpr std::size_t width = 13;
+  const auto cell = [](std::string text) {
+    return std::string(text.size() < width ? width - text.size() : 1, ' ') + text;
+  };
+  std::string text = (count_ > 0 ? "\n" : "") + std::string("mast ") + number_text(which.mast_deg, digits) +
+                     " deg, " + number_text(which.speed, digits) + " m/s: " + which.status + "\n";
+  if (which.valid) {
+    text += cell("state") + cell("unit") + cell("x0") + " |" +
+            joined(model.states, "", [&](int j) { return cell(model.state_name(j)); }) + " |" +
+            joined(model.controls, "", [&](int j) { return cell(model.control_name(j)); }) + "\n";
+    for (int i = 0; i < model.states; ++i) {
+      text +=
+          cell(model.state_name(i)) + cell(model.state_unit(i)) + cell(number_text(model.x[i], digits)) +
+          " |" + joined(model.states, "", [&](int j) { return cell(number_text(model.a(i, j), digits)); }) +
+          " |" + joined(model.controls, "", [&](int j) { return cell(number_text(model.b(i, j), digits)); }) +
+          "\n";
+    }
+  }
+  sink_.write(text);
+}
+
+}  // namespace tiltrotor::cli

@@ -1,0 +1,45 @@
+// Linear models as CSV, JSON, a MATLAB script or a table.
+#pragma once
+
+#include <string>
+
+#include "cli/arguments.hpp"
+#include "cli/shard.hpp"
+#include "cli/sink.hpp"
+#include "tiltrotor/analysis/linear_model.hpp"
+
+namespace tiltrotor::cli {
+
+struct LinearCase {
+  std::string name;
+  double mast_deg;
+  double speed;  // m/s
+  std::string status;
+  bool valid;  // there is a model
+};
+
+class LinearOutput {
+ public:
+  static OptionList list();
+  // `single`: one case in all, which JSON then writes as an object instead of an array.
+  LinearOutput(const Arguments& arguments, bool single);
+
+  const Shard& shard() const { return shard_; }
+  void add(const LinearCase& which, const LinearModel<double>& model);
+  void finish();
+
+ private:
+  enum Kind { table, csv, json, matlab };
+  void add_csv(const LinearCase& which, const LinearModel<double>& model);
+  void add_json(const LinearCase& which, const LinearModel<double>& model);
+  void add_matlab(const LinearCase& which, const LinearModel<double>& model);
+  void add_table(const LinearCase& which, const LinearModel<double>& model);
+
+  Sink sink_;
+  Shard shard_;
+  Kind kind_;
+  bool single_;
+  std::size_t count_ = 0;
+};
+
+}  // namespace tiltrotor::cli

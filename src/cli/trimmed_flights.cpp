@@ -1,0 +1,52 @@
+#include "cli/trimmed_flights.hpp"
+
+#include "cli/errors.hpp"
+#include "cli/progress.hpp"
+
+namespace tiltrotor::cli {
+
+namespace {
+
+std::string explanation(const TrimResult<double>& trim) {
+  char text[256];
+  explain(trim, text, sizeof text);
+  return text;
+}
+
+}  // namespace
+
+std::string flight_text(const std::string& command, double mast_deg, double speed) {
+  return command + ": mast " + number_text(mast_deg, 6) + " deg, " + number_text(speed, 6) + " m/s";
+}
+
+int for_each_trim(const Arguments& arguments, const SetupOptions& setup, const Shard& shard, Analyses& work,
+                  const std::function<int(const TrimmedFlight&)>& visit, const Connected& connected) {
+  const std::vector<FlightCase> cases = flight_cases(arguments);
+  const std::size_t begin = shard.begin(cases.size());
+  const std::size_t end = shard.end(cases.size());
+  std::size_t first = begin;
+  while (first < end && first > 0 && connected && connected(cases[first - 1], cases[first])) --first;
+  Progress progress(arguments.command(), end - first);
+  int exit_status = exit_success;
+  TrimmedFlight trimmed{};
+  for (std::size_t i = first; i < end; ++i) {
+    trimmed.number = i;
+    trimmed.is_preliminary = i < begin;
+    trimmed.connects = i > first && connected && connected(cases[i - 1], cases[i]);
+    trimmed.mast_deg = cases[i].mast_deg;
+    trimmed.flight = cases[i].flight;
+    trimmed.configuration = setup.configuration(trimmed.mast_deg);
+    const TrimStatus status = trim(trimmed.configuration, trimmed.flight, work, trimmed.trim);
+    if (status != TrimStatus::ok && !trimmed.is_preliminary) {
+      progress.message(flight_text(arguments.command(), trimmed.mast_deg, trimmed.flight.speed) + ": " +
+                       trim_status_word(status) + ": " + explanation(trimmed.trim));
+      exit_status = exit_case_failed;
+    }
+    const int visited = visit(trimmed);
+    if (visited != exit_success && !trimmed.is_preliminary) exit_status = visited;
+    progress.advance();
+  }
+  return exit_status;
+}
+
+}  // namespace tiltrotor::cli

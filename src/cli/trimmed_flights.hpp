@@ -1,0 +1,35 @@
+// Trim of every flight a command line asks for.
+#pragma once
+
+#include <functional>
+
+#include "cli/analyses_room.hpp"
+#include "cli/flight_options.hpp"
+#include "cli/shard.hpp"
+
+namespace tiltrotor::cli {
+
+struct TrimmedFlight {
+  std::size_t number;   // among all flights of the command line, from 0
+  bool is_preliminary;  // belongs to the shard before and is visited for the sake of its successor only
+  bool connects;        // continues the flight visited before
+  double mast_deg;
+  SteadyFlight<double> flight;
+  Configuration<double> configuration;
+  TrimResult<double> trim;
+};
+
+// Whether a flight continues another, so that something is carried from one to the next. A shard then begins
+// early enough to carry the same.
+using Connected = std::function<bool(const FlightCase&, const FlightCase&)>;
+
+// Calls `visit` for every flight of this shard, in order, trimmed or not; a flight without a valid trim is
+// explained on stderr. Returns exit_case_failed when there was one or `visit` returned it.
+int for_each_trim(const Arguments& arguments, const SetupOptions& setup, const Shard& shard, Analyses& work,
+                  const std::function<int(const TrimmedFlight&)>& visit,
+                  const Connected& connected = nullptr);
+
+// Beginning of a message: "trim: mast 30 deg, 10 m/s"
+std::string flight_text(const std::string& command, double mast_deg, double speed);
+
+}  // namespace tiltrotor::cli

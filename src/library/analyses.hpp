@@ -1,0 +1,33 @@
+// The analyses as compiled functions in double precision.
+//
+// Whether they differentiate automatically or numerically is settled when the library is compiled; a program
+// that calls them here is linked with either library and compiled once. The work areas lie in memory of the
+// caller:
+//
+//   void* memory = ...;                                // analyses_size() bytes, aligned to
+//   analyses_alignment() Analyses& work = *place_analyses(memory); trim(configuration, flight, work, result);
+#pragma once
+
+#include <cstddef>
+
+#include "tiltrotor/analysis/instances.hpp"
+
+namespace tiltrotor {
+
+struct Analyses;  // work areas of all of them; one at a time
+
+std::size_t analyses_size();
+std::size_t analyses_alignment();
+Analyses* place_analyses(void* memory);
+
+// "automatic" or "numerical".
+const char* differentiation_name();
+
+// As the templates of the same name in tiltrotor/analysis/.
+TrimStatus trim(const Configuration<double>& c, const SteadyFlight<double>& flight, Analyses& work,
+                TrimResult<double>& result);
+Status linearize(const Configuration<double>& c, const State<double>& x, const Controls<double>& u,
+                 const ControlSet& columns, Analyses& work, LinearModel<double>& model, double azimuth = 0);
+Status advance(const Configuration<double>& c, Analyses& work, Simulation<double>& simulation);
+
+}  // namespace tiltrotor

@@ -1,0 +1,34 @@
+// Linear models and modes of the flights of the study.
+#pragma once
+
+#include <memory>
+
+#include "report/flights.hpp"
+#include "tiltrotor/analysis/linear_model.hpp"
+#include "tiltrotor/analysis/mode_names.hpp"
+#include "tiltrotor/analysis/modes.hpp"
+
+namespace tiltrotor::report {
+
+using Linear = LinearModel<double>;
+using Modes = ModeSet<double>;
+
+// Throw when a number is not finite or an eigenvalue is not found.
+Linear linear_model(const Configured& c, const State<double>& x, const Controls<double>& u, const ControlSet& columns);
+Linear quasi_steady(const Linear& full);  // rotors, inflow and downwash in balance
+Modes modes_of(const Linear& model);
+Modes modes_of(const Configured& c, const Trimmed& trim);
+
+// Names carried on along a sweep.
+void continue_names(const Modes& previous, Modes& current);
+
+// A mode of the airframe, not of rotors or wash.
+inline bool is_body_mode(const Mode<double>& mode) {
+  return mode.axis != ModeAxis::rotor && mode.label.kind != ModeKind::downwash;
+}
+
+// Quasi-steady derivative of a state's rate by a state or control, by their places in State and Controls.
+double state_derivative(const Linear& model, StateIndex rate, StateIndex state);
+double control_derivative(const Linear& model, StateIndex rate, ControlIndex control);
+
+}  // namespace tiltrotor::report

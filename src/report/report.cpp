@@ -1,0 +1,121 @@
+#include "report/report.hpp"
+
+#include <chrono>
+#include <cstdio>
+#include <exception>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "cli/errors.hpp"
+#include "cli/progress.hpp"
+#include "cli/sink.hpp"
+#include "report/page.hpp"
+#include "report/sections.hpp"
+#include "report/wording.hpp"
+
+namespace tiltrotor::report {
+
+namespace {
+
+constexpr double kSweepMasts[] = {0, 15, 30, 45, 60, 75, 90};
+constexpr double kSweepStep = 1;       // m/s
+constexpr double kHighestSpeed = 140;  // m/s
+
+struct File {
+  std::string name;
+  std::string text;
+};
+
+// Every file is complete under a temporary name before the first gets its own, the page last: a run that fails leaves an
+// earlier report as it was.
+void write_files(const std::string& folder, const std::vector<File>& files) {
+  std::vector<std::unique_ptr<cli::Sink>> sinks;
+  for (const File& file : files) {
+    sinks.push_back(std::make_unique<cli::Sink>((std::filesystem::path(folder) / file.name).string(), "report"));
+    sinks.back()->write(file.text);
+  }
+  for (const auto& sink : sinks) sink->finish();
+}
+
+std::vector<File> files_of(const PageHead& head, const std::vector<Section>& sections) {
+  std::vector<File> files;
+  for (const Section& section : sections) {
+    for (const NumberedTable& t : section.tables) files.push_back({t.name + ".csv", t.table.csv()});
+    for (const Picture& p : section.pictures) {
+      files.push_back({p.name + ".svg", "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n" + p.svg});
+    }
+  }
+  files.push_back({"index.html", page(head, sections)});
+  return files;
+}
+
+PageHead page_head(const std::vector<Section>& sections, double seconds) {
+  std::size_t pictures = 0;
+  int counts[4] = {};
+  for (const Section& s : sections) {
+    pictures += s.pictures.size();
+    for (const Finding& f : s.findings) ++counts[f.verdict];
+  }
+  PageHead head;
+  head.title = "XV-15 flight dynamics: the study";
+  head.lead =
+      "Trim, exact linear models, modes and response of the XV-15 tilt rotor, computed from its published tables, in the "
+      "order of Yuan, Thomson and Anderson (Journal of Aircraft, 2020). Every curve was computed in this run; marks without "
+      "a line are published numbers. Each statement is judged on the numbers beside it.";
+  head.facts = {std::to_string(pictures) + " figures, computed in " + fixed(seconds, 1) + " s",
+                "statements: " + std::to_string(counts[Finding::holds]) + " hold, " +
+                    std::to_string(counts[Finding::partly]) + " hold in part, " +
+                    std::to_string(counts[Finding::differs]) + " differ",
+                std::string("aircraft: 13000 lb, centre of gravity at station 301.2 in, sea level, standard day, unless "
+                            "said otherwise")};
+  return head;
+}
+
+void print_summary(const std::vector<Section>& sections) {
+  for (const Section& section : sections) {
+    std::printf("\n%s\n", section.title.c_str());
+    for (const Finding& f : section.findings) {
+      std::printf("  %-8s %s\n           %s\n", verdict_word(f.verdict), f.statement.c_str(), f.found.c_str());
+    }
+  }
+}
+
+}  // namespace
+
+int run_report(const std::string& folder) {
+  const auto start = std::chrono::steady_clock::now();
+  std::vector<Section> sections;
+  try {
+    Sweeps sweeps;
+    const std::vector<std::function<Section()>> parts = {
+        [&] { return trim_curves(sweeps); },
+        [&] { return mode_map(sweeps); },
+        collective_response,
+        jacobian_timing,
+        data_flow,
+    };
+    cli::Progress progress("report", parts.size() + std::size(kSweepMasts));
+    for (const double mast : kSweepMasts) {
+      sweeps.push_back(speed_sweep(mast, kSweepStep, kHighestSpeed));
+      progress.advance();
+    }
+    for (const auto& part : parts) {
+      sections.push_back(part());
+      progress.advance();
+    }
+  } catch (const cli::UsageError&) {
+    throw;
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "tiltrotor: report: %s\n", error.what());
+    return cli::exit_case_failed;
+  }
+  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  write_files(folder, files_of(page_head(sections, seconds), sections));
+  print_summary(sections);
+  std::printf("\n%s\n", (std::filesystem::path(folder) / "index.html").string().c_str());
+  return cli::exit_success;
+}
+
+}  // namespace tiltrotor::report

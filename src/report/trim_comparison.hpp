@@ -1,0 +1,16 @@
+// Every published trim point against a trim of this program at that speed.
+#pragma once
+
+#include <vector>
+
+#include "report/section.hpp"
+
+namespace tiltrotor::report {
+
+// One row for each number: set, mast_deg, speed_mps, quantity, here, reference, difference, tolerance, within.
+Table trim_comparison();
+
+// How many numbers of each set lie within the tolerance, and the worst of each quantity.
+std::vector<Finding> trim_comparison_findings(const Table& compared);
+
+}  // namespace tiltrotor::report

@@ -1,0 +1,84 @@
+// What the tests of the analyses share: prepared configurations, trims, reference points, and work areas.
+#pragma once
+
+#include <cmath>
+#include <string>
+
+#include "check.hpp"
+#include "csv_file.hpp"
+#include "tiltrotor/analysis/instances.hpp"
+#include "tiltrotor/model/aircraft_data.hpp"
+
+namespace analysis_case {
+
+using namespace tiltrotor;
+
+inline constexpr double kDeg = kRadian<double>;
+
+inline Configuration<double> configuration(double mast_deg, const Options& options = Options{}) {
+  FlightSetup<double> setup = flight_setup(aircraft_data<double>(), mast_deg);
+  setup.options = options;
+  Configuration<double> c;
+  CHECK(prepare(aircraft_data<double>(), setup, c) == Status::ok);
+  return c;
+}
+
+inline SteadyFlight<double> level(double speed) { return {speed, 0, 0, 0}; }
+
+inline TrimResult<double> trimmed(const Configuration<double>& c, const SteadyFlight<double>& flight,
+                                  const TrimOptions& options = {}) {
+  static TrimWorkspace<double> work;
+  TrimResult<double> result;
+  const TrimStatus status = trim(c, flight, work, result, options);
+  CHECK(status == result.status);
+  return result;
+}
+
+inline void linear_model(const Configuration<double>& c, const State<double>& x, const Controls<double>& u,
+                         const ControlSet& columns, LinearModel<double>& model) {
+  static LinearizationWorkspace<double> work;
+  CHECK(linearize(c, x, u, columns, work, model) == Status::ok);
+}
+
+inline void modes_of(const Configuration<double>& c, const State<double>& x, const Controls<double>& u,
+                     ModeSet<double>& set) {
+  static LinearModel<double> model;
+  static ModesWorkspace<double> work;
+  linear_model(c, x, u, kInceptors, model);
+  CHECK(modes(model, work, set) == Status::ok);
+}
+
+// The mode of that name, or one of NaN.
+inline Mode<double> mode_named(const ModeSet<double>& set, const std::string& name) {
+  for (int i = 0; i < set.count; ++i)
+    if (set.mode[i].name == name) return set.mode[i];
+  Mode<double> none{};
+  none.real = none.imag = std::nan("");
+  return none;
+}
+
+struct Point {
+  State<double> x;
+  Controls<double> u;
+};
+
+inline constexpr const char* kReferencePoints[] = {"mast00_v000", "mast30_v050", "mast90_v100"};
+inline constexpr double kReferenceMasts[] = {0, 30, 90};
+
+// Names of the controls in the reference files, in the order of kInceptors.
+inline constexpr const char* kReferenceControls[] = {"th75_rad", "lon_in", "lat_in", "ped_in"};
+
+// Trim point of the second implementation (tests/reference/README.md).
+inline Point reference_point(const std::string& name) {
+  const check::CsvFile file("tests/reference/x0_" + name + ".csv");
+  double x[state_count] = {};
+  double u[control_count] = {};
+  for (int i = 0; i <= ix_downwash; ++i) x[i] = file.number(0, kStateNames[i].name);
+  for (int j = 0; j < 4; ++j) u[kInceptors.index[j]] = file.number(0, kReferenceControls[j]);
+  Point p;
+  unpack(x, p.x);
+  unpack(u, p.u);
+  return p;
+}
+
+}  // namespace analysis_case

@@ -1,0 +1,260 @@
+// A and B: against a second implementation, against complex steps and central differences, and by symmetry.
+#include <algorithm>
+#include <complex>
+#include <cstring>
+
+#include "analysis_case.hpp"
+#include "tiltrotor/math/complex_step.hpp"
+
+using namespace analysis_case;
+
+namespace {
+
+// Not trimmed, not symmetric.
+Point slanted_point() {
+  const check::CsvFile file("tests/reference/state_derivatives_c1.csv");
+  const int row = 1;  // mast 30
+  double x[state_count] = {};
+  double u[control_count] = {};
+  for (int i = 0; i <= ix_downwash; ++i) x[i] = file.number(row, kStateNames[i].name);
+  for (int j = 0; j < 4; ++j) u[kInceptors.index[j]] = file.number(row, kReferenceControls[j]);
+  Point p;
+  unpack(x, p.x);
+  unpack(u, p.u);
+  return p;
+}
+
+// Largest difference of a row over its largest entry.
+template <class Entry, class Expected>
+double row_error(int columns, Entry&& entry, Expected&& expected) {
+  double scale = 0, error = 0;
+  for (int j = 0; j < columns; ++j) {
+    scale = std::max(scale, std::abs(expected(j)));
+    error = std::max(error, std::abs(entry(j) - expected(j)));
+  }
+  return scale > 0 ? error / scale : error;
+}
+
+}  // namespace
+
+// tests/reference: exact Jacobians of a second implementation at its own trim points.
+TEST(linearize_reference_matrices) {
+  static LinearModel<double> model;
+  for (int k = 0; k < 3; ++k) {
+    const std::string name = kReferencePoints[k];
+    const Configuration<double> c = configuration(kReferenceMasts[k]);
+    const Point p = reference_point(name);
+    linear_model(c, p.x, p.u, kInceptors, model);
+    const check::CsvFile a("tests/reference/A_" + name + ".csv");
+    const check::CsvFile b("tests/reference/B_" + name + ".csv");
+    double worst_a = 0, worst_b = 0;
+    CHECK_EQ(model.states, 23);
+    for (int i = 0; i < model.states; ++i) {
+      const int row = model.state[i];  // the files list all states in the order of State
+      CHECK_EQ(a.text(row, "row"), model.state_name(i));
+      worst_a = std::max(worst_a, row_error(
+                                      model.states, [&](int j) { return model.a(i, j); },
+                                      [&](int j) { return a.number(row, model.state_name(j)); }));
+      worst_b = std::max(worst_b, row_error(
+                                      4, [&](int j) { return model.b(i, j); },
+                                      [&](int j) { return b.number(row, kReferenceControls[j]); }));
+    }
+    CHECK_LT(worst_a, 1e-8);
+    CHECK_LT(worst_b, 1e-8);
+    NOTE(name << ": A within " << worst_a << ", B within " << worst_b << " of the largest entry of the row");
+  }
+}
+
+// Complex arithmetic shares nothing with dual numbers: f(x + i h) / h.
+TEST(linearize_equals_complex_step) {
+  static LinearModel<double> model;
+  using Complex = std::complex<double>;
+  const Configuration<double> c = configuration(30);
+  const Point p = slanted_point();
+  linear_model(c, p.x, p.u, kAllControls, model);
+  double x[state_count], u[control_count];
+  pack(p.x, x);
+  pack(p.u, u);
+  const double h = 1e-30;
+  static double expected[kMaxLinearStates][kMaxLinearStates + kMaxLinearControls];
+  const int n = model.states, m = model.controls;
+  for (int j = 0; j < n + m; ++j) {
+    Complex cx[state_count], cu[control_count], rates[state_count];
+    for (int i = 0; i < state_count; ++i) cx[i] = x[i];
+    for (int i = 0; i < control_count; ++i) cu[i] = u[i];
+    (j < n ? cx[model.state[j]] : cu[model.control[j - n]]) += Complex(0, h);
+    State<Complex> state, xdot;
+    Controls<Complex> controls;
+    unpack(cx, state);
+    unpack(cu, controls);
+    derivative(c, state, controls, xdot);
+    pack(xdot, rates);
+    for (int i = 0; i < n; ++i) expected[i][j] = rates[model.state[i]].imag() / h;
+  }
+  double worst = 0;
+  for (int i = 0; i < n; ++i) {
+    worst = std::max(worst, row_error(
+                                n + m, [&](int j) { return j < n ? model.a(i, j) : model.b(i, j - n); },
+                                [&](int j) { return expected[i][j]; }));
+  }
+  CHECK_LT(worst, 1e-12);
+  NOTE("worst " << worst);
+}
+
+TEST(linearize_automatic_and_numerical_agree) {
+  static LinearModel<double> exact, differences;
+  static LinearizationWorkspace<double, AutoDiff> automatic;
+  static LinearizationWorkspace<double, NumDiff> numerical;
+  const Configuration<double> c = configuration(30);
+  for (const Point& p : {slanted_point(), reference_point("mast30_v050")}) {
+    CHECK(linearize(c, p.x, p.u, kAllControls, automatic, exact) == Status::ok);
+    CHECK(linearize(c, p.x, p.u, kAllControls, numerical, differences) == Status::ok);
+    double worst = 0;
+    for (int i = 0; i < exact.states; ++i) {
+      CHECK_EQ(exact.rates[i], differences.rates[i]);  // same operations on the value
+      worst = std::max(worst, row_error(
+                                  exact.states, [&](int j) { return differences.a(i, j); },
+                                  [&](int j) { return exact.a(i, j); }));
+      worst = std::max(worst, row_error(
+                                  exact.controls, [&](int j) { return differences.b(i, j); },
+                                  [&](int j) { return exact.b(i, j); }));
+    }
+    CHECK_LT(worst, 1e-6);
+    NOTE("central differences within " << worst);
+  }
+}
+
+// A policy's Jacobian of a function whose derivatives are written by hand.
+TEST(differentiation_policies_on_a_known_function) {
+  const auto f = [](const auto* x, auto* y) {
+    y[0] = x[0] * x[0] * x[1];
+    y[1] = sin(x[1]) / x[2];
+  };
+  const double x[] = {1.5, 0.7, -2.0};
+  const double expected[2][3] = {{2 * 1.5 * 0.7, 1.5 * 1.5, 0},
+                                 {0, std::cos(0.7) / -2.0, -std::sin(0.7) / 4.0}};
+  const double scale[] = {1, 1, 1};
+  double y[2], j[2][3] = {};
+  const auto put = [&](int row, int column, double slope) { j[row][column] = slope; };
+  AutoDiff::Workspace<double, 2, 3, 2> automatic;  // two passes of two directions
+  AutoDiff::jacobian(f, 3, 2, x, scale, y, automatic, put);
+  CHECK_NEAR(y[0], 1.5 * 1.5 * 0.7, 1e-15);
+  for (int r = 0; r < 2; ++r)
+    for (int k = 0; k < 3; ++k) CHECK_NEAR(j[r][k], expected[r][k], 1e-15);
+  NumDiff::Workspace<double, 2, 3, 2> numerical;
+  NumDiff::jacobian(f, 3, 2, x, scale, y, numerical, put);
+  for (int r = 0; r < 2; ++r)
+    for (int k = 0; k < 3; ++k) CHECK_NEAR(j[r][k], expected[r][k], 1e-9);
+}
+
+// More controls than one pass has directions: a second pass changes no bit of the others.
+TEST(linearize_in_two_passes_equals_one) {
+  static LinearModel<double> one, two;
+  const Configuration<double> c = configuration(30);
+  const Point p = slanted_point();
+  linear_model(c, p.x, p.u, kInceptors, one);
+  linear_model(c, p.x, p.u, kAllControls, two);
+  CHECK(one.states + one.controls <= kModelDirections);
+  CHECK(two.states + two.controls > kModelDirections);
+  for (int i = 0; i < one.states; ++i) {
+    for (int j = 0; j < one.states; ++j) CHECK_EQ(one.a(i, j), two.a(i, j));
+    for (int j = 0; j < one.controls; ++j) CHECK_EQ(one.b(i, j), two.b(i, j));
+  }
+}
+
+TEST(linearize_leaves_the_model_untouched) {
+  static LinearModel<double> first, second;
+  static Configuration<double> c, copy;
+  c = configuration(60);
+  std::memcpy(static_cast<void*>(&copy), &c, sizeof c);
+  const Point p = reference_point("mast30_v050");
+  Point kept;
+  std::memcpy(static_cast<void*>(&kept), &p, sizeof p);
+  State<double> before, after;
+  derivative(c, p.x, p.u, before);
+  linear_model(c, p.x, p.u, kAllControls, first);
+  derivative(c, p.x, p.u, after);
+  linear_model(c, p.x, p.u, kAllControls, second);
+  CHECK_EQ(std::memcmp(&copy, &c, sizeof c), 0);
+  CHECK_EQ(std::memcmp(&kept, &p, sizeof p), 0);
+  CHECK_EQ(std::memcmp(&before, &after, sizeof before), 0);
+  CHECK_EQ(std::memcmp(&first.a, &second.a, sizeof first.a), 0);
+  CHECK_EQ(std::memcmp(&first.b, &second.b, sizeof first.b), 0);
+}
+
+// Direct increments of blade angles act as the gearing does: a column in inches is a combination of columns in radians.
+TEST(linearize_inceptors_are_combinations_of_blade_angles) {
+  static LinearModel<double> inches, angles;
+  const Configuration<double> c = configuration(30);
+  const Point p = reference_point("mast30_v050");
+  linear_model(c, p.x, p.u, kInceptors, inches);
+  linear_model(c, p.x, p.u, kBladeControls, angles);
+  CHECK_EQ(std::string(angles.control_name(1)), "long_cyclic");
+  const double gain[] = {c.gearing.long_cyclic, c.gearing.elevator};
+  for (int i = 0; i < inches.states; ++i) {
+    const double stick = gain[0] * angles.b(i, 1) + gain[1] * angles.b(i, 4);
+    CHECK_NEAR(inches.b(i, 1), stick, 1e-12 * (1 + std::abs(stick)));
+    const double lateral = -c.gearing.lateral_collective * angles.b(i, 2) + c.gearing.aileron * angles.b(i, 5);
+    CHECK_NEAR(inches.b(i, 2), lateral, 1e-12 * (1 + std::abs(lateral)));
+  }
+}
+
+// Every mirror sign of the model: in symmetric flight nothing longitudinal drives anything lateral.
+TEST(split_decouples_in_symmetric_flight) {
+  static LinearModel<double> model;
+  static SplitModel<double> halves;
+  for (int k = 0; k < 3; ++k) {
+    const Point p = reference_point(kReferencePoints[k]);
+    linear_model(configuration(kReferenceMasts[k]), p.x, p.u, kInceptors, model);
+    split(model, halves);
+    CHECK_EQ(halves.states, 23);
+    CHECK_EQ(halves.longitudinal, 12);
+    CHECK_LT(halves.coupling, 1e-12);
+    // Collective and longitudinal stick drive the first half alone, lateral stick and pedal the second.
+    for (int i = 0; i < halves.states; ++i)
+      for (int j = 0; j < 4; ++j)
+        if ((i < 12) != (j < 2)) CHECK_NEAR(halves.b(i, j), 0, 1e-12);
+    NOTE(kReferencePoints[k] << ": coupling " << halves.coupling);
+  }
+  const Point p = slanted_point();
+  linear_model(configuration(30), p.x, p.u, kInceptors, model);
+  split(model, halves);
+  CHECK_LT(1e-2, halves.coupling);
+}
+
+// The quasi-steady model has the same steady response to constant inputs: -A_qs^-1 B_qs equals the rigid part of
+// -A^-1 B (both are the equilibrium).
+TEST(residualised_model_keeps_the_steady_response) {
+  static LinearModel<double> full, reduced;
+  static ResidualisationWorkspace<double> work;
+  static LU<double, kMaxLinearStates> big, small;
+  for (int k = 0; k < 3; ++k) {
+    const Point p = reference_point(kReferencePoints[k]);
+    linear_model(configuration(kReferenceMasts[k]), p.x, p.u, kInceptors, full);
+    CHECK(residualise(full, work, reduced) == Status::ok);
+    CHECK_EQ(reduced.states, 8);
+    CHECK(lu_factor(full.a, full.states, big) == Status::ok);
+    CHECK(lu_factor(reduced.a, reduced.states, small) == Status::ok);
+    for (int j = 0; j < 4; ++j) {
+      double x[kMaxLinearStates], y[kMaxLinearStates];
+      for (int i = 0; i < full.states; ++i) x[i] = full.b(i, j);
+      for (int i = 0; i < 8; ++i) y[i] = reduced.b(i, j);
+      CHECK(lu_solve(big, x) == Status::ok);
+      CHECK(lu_solve(small, y) == Status::ok);
+      for (int i = 0; i < 8; ++i) CHECK_NEAR(y[i], x[i], 1e-9 * (1 + std::abs(x[i])));
+    }
+  }
+}
+
+TEST(linearize_refuses_bad_input) {
+  static LinearModel<double> model;
+  static LinearizationWorkspace<double> work;
+  const Configuration<double> c = configuration(0);
+  Point p = reference_point("mast00_v000");
+  CHECK(linearize(c, p.x, p.u, ControlSet{1, {control_count}}, work, model) == Status::bad_argument);
+  CHECK_EQ(model.states, 0);
+  CHECK(linearize(c, p.x, p.u, ControlSet{kMaxLinearControls + 1, {}}, work, model) == Status::bad_argument);
+  p.x.velocity.x = std::nan("");
+  CHECK(linearize(c, p.x, p.u, kInceptors, work, model) == Status::not_finite);
+  CHECK(linearize(Configuration<double>{}, p.x, p.u, kInceptors, work, model) == Status::bad_argument);
+}

@@ -1,0 +1,341 @@
+// Trim: against a second implementation, against Newton's laws written down independently in earth axes, and where no
+// trim exists.
+#include <algorithm>
+#include <cstring>
+#include <limits>
+
+#include "analysis_case.hpp"
+
+using namespace analysis_case;
+
+// tests/reference: outputs of a second implementation of the same equations in another language.
+TEST(trim_reference_grid) {
+  const check::CsvFile grid("tests/reference/trim_grid_c1.csv");
+  double worst_angle = 0, worst_inch = 0, worst_inflow = 0, worst_ratio = 0;
+  int worst_iterations = 0;
+  for (int row = 0; row < grid.rows(); ++row) {
+    const Configuration<double> c = configuration(grid.number(row, "mast_deg"));
+    const TrimResult<double> r = trimmed(c, level(grid.number(row, "speed_mps")));
+    if (!CHECK(is_trimmed(r.status))) continue;
+    CHECK_EQ(r.attempts, 1);
+    CHECK_LE(r.iterations, 12);
+    CHECK_LT(r.residual, 1e-10);
+    const auto angle = [&](double value, const char* column) {
+      const double expected = grid.number(row, column) * kDeg;
+      CHECK_NEAR(value, expected, 1e-8);
+      worst_angle = std::max(worst_angle, std::abs(value - expected));
+    };
+    const auto ratio = [&](double value, const char* column) {
+      CHECK_REL(value, grid.number(row, column), 1e-7);
+      worst_ratio = std::max(worst_ratio, std::abs(value / grid.number(row, column) - 1));
+    };
+    angle(r.state.pitch, "pitch_deg");
+    angle(r.blades.long_cyclic[right], "B1_deg");
+    angle(r.blades.elevator, "elevator_deg");
+    angle(r.controls.collective, "collective75_deg");
+    angle(r.collective_root, "collective_root_deg");
+    angle(r.state.downwash, "downwash_deg");
+    angle(r.wing_angle_of_attack, "alpha_wing_deg");
+    const double stick = grid.number(row, "stick_in_0_9.6") - 4.8;
+    CHECK_NEAR(r.controls.long_stick, stick, 1e-7);
+    worst_inch = std::max(worst_inch, std::abs(r.controls.long_stick - stick));
+    for (const RotorState<double>& rotor : r.state.rotor) {
+      angle(rotor.b1c, "b1c_deg");
+      angle(rotor.b1s, "b1s_deg");
+      const double difference[] = {rotor.n0 - grid.number(row, "n0"), rotor.nc - grid.number(row, "nc"),
+                                   rotor.ns - grid.number(row, "ns")};
+      for (double d : difference) {
+        CHECK_NEAR(d, 0, 1e-9);
+        worst_inflow = std::max(worst_inflow, std::abs(d));
+      }
+    }
+    ratio(r.thrust[right], "rotor_force_each_n");
+    ratio(r.thrust[left], "rotor_force_each_n");
+    ratio((r.power[right] + r.power[left]) / 1000, "power_total_kw");
+    worst_iterations = std::max(worst_iterations, r.iterations);
+  }
+  NOTE("worst: angles " << worst_angle << " rad, stick " << worst_inch << " in, inflow " << worst_inflow
+                        << ", thrust and power " << worst_ratio << " relative; iterations " << worst_iterations);
+}
+
+// Every flight condition of the published GTRS and flight-test trim figures: one cold start each.
+TEST(trim_published_conditions_from_cold_start) {
+  struct Condition {
+    double mast_deg, speed;
+  };
+  const Condition conditions[] = {
+      {0, 0.5},   {0, 20.9},  {0, 31.0},  {0, 51.4},  {30, 41.0}, {30, 61.7}, {60, 51.5}, {60, 72.3},  {60, 82.3}, {90, 72.0},
+      {90, 92.5}, {90, 102.9}, {90, 123.5}, {0, 20.8}, {0, 43.27}, {90, 83.5}, {90, 102.4}, {0, 0},     {0, 20},    {0, 30},
+      {0, 50},    {30, 42},   {30, 62},   {60, 52},   {60, 72},   {60, 82},   {90, 75},   {90, 100},   {90, 120},  {90, 140}};
+  int worst = 0;
+  for (const Condition& k : conditions) {
+    const TrimResult<double> r = trimmed(configuration(k.mast_deg), level(k.speed));
+    if (!CHECK(r.status == TrimStatus::ok)) NOTE("mast " << k.mast_deg << ", " << k.speed << " m/s");
+    CHECK_EQ(r.attempts, 1);
+    CHECK_LE(r.iterations, 12);
+    worst = std::max(worst, r.iterations);
+  }
+  NOTE("at most " << worst << " Newton steps");
+}
+
+namespace {
+
+struct Vector {
+  double x, y, z;
+};
+// Earth axes from body axes for 3-2-1 Euler angles with zero heading, as the product of two plane rotations.
+Vector to_earth(const Vec3<double>& b, double roll, double pitch) {
+  const double y = b.y * std::cos(roll) - b.z * std::sin(roll);
+  const double z = b.y * std::sin(roll) + b.z * std::cos(roll);
+  return {b.x * std::cos(pitch) + z * std::sin(pitch), y, -b.x * std::sin(pitch) + z * std::cos(pitch)};
+}
+
+}  // namespace
+
+// Newton's second law in earth axes: a steady turn accelerates by turn rate x velocity; component forces and weight
+// must supply it. Nothing of the body-axes equations is used.
+TEST(trim_fulfils_newtons_law_in_earth_axes) {
+  struct Case {
+    double mast_deg, speed, climb_deg, turn_deg, sideslip_deg;
+  };
+  const Case cases[] = {{0, 0, 0, 20, 0},    {0, 20, -10, 0, 0},  {0, 40, 5, 8, 4},     {0, 40, 0, 10, 0},  {0, 30, 0, 0, -10},
+                        {30, 50, 8, -6, 3},  {30, 40, 30, 0, 0},  {60, 60, -8, 10, 0},  {60, 60, 5, 8, 4},  {60, 80, 0, -15, 0},
+                        {90, 80, 20, 0, 5},  {90, 100, 5, 10, 0}, {90, 120, -8, 10, -2}, {90, 140, 0, -5, 1}};
+  for (const Case& k : cases) {
+    const Configuration<double> c = configuration(k.mast_deg);
+    const SteadyFlight<double> flight{k.speed, k.climb_deg * kDeg, k.turn_deg * kDeg, k.sideslip_deg * kDeg};
+    const TrimResult<double> r = trimmed(c, flight);
+    if (!CHECK(is_trimmed(r.status))) {
+      NOTE("mast " << k.mast_deg << ", " << k.speed << " m/s, " << k.climb_deg << " " << k.turn_deg);
+      continue;
+    }
+    CHECK_EQ(r.attempts, 1);
+    CHECK_LE(r.iterations, 12);
+    Evaluation<double> e;
+    evaluate(c, r.state, r.controls, e);
+    Vec3<double> force{0, 0, 0};
+    for (const Loads<double>& loads : e.loads.component) force = force + loads.force;
+    const Vector f = to_earth(force, r.state.roll, r.state.pitch);
+    const Vector v = to_earth(r.state.velocity, r.state.roll, r.state.pitch);
+    const double m = c.mass.mass;
+    const double weight = m * 9.80665;
+    CHECK_NEAR(f.x / weight, -m * flight.turn_rate * v.y / weight, 1e-9);
+    CHECK_NEAR(f.y / weight, m * flight.turn_rate * v.x / weight, 1e-9);
+    CHECK_NEAR(f.z / weight, -1, 1e-9);
+    CHECK_NEAR(std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z), k.speed, 1e-12 * 150);
+    CHECK_NEAR(-v.z, k.speed * std::sin(flight.climb), 1e-11);
+    CHECK_NEAR(r.state.velocity.y, k.speed * std::sin(flight.sideslip), 1e-12);
+    if (k.speed > 0) CHECK_LT(0, r.state.velocity.x);
+    // The turn is steady in roll, pitch and heading.
+    CHECK_NEAR(e.rates.roll, 0, 1e-12);
+    CHECK_NEAR(e.rates.pitch, 0, 1e-12);
+    CHECK_NEAR(e.rates.yaw, flight.turn_rate, 1e-12);
+    // No angular acceleration, no motion of rotors and downwash.
+    CHECK_NEAR(e.rates.rates.x, 0, 1e-10);
+    CHECK_NEAR(e.rates.rates.y, 0, 1e-10);
+    CHECK_NEAR(e.rates.rates.z, 0, 1e-10);
+    CHECK_NEAR(e.rates.downwash, 0, 1e-10);
+    for (const RotorState<double>& rotor : e.rates.rotor) {
+      CHECK_NEAR(rotor.b1c_rate, 0, 1e-6);
+      CHECK_NEAR(rotor.n0, 0, 1e-8);
+    }
+  }
+}
+
+// Textbook: a level turn without sideslip banks by about atan(V rate / g) and loads by sqrt(1 + (V rate / g)^2).
+TEST(trim_coordinated_turn_load_factor) {
+  const double speed = 80, rate = 10 * kDeg;
+  const TrimResult<double> r = trimmed(configuration(90), {speed, 0, rate, 0});
+  const double lateral = speed * rate / 9.80665;
+  CHECK_REL(r.load_factor, std::sqrt(1 + lateral * lateral), 0.03);
+  CHECK_NEAR(r.state.roll, std::atan(lateral), 1.5 * kDeg);
+  CHECK_LT(r.state.rotor[left].n0 - r.state.rotor[right].n0, 1e-2);
+}
+
+// Energy: shaft power above level flight goes into weight times rate of climb, with the rotors' efficiency.
+TEST(trim_climb_power_balance) {
+  for (double speed : {80.0, 100.0, 120.0}) {
+    const Configuration<double> c = configuration(90);
+    const double climb = 5 * kDeg;
+    const TrimResult<double> a = trimmed(c, level(speed));
+    const TrimResult<double> b = trimmed(c, {speed, climb, 0, 0});
+    const double more = b.power[0] + b.power[1] - a.power[0] - a.power[1];
+    const double ratio = c.mass.mass * 9.80665 * speed * std::sin(climb) / more;
+    CHECK_LT(0.8, ratio);
+    CHECK_LT(ratio, 1.05);
+  }
+}
+
+TEST(trim_symmetric_flight_is_symmetric) {
+  for (double mast : {0.0, 30.0, 60.0, 90.0}) {
+    const TrimResult<double> r = trimmed(configuration(mast), level(mast < 30 ? 30 : 60));
+    CHECK_NEAR(r.state.roll, 0, 1e-12);
+    CHECK_NEAR(r.state.velocity.y, 0, 1e-15);
+    CHECK_NEAR(r.controls.lat_stick, 0, 1e-11);
+    CHECK_NEAR(r.controls.pedal, 0, 1e-11);
+    CHECK_NEAR(r.state.rotor[right].b1c, r.state.rotor[left].b1c, 1e-12);
+    CHECK_REL(r.thrust[right], r.thrust[left], 1e-10);
+  }
+}
+
+// The aircraft is its own mirror image: turn and sideslip reversed reverse roll, lateral stick and pedal.
+TEST(trim_mirrored_flight_is_mirrored) {
+  for (double mast : {0.0, 30.0, 90.0}) {
+    const double speed = mast < 90 ? 40 : 90;
+    const Configuration<double> c = configuration(mast);
+    const TrimResult<double> a = trimmed(c, {speed, 3 * kDeg, 8 * kDeg, 3 * kDeg});
+    const TrimResult<double> b = trimmed(c, {speed, 3 * kDeg, -8 * kDeg, -3 * kDeg});
+    CHECK(is_trimmed(a.status));
+    CHECK_NEAR(a.state.roll, -b.state.roll, 1e-9);
+    CHECK_NEAR(a.state.pitch, b.state.pitch, 1e-9);
+    CHECK_NEAR(a.controls.lat_stick, -b.controls.lat_stick, 1e-8);
+    CHECK_NEAR(a.controls.pedal, -b.controls.pedal, 1e-8);
+    CHECK_NEAR(a.state.rotor[right].ns, b.state.rotor[left].ns, 1e-9);
+    CHECK_LT(std::abs(b.controls.lat_stick) * 0 + 1e-6, std::abs(a.state.roll));
+  }
+}
+
+// In hover direction means nothing: every climb and sideslip angle gives the same trim.
+TEST(trim_hover_has_no_direction) {
+  const Configuration<double> c = configuration(0);
+  const TrimResult<double> a = trimmed(c, level(0));
+  const TrimResult<double> b = trimmed(c, {0, 20 * kDeg, 0, 30 * kDeg});
+  CHECK_NEAR(a.state.pitch, b.state.pitch, 1e-9);
+  CHECK_NEAR(a.controls.collective, b.controls.collective, 1e-9);
+  CHECK_NEAR(b.state.velocity.y, 0, 0);
+}
+
+// Newton with an exact Jacobian doubles the number of digits: residuals after 1, 2, 3 ... steps.
+TEST(trim_newton_converges_quadratically) {
+  for (double mast : {0.0, 30.0, 60.0, 90.0}) {
+    const Configuration<double> c = configuration(mast);
+    double residual[13] = {};
+    int steps = 0;
+    for (int k = 1; k <= 12; ++k) {
+      TrimOptions options;
+      options.max_iterations = k;
+      options.continuation = false;
+      const TrimResult<double> r = trimmed(c, level(mast < 30 ? 30 : 70), options);
+      residual[k] = r.residual;
+      steps = k;
+      if (is_trimmed(r.status)) break;
+    }
+    // Orders between successive steps, once close and above rounding.
+    int quadratic = 0;
+    for (int k = 1; k + 1 <= steps; ++k) {
+      if (residual[k] < 3e-3 && residual[k + 1] > 1e-13) {
+        const double order = std::log(residual[k + 1]) / std::log(residual[k]);
+        CHECK_LT(1.5, order);
+        ++quadratic;
+      }
+      if (residual[k] < 1e-4) CHECK_LT(residual[k + 1], 1e-6);
+    }
+    CHECK_LE(1, quadratic);
+    CHECK_LT(residual[steps], 1e-10);
+  }
+}
+
+TEST(trim_from_a_neighbour_takes_few_steps) {
+  static TrimWorkspace<double> work;
+  const Configuration<double> c = configuration(60);
+  TrimResult<double> r = trimmed(c, level(70));
+  for (double speed : {75.0, 80.0, 85.0}) {
+    CHECK(trim_from(c, level(speed), work, r) == TrimStatus::ok);
+    CHECK_LE(r.iterations, 5);
+    CHECK_NEAR(r.controls.collective, trimmed(c, level(speed)).controls.collective, 1e-9);
+  }
+}
+
+namespace {
+std::string explanation(const TrimResult<double>& r) {
+  char text[200];
+  const int length = explain(r, text, 200);
+  CHECK_EQ(static_cast<std::size_t>(length), std::strlen(text));
+  return text;
+}
+bool contains(const std::string& text, const char* part) { return text.find(part) != std::string::npos; }
+}  // namespace
+
+// Lower ends of the conversion corridor and the end of helicopter mode: model.md 17.5, computed with another program.
+TEST(trim_tells_why_there_is_none) {
+  const TrimResult<double> stalled = trimmed(configuration(30), level(24));
+  CHECK(stalled.status == TrimStatus::wing_stall);
+  CHECK(stalled.limit == TrimLimit::wing_angle);
+  CHECK(contains(explanation(stalled), "wing angle of attack"));
+  CHECK(trimmed(configuration(30), level(27)).status == TrimStatus::ok);
+
+  const TrimResult<double> slow = trimmed(configuration(90), level(45));
+  CHECK(slow.status == TrimStatus::not_converged);
+  CHECK_LT(1e-3, slow.residual);
+  CHECK(contains(explanation(slow), "left in the rate of"));
+  CHECK(contains(explanation(slow), "wing angle of attack"));
+
+  const TrimResult<double> fast = trimmed(configuration(0), level(60));
+  CHECK(fast.status == TrimStatus::not_converged);
+  CHECK(contains(explanation(fast), "no trim found"));
+
+  const TrimResult<double> sideways = trimmed(configuration(0), {40, 0, 0, 20 * kDeg});
+  CHECK(sideways.status == TrimStatus::control_limit);
+  CHECK(sideways.limit == TrimLimit::pedal);
+  CHECK_LT(2.5, std::abs(sideways.limit_value));
+  CHECK_NEAR(std::abs(sideways.limit_bound), 2.5, 1e-12);
+  CHECK(contains(explanation(sideways), "pedal"));
+
+  CHECK(explanation(trimmed(configuration(0), level(20))) == "trimmed in 4 Newton steps");
+  char tiny[8];
+  CHECK_EQ(explain(fast, tiny, 8), 7);
+  CHECK_EQ(std::strlen(tiny), 7u);
+  CHECK_EQ(explain(fast, tiny, 0), 0);
+}
+
+TEST(trim_refuses_bad_input) {
+  const Configuration<double> c = configuration(0);
+  const double nan = std::nan("");
+  struct Case {
+    SteadyFlight<double> flight;
+    SteadyFlightField field;
+  };
+  const Case cases[] = {{{nan, 0, 0, 0}, SteadyFlightField::speed},
+                        {{-1, 0, 0, 0}, SteadyFlightField::speed},
+                        {{151, 0, 0, 0}, SteadyFlightField::speed},
+                        {{std::numeric_limits<double>::infinity(), 0, 0, 0}, SteadyFlightField::speed},
+                        {{10, 1.1, 0, 0}, SteadyFlightField::climb},
+                        {{10, nan, 0, 0}, SteadyFlightField::climb},
+                        {{10, 0, 1.1, 0}, SteadyFlightField::turn_rate},
+                        {{10, 0, 0, -1.1}, SteadyFlightField::sideslip}};
+  for (const Case& k : cases) {
+    const TrimResult<double> r = trimmed(c, k.flight);
+    CHECK(r.status == TrimStatus::out_of_range);
+    CHECK(r.invalid == k.field);
+    CHECK_EQ(r.iterations, 0);
+    CHECK_EQ(r.state.pitch, 0.0);
+    CHECK(contains(explanation(r), "bad input"));
+  }
+  TrimOptions options;
+  options.max_iterations = 0;
+  CHECK(trimmed(c, level(10), options).status == TrimStatus::out_of_range);
+  const Configuration<double> unprepared{};
+  CHECK(trimmed(unprepared, level(10)).status == TrimStatus::out_of_range);
+}
+
+// The set of unknowns follows the options; whatever it is, every active state must stand still.
+TEST(trim_under_every_set_of_states) {
+  for (int k = 0; k < 16; ++k) {
+    Options options;
+    options.flapping = (k & 1) != 0 ? FlapOrder::first : FlapOrder::second;
+    options.inflow = (k & 2) != 0 ? InflowShape::uniform : InflowShape::pitt_peters;
+    options.coning_states = (k & 4) != 0;
+    options.downwash_lag = (k & 8) == 0;
+    const Configuration<double> c = configuration(30, options);
+    const SteadyFlight<double> flight{45, 3 * kDeg, 5 * kDeg, 0};
+    const TrimResult<double> r = trimmed(c, flight);
+    if (!CHECK(r.status == TrimStatus::ok)) NOTE("set " << k);
+    State<double> rates;
+    derivative(c, r.state, r.controls, rates);
+    double flat[state_count];
+    pack(rates, flat);
+    const ActiveStates active = active_states(options, false);
+    const double omega = c.setup.rotor_speed;
+    for (int i = 0; i < active.count; ++i) CHECK_NEAR(flat[active.index[i]], 0, 1e-9 * omega * omega);
+  }
+}

@@ -1,0 +1,159 @@
+// Integrators. Expected values: exact solutions, orders measured by halving the step, the stability function.
+#include "tiltrotor/math/integrate.hpp"
+
+#include "check.hpp"
+
+using namespace tiltrotor;
+
+namespace {
+
+// Nonlinear, coupled, exact solution known: x = 1/(1+t), y = exp(-t) from x' = -x^2, y' = -y + x - x(t), here with
+// the coupling written so that it vanishes on the solution: y' = -y + (x (1 + t) - 1).
+struct Coupled {
+  Status operator()(double t, const double* x, double* xdot) const {
+    xdot[0] = -x[0] * x[0];
+    xdot[1] = -x[1] + x[0] * (1.0 + t) - 1.0;
+    return Status::ok;
+  }
+  void jacobian(double t, const double* x, Matrix<double, 4, 4>& j, double* time_slope) const {
+    j(0, 0) = -2.0 * x[0];
+    j(0, 1) = 0.0;
+    j(1, 0) = 1.0 + t;
+    j(1, 1) = -1.0;
+    time_slope[0] = 0.0;
+    time_slope[1] = x[0];
+  }
+};
+
+double rk4_error(int steps) {
+  static RungeKuttaWorkspace<double, 4> work;
+  double x[2] = {1.0, 1.0};
+  const double dt = 1.0 / steps;
+  for (int i = 0; i < steps; ++i) CHECK(rk4_step(Coupled(), i * dt, dt, x, 2, work) == Status::ok);
+  return std::hypot(x[0] - 0.5, x[1] - std::exp(-1.0));
+}
+
+double rodas3_error(int steps, bool with_time_slope) {
+  static RosenbrockWorkspace<double, 4> work;
+  static Matrix<double, 4, 4> jacobian;
+  const Coupled f;
+  double x[2] = {1.0, 1.0}, time_slope[2];
+  const double dt = 1.0 / steps;
+  for (int i = 0; i < steps; ++i) {
+    f.jacobian(i * dt, x, jacobian, time_slope);
+    const double* given = with_time_slope ? time_slope : nullptr;
+    CHECK(rodas3_step(f, jacobian, given, i * dt, dt, x, 2, work) == Status::ok);
+  }
+  return std::hypot(x[0] - 0.5, x[1] - std::exp(-1.0));
+}
+
+}  // namespace
+
+TEST(rk4_has_order_4) {
+  const double order = std::log2(rk4_error(40) / rk4_error(80));
+  CHECK_NEAR(order, 4.0, 0.1);
+  CHECK_LT(rk4_error(80), 1e-9);
+}
+
+TEST(rk4_is_exact_for_cubic_polynomials_in_time) {  // the method is Simpson's rule for x' = g(t)
+  static RungeKuttaWorkspace<float, 1> work;
+  float x[1] = {1.0F};
+  const auto f = [](float t, const float*, float* xdot) {
+    xdot[0] = 4.0F * t * t * t;
+    return Status::ok;
+  };
+  CHECK(rk4_step(f, 0.0F, 2.0F, x, 1, work) == Status::ok);
+  CHECK_NEAR(x[0], 17.0F, 1e-5);
+}
+
+TEST(rodas3_has_order_3) {
+  const double order = std::log2(rodas3_error(80, true) / rodas3_error(160, true));
+  CHECK_NEAR(order, 3.0, 0.1);
+  CHECK_LT(rodas3_error(160, true), 1e-6);
+}
+
+TEST(rodas3_needs_the_time_slope_of_a_time_dependent_right_side) {
+  const double order = std::log2(rodas3_error(80, false) / rodas3_error(160, false));
+  CHECK_LT(order, 2.5);
+}
+
+TEST(rodas3_is_l_stable) {  // stability function at z -> -infinity is 0: the fast part is gone after one step
+  static RosenbrockWorkspace<double, 1> work;
+  const double rates[4] = {1e3, 1e6, 1e9, 1e12};
+  for (double rate : rates) {
+    const auto f = [rate](double, const double* x, double* xdot) {
+      xdot[0] = -rate * x[0];
+      return Status::ok;
+    };
+    const Matrix<double, 1, 1> jacobian = {{-rate}};
+    double x[1] = {1.0};
+    CHECK(rodas3_step(f, jacobian, 0.0, 1.0, x, 1, work) == Status::ok);
+    CHECK_LT(std::fabs(x[0]), 10.0 / rate + 1e-15);
+  }
+}
+
+TEST(rodas3_stability_function) {  // R(z) to order 3 at small z, from the exponential; here z = -0.01, +0.01
+  static RosenbrockWorkspace<double, 1> work;
+  for (double z : {-0.01, 0.01}) {
+    const auto f = [z](double, const double* x, double* xdot) {
+      xdot[0] = z * x[0];
+      return Status::ok;
+    };
+    const Matrix<double, 1, 1> jacobian = {{z}};
+    double x[1] = {1.0}, error[1] = {0.0};
+    CHECK(rodas3_step(f, jacobian, 0.0, 1.0, x, 1, work, error) == Status::ok);
+    CHECK_NEAR(x[0], std::exp(z), 2e-9);                   // z^4 times a constant below 0.2
+    CHECK_LT(std::fabs(error[0]), 1e-6);                   // the estimate is of order z^3
+    CHECK_LT(1e-8, std::fabs(error[0]));
+  }
+}
+
+TEST(rodas3_stiff_relaxation_at_large_steps) {  // Prothero-Robinson: x' = -1e8 (x - cos t) - sin t, x = cos t
+  static RosenbrockWorkspace<double, 1> work;
+  const double rate = 1e8, dt = 0.05;
+  const auto f = [rate](double t, const double* x, double* xdot) {
+    xdot[0] = -rate * (x[0] - std::cos(t)) - std::sin(t);
+    return Status::ok;
+  };
+  const Matrix<double, 1, 1> jacobian = {{-rate}};
+  double x[1] = {2.0};  // starts off the slow solution
+  for (int i = 0; i < 40; ++i) {
+    const double t = i * dt;
+    const double time_slope[1] = {-rate * std::sin(t) - std::cos(t)};
+    CHECK(rodas3_step(f, jacobian, time_slope, t, dt, x, 1, work) == Status::ok);
+  }
+  CHECK_NEAR(x[0], std::cos(2.0), 2e-3);
+}
+
+TEST(integrators_leave_the_state_alone_when_they_fail) {
+  static RungeKuttaWorkspace<double, 3> runge_kutta;
+  static RosenbrockWorkspace<double, 3> rosenbrock;
+  static Matrix<double, 3, 3> jacobian;
+  set_zero(jacobian);
+  double x[3] = {1.0, 2.0, 3.0};
+  for (int fails_at = 0; fails_at < 4; ++fails_at) {
+    int calls = 0;
+    const auto f = [&](double, const double*, double* xdot) {
+      for (int i = 0; i < 3; ++i) xdot[i] = 1.0;
+      return calls++ == fails_at ? Status::out_of_range : Status::ok;
+    };
+    CHECK(rk4_step(f, 0.0, 0.1, x, 3, runge_kutta) == Status::out_of_range);
+    calls = fails_at == 3 ? 1 : 0;  // three evaluations only
+    CHECK(rodas3_step(f, jacobian, 0.0, 0.1, x, 3, rosenbrock) == Status::out_of_range);
+  }
+  const auto infinite = [](double, const double*, double* xdot) {
+    for (int i = 0; i < 3; ++i) xdot[i] = std::numeric_limits<double>::infinity();
+    return Status::ok;
+  };
+  CHECK(rk4_step(infinite, 0.0, 0.1, x, 3, runge_kutta) == Status::not_finite);
+  CHECK(rodas3_step(infinite, jacobian, 0.0, 0.1, x, 3, rosenbrock) == Status::not_finite);
+  jacobian(0, 0) = 20.0;  // 1/(gamma dt) with dt = 0.1: the system is singular
+  CHECK(rodas3_step(infinite, jacobian, 0.0, 0.1, x, 3, rosenbrock) == Status::singular);
+  jacobian(0, 0) = std::numeric_limits<double>::quiet_NaN();
+  CHECK(rodas3_step(infinite, jacobian, 0.0, 0.1, x, 3, rosenbrock) == Status::not_finite);
+  CHECK(rk4_step(infinite, 0.0, 0.1, x, 4, runge_kutta) == Status::bad_argument);
+  CHECK(rodas3_step(infinite, jacobian, 0.0, 0.0, x, 3, rosenbrock) == Status::bad_argument);
+  CHECK_EQ(x[0], 1.0);
+  CHECK_EQ(x[1], 2.0);
+  CHECK_EQ(x[2], 3.0);
+}

@@ -1,0 +1,193 @@
+// LU. Expected values: componentwise backward error (Oettli and Prager), known inverses, known condition numbers.
+#include "tiltrotor/math/lu.hpp"
+
+#include <random>
+
+#include "check.hpp"
+
+using namespace tiltrotor;
+
+namespace {
+
+template <class R, int N>
+void fill_random(Matrix<R, N, N>& a, int n, unsigned seed) {
+  std::mt19937 generator(seed);
+  std::uniform_real_distribution<double> uniform(-1.0, 1.0);
+  for (int i = 0; i < n; ++i)
+    for (int j = 0; j < n; ++j) a(i, j) = static_cast<R>(uniform(generator));
+}
+
+// max |A x - b|_i / (|A| |x| + |b|)_i: a backward stable solution keeps it near eps.
+template <class R, int N>
+double backward_error(const Matrix<R, N, N>& a, int n, const R* x, const R* b, bool transposed = false) {
+  double worst = 0.0;
+  for (int i = 0; i < n; ++i) {
+    double residual = -static_cast<double>(b[i]), size = std::fabs(static_cast<double>(b[i]));
+    for (int j = 0; j < n; ++j) {
+      const double term = static_cast<double>(transposed ? a(j, i) : a(i, j)) * static_cast<double>(x[j]);
+      residual += term;
+      size += std::fabs(term);
+    }
+    worst = std::fmax(worst, std::fabs(residual) / size);
+  }
+  return worst;
+}
+
+template <class R, int N>
+void check_all_sizes(double tolerance) {
+  static Matrix<R, N, N> a;
+  static LU<R, N> lu;
+  for (int n = 1; n <= N; ++n) {
+    fill(a, std::numeric_limits<R>::quiet_NaN());  // nothing beyond n may be read
+    fill_random(a, n, static_cast<unsigned>(n));
+    R b[N], x[N], y[N];
+    for (int i = 0; i < n; ++i) b[i] = x[i] = y[i] = static_cast<R>(std::cos(i * 1.7));
+    CHECK(lu_factor(a, n, lu) == Status::ok);
+    CHECK(lu_solve(lu, x) == Status::ok);
+    CHECK(lu_solve_transposed(lu, y) == Status::ok);
+    CHECK_LT((backward_error<R, N>(a, n, x, b)), tolerance);
+    CHECK_LT((backward_error<R, N>(a, n, y, b, true)), tolerance);
+  }
+}
+
+}  // namespace
+
+TEST(lu_backward_error_every_size) {
+  check_all_sizes<double, 33>(1e-13);
+  check_all_sizes<double, 7>(1e-14);
+  check_all_sizes<float, 31>(3e-5);
+}
+
+TEST(lu_pivots_a_zero_diagonal) {  // the cyclic permutation: x is b shifted
+  static Matrix<double, 12, 12> a;
+  static LU<double, 12> lu;
+  set_zero(a);
+  double x[12];
+  for (int i = 0; i < 12; ++i) {
+    a(i, (i + 1) % 12) = 1.0;
+    x[i] = i;
+  }
+  CHECK(lu_factor(a, 12, lu) == Status::ok);
+  CHECK(lu_solve(lu, x) == Status::ok);
+  for (int i = 0; i < 12; ++i) CHECK_EQ(x[(i + 1) % 12], i);
+  CHECK_EQ(lu_reciprocal_condition(lu), 1.0);
+}
+
+TEST(lu_pivots_a_tiny_diagonal) {  // [1e-20 1; 1 1] x = [1 2]: without pivoting the answer is [0 1]
+  const Matrix<double, 2, 2> a = {{1e-20, 1.0, 1.0, 1.0}};
+  LU<double, 2> lu;
+  double x[2] = {1.0, 2.0};
+  CHECK(lu_factor(a, 2, lu) == Status::ok);
+  CHECK(lu_solve(lu, x) == Status::ok);
+  CHECK_NEAR(x[0], 1.0, 1e-15);
+  CHECK_NEAR(x[1], 1.0, 1e-15);
+}
+
+TEST(lu_several_right_sides_give_the_inverse) {  // inverse of the 6 x 6 Hilbert matrix: integers known in closed form
+  static Matrix<double, 6, 6> hilbert, unit = identity<double, 6>(), inverse;
+  static LU<double, 6> lu;
+  for (int i = 0; i < 6; ++i)
+    for (int j = 0; j < 6; ++j) hilbert(i, j) = 1.0 / (i + j + 1);
+  CHECK(lu_factor(hilbert, 6, lu) == Status::ok);
+  CHECK(lu_solve(lu, unit, 6, inverse) == Status::ok);
+  CHECK_REL(inverse(0, 0), 36.0, 1e-8);
+  CHECK_REL(inverse(0, 5), -2772.0, 1e-8);
+  CHECK_REL(inverse(4, 4), 4410000.0, 1e-8);
+  CHECK_REL(inverse(5, 5), 698544.0, 1e-8);
+}
+
+TEST(lu_several_right_sides_agree_with_one) {
+  static Matrix<double, 31, 31> a;
+  static Matrix<double, 31, 11> b, x;
+  static LU<double, 31> lu;
+  fill_random(a, 23, 4);
+  fill(b, 0.0);
+  for (int i = 0; i < 23; ++i)
+    for (int j = 0; j < 11; ++j) b(i, j) = std::sin(i + 5.0 * j);
+  CHECK(lu_factor(a, 23, lu) == Status::ok);
+  CHECK(lu_solve(lu, b, 11, x) == Status::ok);
+  for (int j = 0; j < 11; ++j) {
+    double solution[31], right[31];
+    for (int i = 0; i < 23; ++i) {
+      solution[i] = x(i, j);
+      right[i] = b(i, j);
+    }
+    CHECK_LT((backward_error<double, 31>(a, 23, solution, right)), 1e-13);
+  }
+}
+
+TEST(lu_condition_of_hilbert_matrices) {  // 1-norm condition numbers from the exact inverses
+  const double known[9] = {0, 1.0, 27.0, 748.0, 28375.0, 943656.0, 29070279.0, 985194889.71984, 33872791095.0};
+  static Matrix<double, 10, 10> hilbert;
+  static LU<double, 10> lu;
+  for (int i = 0; i < 10; ++i)
+    for (int j = 0; j < 10; ++j) hilbert(i, j) = 1.0 / (i + j + 1);
+  for (int n = 1; n <= 8; ++n) {
+    CHECK(lu_factor(hilbert, n, lu) == Status::ok);
+    CHECK_REL(1.0 / lu_reciprocal_condition(lu), known[n], 1e-5);
+  }
+}
+
+TEST(lu_condition_is_a_lower_bound_within_three) {  // against the inverse formed column by column
+  static Matrix<double, 20, 20> a, unit = identity<double, 20>(), inverse;
+  static LU<double, 20> lu;
+  for (unsigned seed = 0; seed < 50; ++seed) {
+    fill_random(a, 20, seed);
+    CHECK(lu_factor(a, 20, lu) == Status::ok);
+    CHECK(lu_solve(lu, unit, 20, inverse) == Status::ok);
+    double norm = 0.0, inverse_norm = 0.0;
+    for (int j = 0; j < 20; ++j) {
+      double sum = 0.0, inverse_sum = 0.0;
+      for (int i = 0; i < 20; ++i) {
+        sum += std::fabs(a(i, j));
+        inverse_sum += std::fabs(inverse(i, j));
+      }
+      norm = std::fmax(norm, sum);
+      inverse_norm = std::fmax(inverse_norm, inverse_sum);
+    }
+    const double ratio = norm * inverse_norm * lu_reciprocal_condition(lu);
+    CHECK_LE(1.0 - 1e-9, ratio);
+    CHECK_LT(ratio, 3.0);
+  }
+}
+
+TEST(lu_refuses_what_it_cannot_solve) {
+  static Matrix<double, 9, 9> a;
+  static LU<double, 9> lu;
+  double x[9] = {1, 1, 1, 1, 1, 1, 1, 1, 1};
+  set_zero(a);
+  CHECK(lu_factor(a, 9, lu) == Status::singular);
+  CHECK(lu_solve(lu, x) == Status::bad_argument);
+  CHECK_EQ(x[3], 1.0);
+  CHECK_EQ(lu_reciprocal_condition(lu), 0.0);
+  fill_random(a, 9, 1);
+  for (int j = 0; j < 9; ++j) a(8, j) = 2.0 * a(2, j);  // proportional rows, exact in binary
+  CHECK(lu_factor(a, 9, lu) == Status::singular);
+  fill_random(a, 9, 1);
+  a(5, 7) = std::numeric_limits<double>::quiet_NaN();
+  CHECK(lu_factor(a, 9, lu) == Status::not_finite);
+  CHECK(lu_factor(a, 5, lu) == Status::ok);  // the bad entry lies outside
+  a(5, 7) = std::numeric_limits<double>::infinity();
+  CHECK(lu_factor(a, 9, lu) == Status::not_finite);
+  CHECK(lu_factor(a, 0, lu) == Status::bad_argument);
+  CHECK(lu_factor(a, 10, lu) == Status::bad_argument);
+  CHECK(lu_factor(identity<double, 9>(), 9, lu) == Status::ok);
+  x[4] = std::numeric_limits<double>::infinity();
+  CHECK(lu_solve(lu, x) == Status::not_finite);
+  CHECK(std::isnan(x[0]));
+}
+
+TEST(lu_survives_extreme_scales) {
+  static Matrix<double, 5, 5> a;
+  static LU<double, 5> lu;
+  set_zero(a);
+  double x[5];
+  for (int i = 0; i < 5; ++i) {
+    a(i, i) = std::pow(10.0, 60.0 * i - 120.0);
+    x[i] = a(i, i);
+  }
+  CHECK(lu_factor(a, 5, lu) == Status::ok);
+  CHECK(lu_solve(lu, x) == Status::ok);
+  for (double solution : x) CHECK_REL(solution, 1.0, 1e-15);
+  CHECK_REL(lu_reciprocal_condition(lu), 1e-240, 1e-12);
+}

@@ -1,0 +1,117 @@
+// Frames of the tilting masts: hand-written rotations, hub positions from the stations of the drawings, the mirror
+// between the two rotors, and the motion of the hub by finite differences of positions.
+#include "flight_cases.hpp"
+
+using namespace flight_cases;
+
+namespace {
+
+using V = Vec3<double>;
+constexpr double kInch = 0.0254;
+
+void check_vector(const V& actual, const V& expected, double tolerance) {
+  CHECK_NEAR(actual.x, expected.x, tolerance);
+  CHECK_NEAR(actual.y, expected.y, tolerance);
+  CHECK_NEAR(actual.z, expected.z, tolerance);
+}
+
+}  // namespace
+
+TEST(frames_hub_axes_are_a_rotation) {
+  for (const double mast : {0.0, 20.0, 45.0, 77.0, 90.0}) {
+    for (const double cant_deg : {0.0, 1.0, 5.0}) {
+      for (const int side : {right, left}) {
+        const HubFrame<double> f = hub_frame(mast * kRadian<double>, cant_deg * kRadian<double>, side, V{0, 0, 0}, 1.0);
+        const Rotation<double>& r = f.from_body;
+        for (const V& row : {r.row_x, r.row_y, r.row_z}) CHECK_NEAR(dot(row, row), 1.0, 1e-15);
+        check_vector(cross(r.row_x, r.row_y), r.row_z, 1e-15);  // right-handed
+        check_vector(r.row_z, -1.0 * f.thrust_axis, 0);
+        check_vector(f.arm, f.thrust_axis, 1e-15);  // mast of length 1 from the pivot
+      }
+    }
+  }
+}
+
+TEST(frames_helicopter_and_airplane_axes) {
+  const HubFrame<double> up = hub_frame(0.0, 0.0, right, V{0, 0, 0}, 1.0);
+  check_vector(up.thrust_axis, V{0, 0, -1}, 0);
+  check_vector(up.from_body.row_x, V{1, 0, 0}, 0);
+  check_vector(up.from_body.row_y, V{0, 1, 0}, 0);
+  const HubFrame<double> forward = hub_frame(kPi<double> / 2, 0.0, right, V{0, 0, 0}, 1.0);
+  check_vector(forward.thrust_axis, V{1, 0, 0}, 1e-15);
+  check_vector(forward.from_body.row_x, V{0, 0, 1}, 1e-15);  // hub x axis points down in airplane mode
+  // Cant leans both rotors outboard.
+  const double cant = 1 * kRadian<double>;
+  CHECK_NEAR(hub_frame(0.0, cant, right, V{0, 0, 0}, 1.0).thrust_axis.y, std::sin(cant), 1e-15);
+  CHECK_NEAR(hub_frame(0.0, cant, left, V{0, 0, 0}, 1.0).thrust_axis.y, -std::sin(cant), 1e-15);
+}
+
+// Hub stations of the aircraft without cant: SL 300 - 56 sin, WL 100 + 56 cos (mast 4.667 ft), BL 193 (in).
+TEST(frames_hub_stations) {
+  Options options;
+  options.mast_cant = false;
+  for (const double mast : {0.0, 30.0, 90.0}) {
+    const Configuration<double> c = configuration(mast, options);
+    const double sine = std::sin(mast * kRadian<double>);
+    const double cosine = std::cos(mast * kRadian<double>);
+    for (const int side : {right, left}) {
+      CHECK_NEAR((c.mass.sl_cg - c.hub[side].arm.x) / kInch, 300 - 56.004 * sine, 1e-9);
+      CHECK_NEAR((c.mass.wl_cg - c.hub[side].arm.z) / kInch, 100 + 56.004 * cosine, 1e-9);
+      CHECK_NEAR(c.hub[side].arm.y / kInch, side == right ? 193 : -193, 1e-9);
+    }
+  }
+  // With 1 deg of cant at mast 0 the hubs stand 56 in x sin 1 deg further outboard, none at mast 90.
+  CHECK_NEAR(configuration(0).hub[right].arm.y / kInch, 193 + 56.004 * std::sin(kRadian<double>), 1e-9);
+  CHECK_NEAR(configuration(90).hub[left].arm.y / kInch, -193, 1e-9);
+}
+
+TEST(frames_mirror_of_the_rotor_frame) {
+  const V a{1, 2, 3};
+  check_vector(mirror_polar(a, right), V{-1, 2, -3}, 0);
+  check_vector(mirror_polar(a, left), V{-1, -2, -3}, 0);
+  check_vector(mirror_axial(a, right), V{-1, 2, -3}, 0);
+  check_vector(mirror_axial(a, left), V{1, 2, 3}, 0);
+  const V b{-0.3, 0.8, 1.7};
+  for (const int side : {right, left}) {
+    // Each is its own inverse, and a cross product of polar vectors is axial.
+    check_vector(mirror_polar(mirror_polar(a, side), side), a, 0);
+    check_vector(mirror_axial(mirror_axial(a, side), side), a, 0);
+    check_vector(cross(mirror_polar(a, side), mirror_polar(b, side)), mirror_axial(cross(a, b), side), 1e-15);
+  }
+}
+
+// What a rotor sees of the aircraft's motion, against positions of the hub in space a short time apart.
+TEST(frames_hub_velocity_from_positions) {
+  Generator random(8);
+  for (const double mast : {0.0, 37.0, 90.0}) {
+    FlightSetup<double> setup = flight_setup(aircraft(), mast);
+    setup.mast_rate = 0.1;
+    Configuration<double> c;
+    if (!CHECK(prepare(aircraft(), setup, c) == Status::ok)) return;
+    const StateAndControls<double> s = random_case(random, c);
+    for (const int side : {right, left}) {
+      const BladeControls<double> blades = mix_controls(c, s.u, s.x.velocity);
+      const RotorInput<double> in = detail::rotor_input(c, s.x, s.x.velocity, blades, side);
+      // Hub in body axes turns about the pivot as the mast moves; body axes turn about the CG.
+      const double h = 1e-5;
+      const auto hub_at = [&](double t) {
+        const double m = c.mast + setup.mast_rate * t;
+        const double cant = aircraft().mast.cant * std::cos(c.mast);
+        const double sigma = side == right ? 1 : -1;
+        const V axis{std::cos(cant) * std::sin(m), std::sin(cant) * sigma, -std::cos(cant) * std::cos(m)};
+        const V pivot = station_arm(c.mass, 300 * kInch, sigma * 193 * kInch, 100 * kInch);
+        const V hub = pivot + aircraft().mast.length * axis;
+        return s.x.velocity.x * t + hub.x + t * (s.x.rates.y * hub.z - s.x.rates.z * hub.y);
+      };
+      const double forward = (hub_at(h) - hub_at(-h)) / (2 * h);
+      const V in_h = mirror_polar(in.velocity, side);
+      const V in_body = c.hub[side].from_body.apply_inverse(in_h);
+      // The small cant changes the arc of the hub by 1 - cos(cant).
+      CHECK_NEAR(in_body.x, forward, 2e-4 * 0.1 * 1.5 + 1e-6);
+      const V rates_h = mirror_axial(in.rates, side);
+      const V rates_body = c.hub[side].from_body.apply_inverse(rates_h);
+      const V expected = s.x.rates - setup.mast_rate * c.hub[side].from_body.row_y;
+      check_vector(rates_body, expected, 1e-14);
+    }
+  }
+}

@@ -1,0 +1,185 @@
+// Dynamic inflow: the angle-free gain matrix against the wind-axis matrix inverted and turned explicitly, momentum
+// theory in hover, climb and edgewise flight, rotation of the wind, the switches.
+#include "settled_rotor.hpp"
+
+using namespace flight_cases;
+using settled_rotor::solve;
+
+namespace {
+
+constexpr double kGain = 15 * kPi<double> / 64;
+
+InflowRates<double> rates(const Configuration<double>& c, double n0, double nc, double ns,
+                          const InflowForcing<double>& f) {
+  RotorState<double> x{};
+  x.n0 = n0;
+  x.nc = nc;
+  x.ns = ns;
+  return inflow_rates(c, x, f);
+}
+
+}  // namespace
+
+TEST(inflow_gain_matrix_by_inversion_and_rotation) {
+  NOTE("seed 6");
+  Generator random(6);
+  double worst = 0;
+  for (int n = 0; n < 1000; ++n) {
+    const double x = random.between(0, 1);
+    const double direction = random.between(-kPi<double>, kPi<double>);
+    const double kappa = n % 2 == 0 ? 1 : random.between(0.9, 1.2);
+    const double cosine = std::cos(direction);
+    const double sine = std::sin(direction);
+    // Rows and columns (0, downstream, across): model.md 4.3.
+    const double wind[3][3] = {{kappa / 2, -kGain * x, 0}, {kGain * x, 2 * (1 - x * x), 0}, {0, 0, 2 * (1 + x * x)}};
+    const double turn[3][3] = {{1, 0, 0}, {0, cosine, sine}, {0, -sine, cosine}};  // hub -> wind
+    std::array<std::array<double, 3>, 3> hub{};
+    for (std::size_t i = 0; i < 3; ++i) {
+      for (std::size_t j = 0; j < 3; ++j) {
+        for (int k = 0; k < 3; ++k) {
+          for (int l = 0; l < 3; ++l) hub[i][j] += turn[k][i] * wind[k][l] * turn[l][j];
+        }
+      }
+    }
+    const InflowGainInverse<double> g = inflow_gain_inverse(x * cosine, x * sine, kappa);
+    const double actual[3][3] = {{g.m00, g.m0c, g.m0s}, {g.mc0, g.mcc, g.mcs}, {g.ms0, g.mcs, g.mss}};
+    for (std::size_t j = 0; j < 3; ++j) {
+      std::array<double, 3> unit{};
+      unit[j] = 1;
+      const std::array<double, 3> column = solve(hub, unit);
+      for (std::size_t i = 0; i < 3; ++i) {
+        CHECK_NEAR(actual[i][j], column[i], 1e-13);
+        worst = std::max(worst, std::abs(actual[i][j] - column[i]));
+      }
+    }
+  }
+  NOTE("largest difference " << worst);
+}
+
+TEST(inflow_hover_is_momentum_theory) {
+  const Configuration<double> c = configuration(0);
+  for (const double n0 : {0.03, 0.0727, 0.1}) {
+    // C_T = 2 lambda^2; the smoothed speed adds (1e-3)^2 under the root.
+    const double thrust = 2 * n0 * std::sqrt(n0 * n0 + 1e-6);
+    const InflowRates<double> r = rates(c, n0, 0, 0, {thrust, 0, 0, 0, 0, 0});
+    CHECK_NEAR(r.n0, 0.0, 1e-13);
+    CHECK_EQ(r.nc, 0.0);
+    CHECK_EQ(r.ns, 0.0);
+  }
+  // Hover of the isolated rotor at 7334 lb: lambda_h = sqrt(C_T / 2) = 0.0727.
+  const double area = kPi<double> * 3.81 * 3.81;
+  const double thrust = 7334 * settled_rotor::kPound;
+  const RotorInput<double> in = settled_rotor::settled_at_thrust(c, settled_rotor::hover_input(c), thrust);
+  CHECK_REL(in.state.n0, std::sqrt(thrust / (2 * 1.225 * area)) / c.tip_speed, 2e-4);
+  CHECK_NEAR(in.state.n0, 0.0727, 5e-5);
+  CHECK_LT(std::hypot(in.state.nc, in.state.ns), 0.003);  // only what the coned, tilted disk makes
+}
+
+TEST(inflow_axial_climb_and_forward_flight) {
+  const Configuration<double> c = configuration(0);
+  for (const double climb : {0.02, 0.1, 0.4}) {
+    const double thrust = 0.01;
+    const double n0 = -climb / 2 + std::sqrt(climb * climb / 4 + thrust / 2);  // momentum theory
+    CHECK_NEAR(rates(c, n0, 0, 0, {thrust, 0, 0, 0, 0, climb}).n0, 0.0, 1e-3 * thrust * c.setup.rotor_speed);
+  }
+  // Edgewise: thrust alone makes n_c/n_0 = 2 k X downstream; X -> 1 gives 1.47.
+  const double mu = 0.3;
+  const double n0 = 0.01;
+  const double vt = std::sqrt(mu * mu + n0 * n0 + 1e-6);
+  const double plus = 0.5 * (n0 + std::sqrt(n0 * n0 + 25e-6));
+  const double x = mu / (vt + plus);
+  for (const double direction : {0.0, 0.7, 2.5}) {
+    const double cosine = std::cos(direction);
+    const double sine = std::sin(direction);
+    const double thrust = 2 * vt * n0;
+    const InflowRates<double> r = rates(c, n0, 2 * kGain * x * n0 * cosine, 2 * kGain * x * n0 * sine,
+                                        {thrust, 0, 0, mu * cosine, mu * sine, 0});
+    CHECK_NEAR(r.n0, 0.0, 1e-12);
+    CHECK_NEAR(r.nc, 0.0, 1e-12);
+    CHECK_NEAR(r.ns, 0.0, 1e-12);
+  }
+  CHECK_NEAR(2 * kGain, 1.47, 0.005);
+}
+
+TEST(inflow_turns_with_the_wind) {
+  const Configuration<double> c = configuration(0);
+  NOTE("seed 12");
+  Generator random(12);
+  for (int n = 0; n < 200; ++n) {
+    const double angle = n % 2 == 0 ? kPi<double> / 2 : random.between(-3, 3);
+    const double cosine = std::cos(angle);
+    const double sine = std::sin(angle);
+    const InflowForcing<double> f{random.between(0, 0.02),   random.between(-2e-3, 2e-3), random.between(-2e-3, 2e-3),
+                                  random.between(-0.3, 0.3), random.between(-0.3, 0.3),   random.between(-0.1, 0.3)};
+    const double n0 = random.between(0, 0.1);
+    const double nc = random.between(-0.03, 0.03);
+    const double ns = random.between(-0.03, 0.03);
+    const InflowRates<double> a = rates(c, n0, nc, ns, f);
+    const InflowRates<double> b =
+        rates(c, n0, cosine * nc - sine * ns, sine * nc + cosine * ns,
+              {f.c0, cosine * f.cc - sine * f.cs, sine * f.cc + cosine * f.cs, cosine * f.mx - sine * f.my,
+               sine * f.mx + cosine * f.my, f.mz});
+    CHECK_NEAR(b.n0, a.n0, 1e-12);
+    CHECK_NEAR(b.nc, cosine * a.nc - sine * a.ns, 1e-12);
+    CHECK_NEAR(b.ns, sine * a.nc + cosine * a.ns, 1e-12);
+  }
+}
+
+TEST(inflow_apparent_mass) {
+  const double omega = 589 * 2 * kPi<double> / 60;
+  Options options;
+  for (const ApparentMass mass : {ApparentMass::impermeable, ApparentMass::loaded}) {
+    options.apparent_mass = mass;
+    const Configuration<double> c = configuration(0, options);
+    const InflowForcing<double> still{0, 0, 0, 0.1, 0, 0};
+    const InflowForcing<double> pushed{0.01, 0.002, -0.001, 0.1, 0, 0};
+    const InflowRates<double> a = rates(c, 0.05, 0.01, 0.01, still);
+    const InflowRates<double> b = rates(c, 0.05, 0.01, 0.01, pushed);
+    const double m0 = mass == ApparentMass::impermeable ? 8 / (3 * kPi<double>) : 128 / (75 * kPi<double>);
+    const double m1 = 16 / (45 * kPi<double>);
+    CHECK_NEAR(b.n0 - a.n0, omega * 0.01 / m0, 1e-12);
+    CHECK_NEAR(b.nc - a.nc, omega * 0.002 / m1, 1e-12);
+    CHECK_NEAR(b.ns - a.ns, -omega * 0.001 / m1, 1e-12);
+  }
+}
+
+TEST(inflow_uniform_and_induced_power_factor) {
+  Options options;
+  options.inflow = InflowShape::uniform;
+  options.induced_power_factor = 1.1;
+  const Configuration<double> c = configuration(0, options);
+  for (const double mu : {0.0, 0.15}) {
+    const double n0 = 0.05;
+    const double vt = std::sqrt(n0 * n0 + mu * mu + 1e-6);
+    const InflowRates<double> r = rates(c, n0, 0.02, -0.01, {2 * vt * n0 / 1.1, 0.001, 0.001, mu, 0, 0});
+    CHECK_NEAR(r.n0, 0.0, 1e-12);  // n0 = kappa C0 / (2 V_T)
+    CHECK_EQ(r.nc, 0.0);
+    CHECK_EQ(r.ns, 0.0);
+  }
+  // In the three-state form the factor multiplies the mean gain alone: hover n0 = sqrt(kappa C0 / 2).
+  options.inflow = InflowShape::pitt_peters;
+  const Configuration<double> three = configuration(0, options);
+  const double n0 = 0.07;
+  CHECK_NEAR(rates(three, n0, 0, 0, {2 * n0 * std::sqrt(n0 * n0 + 1e-6) / 1.1, 0, 0, 0, 0, 0}).n0, 0.0, 1e-12);
+}
+
+// Exact hover and descent through the rotor's own wake: no division by nothing.
+TEST(inflow_is_finite_everywhere) {
+  using T = Dual<double, 5>;
+  const Configuration<double> c = configuration(0);
+  for (const double mz : {0.0, -0.03, -0.05, -0.0727, -0.1, -0.3}) {
+    for (const double n0 : {0.0, 0.0727}) {
+      RotorState<T> x{};
+      x.n0 = T::variable(n0, 0);
+      x.nc = T::variable(0, 1);
+      const InflowForcing<T> f{T(0.01), T(0.0), T(0.0), T::variable(0, 2), T::variable(0, 3), T::variable(mz, 4)};
+      const InflowRates<T> r = inflow_rates(c, x, f);
+      for (const T& rate : {r.n0, r.nc, r.ns}) {
+        CHECK(std::isfinite(rate.v));
+        for (int j = 0; j < 5; ++j) CHECK(std::isfinite(rate.d.get(j)));
+      }
+      // In-plane wind at hover drives nc at once: the wake skew has a slope there.
+      if (n0 > 0 && mz == 0) CHECK_LT(0.1, r.nc.d.get(2));
+    }
+  }
+}

@@ -1,0 +1,72 @@
+// CG and inertia against mast angle: printed values, the motion of the tilting mass about the conversion axis, switches.
+#include "tiltrotor/model/mass_properties.hpp"
+
+#include "check.hpp"
+#include "tiltrotor/model/aircraft_data.hpp"
+
+using namespace tiltrotor;
+
+namespace {
+
+constexpr double kInch = 0.0254;
+constexpr double kPound = 0.45359237;
+constexpr double kSlugSquareFoot = 0.45359237 * 9.80665 / 0.3048 * 0.3048 * 0.3048;
+
+MassProperties<double> at(double mast, double sl_cg0_in = 301.2, InertiaSet set = InertiaSet::simulation,
+                          double mass = 13000 * kPound) {
+  return mass_properties(aircraft_data<double>(), mast, mass, sl_cg0_in * kInch, 81.65 * kInch, set);
+}
+
+}  // namespace
+
+// Numbers of the specification for SL 300, WL 81.65 at mast 0 (in, two decimals).
+TEST(mass_properties_printed_stations) {
+  struct Row {
+    double mast, sl, wl;
+  };
+  for (const Row& row : {Row{0, 300, 81.65}, Row{30, 297.45, 79.53}, Row{60, 296.30, 76.42}, Row{90, 296.87, 73.15}}) {
+    CHECK_NEAR(at(row.mast, 300).sl_cg / kInch, row.sl, 0.006);
+    CHECK_NEAR(at(row.mast, 300).wl_cg / kInch, row.wl, 0.006);
+  }
+}
+
+// 4200 lb of 13000 lb turn about SL 300, WL 100; their own CG lies at SL 291.7, WL 118 with the mast up. Explicit
+// rotation of that point, nose down, and the moment balance of fixed and turning part.
+TEST(mass_properties_by_rotation_of_the_nacelles) {
+  for (double mast = 0; mast <= 90; mast += 7.5) {
+    const double angle = mast * kRadian<double>;
+    const double aft = 291.7 - 300;
+    const double up = 118 - 100;
+    const double aft_turned = aft * std::cos(angle) - up * std::sin(angle);  // forward tilt moves an upper mass forward
+    const double up_turned = up * std::cos(angle) + aft * std::sin(angle);
+    const double share = 4200.0 / 13000;
+    CHECK_NEAR(at(mast).sl_cg / kInch, 301.2 + share * (aft_turned - aft), 1e-9);
+    CHECK_NEAR(at(mast).wl_cg / kInch, 81.65 + share * (up_turned - up), 1e-9);
+  }
+  // A lighter aircraft shifts more.
+  const double light = 10000 * kPound;
+  CHECK_NEAR((at(90, 301.2, InertiaSet::simulation, light).sl_cg - 301.2 * kInch) * light,
+             (at(90).sl_cg - 301.2 * kInch) * 13000 * kPound, 1e-9);
+}
+
+TEST(mass_properties_inertia) {
+  for (const double mast : {0.0, 45.0, 90.0}) {
+    const Inertia<double> i = at(mast).inertia;
+    CHECK_REL(i.xx / kSlugSquareFoot, 52795 - 20.5 * mast, 1e-6);
+    CHECK_REL(i.yy / kSlugSquareFoot, 21360 - 11.24 * mast, 1e-6);
+    CHECK_REL(i.zz / kSlugSquareFoot, 66335 + 9.26 * mast, 1e-6);
+    CHECK_REL(i.xz / kSlugSquareFoot, 1234 - 1.76 * mast, 1e-6);
+    // A real body: each moment below the sum of the others.
+    CHECK_LT(i.zz, i.xx + i.yy);
+    CHECK_LT(i.xx, i.zz + i.yy);
+  }
+  const Inertia<double> old_0 = at(0, 301.2, InertiaSet::design_1975).inertia;
+  const Inertia<double> old_45 = at(45, 301.2, InertiaSet::design_1975).inertia;
+  const Inertia<double> old_90 = at(90, 301.2, InertiaSet::design_1975).inertia;
+  CHECK_REL(old_0.xx / kSlugSquareFoot, 42400, 1e-6);
+  CHECK_REL(old_0.yy / kSlugSquareFoot, 14300, 1e-6);
+  CHECK_REL(old_90.zz / kSlugSquareFoot, 50300, 1e-6);
+  CHECK_REL(old_45.yy / kSlugSquareFoot, (14300 + 13200) / 2.0, 1e-6);
+  CHECK_EQ(old_45.xz, at(45).inertia.xz);
+  CHECK_EQ(at(0).mass, 13000 * kPound);
+}
