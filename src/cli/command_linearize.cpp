@@ -19,9 +19,9 @@ namespace {
 class Linearizer {
  public:
   Linearizer(const Arguments& arguments, bool single)
-      : output_(arguments, single),
-        rigid_(wants_rigid(arguments)),
+      : rigid_(wants_rigid(arguments)),
         controls_(control_set(arguments)),
+        output_(arguments, single),
         model_(std::make_unique<LinearModel<double>>()) {}
 
   const Shard& shard() const { return output_.shard(); }
@@ -45,9 +45,9 @@ class Linearizer {
   void finish() { output_.finish(); }
 
  private:
-  LinearOutput output_;
   bool rigid_;
   ControlSet controls_;
+  LinearOutput output_;  // last of what arguments can refuse, since it begins to write
   std::unique_ptr<LinearModel<double>> model_;
   AnalysesRoom room_;
 };

@@ -8,6 +8,7 @@
 #include "cli/command.hpp"
 #include "cli/errors.hpp"
 #include "cli/linear_options.hpp"
+#include "cli/mode_tracker.hpp"
 #include "cli/output.hpp"
 #include "cli/trimmed_flights.hpp"
 
@@ -30,40 +31,6 @@ bool neighbours(const FlightCase& a, const FlightCase& b) {
          (speed_step == 0 && mast_step <= mast_neighbour);
 }
 
-// Modes of one flight after another; names are carried along.
-class ModeRun {
- public:
-  explicit ModeRun(const Arguments& arguments)
-      : rigid_(wants_rigid(arguments)), room_(std::make_unique<Room>()) {}
-
-  Analyses& analyses() const { return *analyses_; }
-
-  Status find(const TrimmedFlight& flight) {
-    Status status = linearize(flight.configuration, flight.trim.state, flight.trim.controls, ControlSet{},
-                              *analyses_, room_->model);
-    if (status == Status::ok && rigid_) status = reduce_to_rigid(room_->model);
-    if (status == Status::ok) status = modes(room_->model, room_->work, room_->current);
-    if (status == Status::ok && flight.connects && has_previous_)
-      status = follow(room_->previous, room_->current);
-    has_previous_ = status == Status::ok;
-    if (has_previous_) room_->previous = room_->current;
-    return status;
-  }
-  void lose_track() { has_previous_ = false; }
-  const ModeSet<double>& found() const { return room_->current; }
-
- private:
-  struct Room {
-    LinearModel<double> model;
-    ModesWorkspace<double> work;
-    ModeSet<double> previous, current;
-  };
-  bool rigid_;
-  bool has_previous_ = false;
-  std::unique_ptr<Room> room_;
-  AnalysesRoom analyses_;
-};
-
 void add_empty_row(Records& records, const TrimmedFlight& flight, const char* status) {
   constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
   records.add(
@@ -80,20 +47,26 @@ void add_rows(Records& records, const TrimmedFlight& flight, const ModeSet<doubl
 
 int run(const Arguments& arguments) {
   const SetupOptions setup(arguments);
+  const bool rigid = wants_rigid(arguments);
   flight_cases(arguments);
   Output output(arguments);
-  ModeRun modes(arguments);
   Records records = output.records(columns, Output::to_read);
+  const AnalysesRoom room;
+  const auto model = std::make_unique<LinearModel<double>>();
+  ModeTracker tracker;
   const auto visit = [&](const TrimmedFlight& flight) -> int {
-    if (!is_trimmed(flight.trim.status)) {
-      modes.lose_track();
-      if (!flight.is_preliminary) add_empty_row(records, flight, trim_status_word(flight.trim.status));
-      return exit_success;
+    const TrimResult<double>& trim = flight.trim;
+    if (!is_trimmed(trim.status)) {
+      tracker.lose_track();
+      if (!flight.is_preliminary) add_empty_row(records, flight, trim_status_word(trim.status));
+      return exit_case_failed;
     }
-    const Status status = modes.find(flight);
+    Status status = linearize(flight.configuration, trim.state, trim.controls, ControlSet{}, *room, *model);
+    if (status == Status::ok && rigid) status = reduce_to_rigid(*model);
+    if (status == Status::ok) status = tracker.find(*model, flight.connects);
     if (flight.is_preliminary) return exit_success;
     if (status == Status::ok) {
-      add_rows(records, flight, modes.found());
+      add_rows(records, flight, tracker.found());
       return exit_success;
     }
     add_empty_row(records, flight, status_word(status));
@@ -101,8 +74,7 @@ int run(const Arguments& arguments) {
                  flight_text("modes", flight.mast_deg, flight.flight.speed).c_str(), status_text(status));
     return exit_case_failed;
   };
-  const int exit_status =
-      for_each_trim(arguments, setup, output.shard(), modes.analyses(), visit, neighbours);
+  const int exit_status = for_each_trim(arguments, setup, output.shard(), *room, visit, neighbours);
   records.finish();
   return exit_status;
 }

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <limits>
 #include <memory>
 #include <optional>
 
@@ -12,76 +11,19 @@
 #include "cli/input_text.hpp"
 #include "cli/linear_options.hpp"
 #include "cli/matrix_log.hpp"
+#include "cli/mode_tracker.hpp"
 #include "cli/output.hpp"
 #include "cli/progress.hpp"
+#include "cli/response_columns.hpp"
 #include "cli/trimmed_flights.hpp"
 
 namespace tiltrotor::cli {
 
 namespace {
 
-constexpr double radian = kRadian<double>;
-
-// Modes shown in a row: those of the 8 rigid-body states and the downwash; the rotors' are left out.
-constexpr int shown_modes = kRigidStates + 1;
-
 constexpr Range duration_range{0, 3600, "s"};
 constexpr Range step_range{1e-4, 0.1, "s"};
 constexpr double max_steps = 1e6;
-
-struct Moment {
-  const Simulation<double>& simulation;
-  const State<double>& x;
-  Controls<double> u;  // what acts from here on
-};
-using Now = const Moment&;
-
-struct Column {
-  const char* name;
-  double (*value)(Now);
-};
-
-double speed(Now m) { return std::sqrt(dot(m.x.velocity, m.x.velocity)); }
-
-// Along the heading, level with the ground.
-double forward_speed(Now m) {
-  const Vec3<double>& v = m.x.velocity;
-  const double lateral_plane = v.y * std::sin(m.x.roll) + v.z * std::cos(m.x.roll);
-  return v.x * std::cos(m.x.pitch) + lateral_plane * std::sin(m.x.pitch);
-}
-double climb_rate(Now m) {
-  const Vec3<double>& v = m.x.velocity;
-  const double lateral_plane = v.y * std::sin(m.x.roll) + v.z * std::cos(m.x.roll);
-  return v.x * std::sin(m.x.pitch) - lateral_plane * std::cos(m.x.pitch);
-}
-
-const Column columns[] = {
-    {"time_s", [](Now m) { return current_time(m.simulation); }},
-    {"u_mps", [](Now m) { return m.x.velocity.x; }},
-    {"v_mps", [](Now m) { return m.x.velocity.y; }},
-    {"w_mps", [](Now m) { return m.x.velocity.z; }},
-    {"p_degps", [](Now m) { return m.x.rates.x / radian; }},
-    {"q_degps", [](Now m) { return m.x.rates.y / radian; }},
-    {"r_degps", [](Now m) { return m.x.rates.z / radian; }},
-    {"roll_deg", [](Now m) { return m.x.roll / radian; }},
-    {"pitch_deg", [](Now m) { return m.x.pitch / radian; }},
-    {"yaw_deg", [](Now m) { return m.x.yaw / radian; }},
-    {"speed_mps", speed},
-    {"forward_speed_mps", forward_speed},
-    {"climb_rate_mps", climb_rate},
-    {"collective75_deg", [](Now m) { return m.u.collective / radian; }},
-    // Inches from neutral.
-    {"long_stick_from_neutral_in", [](Now m) { return m.u.long_stick; }},
-    {"lat_stick_in", [](Now m) { return m.u.lat_stick; }},
-    {"pedal_in", [](Now m) { return m.u.pedal; }},
-    {"b1c_right_deg", [](Now m) { return m.x.rotor[right].b1c / radian; }},
-    {"b1s_right_deg", [](Now m) { return m.x.rotor[right].b1s / radian; }},
-    {"n0_right", [](Now m) { return m.x.rotor[right].n0; }},
-    {"b1c_left_deg", [](Now m) { return m.x.rotor[left].b1c / radian; }},
-    {"b1s_left_deg", [](Now m) { return m.x.rotor[left].b1s / radian; }},
-    {"n0_left", [](Now m) { return m.x.rotor[left].n0; }},
-    {"downwash_deg", [](Now m) { return m.x.downwash / radian; }},
-};
 
 struct Plan {
   std::size_t steps;
@@ -121,94 +63,64 @@ FlightCase single_flight(const Arguments& arguments) {
   return cases.front();
 }
 
-std::vector<std::string> column_names(bool with_modes) {
-  std::vector<std::string> names;
-  for (const Column& column : columns) names.emplace_back(column.name);
-  for (int i = 1; with_modes && i <= shown_modes; ++i) {
-    const std::string name = "mode" + std::to_string(i);
-    names.insert(names.end(), {name, name + "_real", name + "_imag"});
-  }
-  return names;
-}
-
-// Linear models and modes along the flight.
-class Surroundings {
+// Linear models along the flight, where somebody wants them.
+class Companions {
  public:
-  explicit Surroundings(const ControlSet& controls) : controls_(controls), room_(std::make_unique<Room>()) {}
+  Companions(const Arguments& arguments, const Plan& plan)
+      : controls_(control_set(arguments)), modes_every_(plan.modes_every) {}
 
-  Status linearize_here(const Configuration<double>& c, const Simulation<double>& s, Analyses& analyses) {
-    return linearize(c, s.state, current_controls(s), controls_, analyses, room_->model,
-                     current_azimuth(c, s));
+  // Throws UsageError when the folder cannot be written.
+  void open_matrices(const std::string& folder, const std::string& where) {
+    matrices_.emplace(folder, where);
   }
-  Status find_modes() {
-    const Status status = modes(room_->model, room_->work, room_->current);
-    if (status != Status::ok) return status;
-    if (has_previous_ && follow(room_->previous, room_->current) != Status::ok) has_previous_ = false;
-    room_->previous = room_->current;
-    has_previous_ = true;
-    return Status::ok;
+
+  // Appends the cells of the modes, if there are such columns.
+  Status accompany(std::size_t step, const Configuration<double>& c, const Simulation<double>& s,
+                   Analyses& analyses, Row& row) {
+    const bool wants_modes = modes_every_ > 0 && step % modes_every_ == 0;
+    Status status = Status::ok;
+    if (wants_modes || matrices_) {
+      status =
+          linearize(c, s.state, current_controls(s), controls_, analyses, *model_, current_azimuth(c, s));
+    }
+    if (status == Status::ok && matrices_) matrices_->add(current_time(s), *model_);
+    if (status == Status::ok && wants_modes) status = modes_.find(*model_, true);
+    if (modes_every_ > 0) append_modes(row, wants_modes && status == Status::ok ? &modes_.found() : nullptr);
+    return status;
   }
-  const LinearModel<double>& model() const { return room_->model; }
-  const ModeSet<double>& mode_set() const { return room_->current; }
+  void finish() {
+    if (matrices_ && !matrices_->is_empty()) matrices_->finish();
+  }
 
  private:
-  struct Room {
-    LinearModel<double> model;
-    ModesWorkspace<double> work;
-    ModeSet<double> previous, current;
-  };
   ControlSet controls_;
-  bool has_previous_ = false;
-  std::unique_ptr<Room> room_;
+  std::size_t modes_every_;
+  std::optional<MatrixLog> matrices_;
+  std::unique_ptr<LinearModel<double>> model_ = std::make_unique<LinearModel<double>>();
+  ModeTracker modes_;
 };
 
-// Cells of one row's modes; empty ones when `set` is none.
-void append_modes(Row& row, const ModeSet<double>* set) {
-  constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
-  int shown = 0;
-  for (int i = 0; set != nullptr && i < set->count && shown < shown_modes; ++i) {
-    const Mode<double>& mode = set->mode[i];
-    if (mode.axis == ModeAxis::rotor) continue;
-    row.insert(row.end(), {mode.name, mode.real, mode.imag});
-    ++shown;
-  }
-  for (; shown < shown_modes; ++shown) row.insert(row.end(), {"", nothing, nothing});
-}
-
 int fly(const Configuration<double>& c, const Plan& plan, Simulation<double>& simulation, Analyses& analyses,
-        Surroundings& surroundings, Records& records, MatrixLog* matrices) {
+        Companions& companions, Records& records) {
   Progress progress("respond", plan.steps);
   int exit_status = exit_success;
   for (std::size_t step = 0;; ++step) {
-    const Moment moment{simulation, simulation.state, current_controls(simulation)};
-    Row row;
-    for (const Column& column : columns) row.emplace_back(column.value(moment));
-    const bool wants_modes = plan.modes_every > 0 && step % plan.modes_every == 0;
-    if (wants_modes || matrices != nullptr) {
-      Status status = surroundings.linearize_here(c, simulation, analyses);
-      if (status == Status::ok && matrices != nullptr)
-        matrices->add(current_time(simulation), surroundings.model());
-      if (status == Status::ok && wants_modes) status = surroundings.find_modes();
-      if (status != Status::ok) {
-        progress.message("respond: linear model at " + number_text(current_time(simulation), 6) +
-                         " s: " + status_text(status));
-        exit_status = exit_case_failed;
-      }
-      if (plan.modes_every > 0) {
-        append_modes(row, wants_modes && status == Status::ok ? &surroundings.mode_set() : nullptr);
-      }
-    } else if (plan.modes_every > 0) {
-      append_modes(row, nullptr);
-    }
+    const std::string now = number_text(current_time(simulation), 6) + " s";
+    Row row = response_row(simulation);
+    const Status linear = companions.accompany(step, c, simulation, analyses, row);
     records.add(row);
+    if (linear != Status::ok) {
+      progress.message("respond: linear model at " + now + ": " + status_text(linear));
+      exit_status = exit_case_failed;
+    }
     if (step == plan.steps) return exit_status;
     const Status status = advance(c, analyses, simulation);
     if (status != Status::ok) {
       const bool named = simulation.fault_state >= 0;
-      progress.message("respond: the flight cannot be continued beyond " +
-                       number_text(current_time(simulation), 6) + " s" +
-                       (named ? std::string(", state ") + kStateNames[simulation.fault_state].name : "") +
-                       ": " + status_text(status));
+      const std::string state =
+          named ? std::string(", state ") + kStateNames[simulation.fault_state].name : "";
+      progress.message("respond: the flight cannot be continued beyond " + now + state + ": " +
+                       status_text(status));
       return exit_case_failed;
     }
     progress.advance();
@@ -219,13 +131,12 @@ int run(const Arguments& arguments) {
   const SetupOptions setup(arguments);
   single_flight(arguments);
   const Plan plan = read_plan(arguments);
+  Companions companions(arguments, plan);
   Output output(arguments);
-  std::optional<MatrixLog> matrices;
   if (arguments.given("--matrices")) {
-    matrices.emplace(arguments.text("--matrices", ""), arguments.where("--matrices"));
+    companions.open_matrices(arguments.text("--matrices", ""), arguments.where("--matrices"));
   }
-  Records records = output.records(column_names(plan.modes_every > 0), Output::to_read);
-  Surroundings surroundings(control_set(arguments));
+  Records records = output.records(response_columns(plan.modes_every > 0), Output::to_read);
   const AnalysesRoom room;
   const auto visit = [&](const TrimmedFlight& flight) -> int {
     if (!is_trimmed(flight.trim.status)) return exit_case_failed;
@@ -236,14 +147,13 @@ int run(const Arguments& arguments) {
       if (status == Status::ok) status = add_input(*simulation, input);
     }
     if (status == Status::ok) {
-      return fly(flight.configuration, plan, *simulation, *room, surroundings, records,
-                 matrices ? &*matrices : nullptr);
+      return fly(flight.configuration, plan, *simulation, *room, companions, records);
     }
     std::fprintf(stderr, "tiltrotor: respond: cannot start: %s\n", status_text(status));
     return exit_case_failed;
   };
   const int exit_status = for_each_trim(arguments, setup, Shard{}, *room, visit);
-  if (matrices && !matrices->is_empty()) matrices->finish();
+  companions.finish();
   records.finish();
   return exit_status;
 }

@@ -1,6 +1,6 @@
 // `tiltrotor rotor`: one rotor alone, as on a test stand or in a wind tunnel.
 
-#include <cstdio>
+#include <limits>
 
 #include "cli/command.hpp"
 #include "cli/errors.hpp"
@@ -16,6 +16,7 @@ namespace {
 constexpr double radian = kRadian<double>;
 constexpr double rpm_unit = kPi<double> / 30;
 constexpr double kilo = 1000;
+constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
 constexpr Range collective_range{-90, 90, "deg"};
 constexpr Range speed_range{-150, 150, "m/s"};
@@ -24,14 +25,15 @@ constexpr Range cyclic_range{-30, 30, "deg"};
 struct Column {
   const char* name;
   double (*value)(const Configuration<double>&, const IsolatedRotor<double>&);
+  bool always = false;  // also without an equilibrium
 };
 
 using Setting = const Configuration<double>&;
 using Rotor = const IsolatedRotor<double>&;
 
-// Between these columns and the words of the last ones stands everything the solver finds.
+// The column `status` follows them.
 const Column numbers[] = {
-    {"collective75_deg", [](Setting, Rotor r) { return r.input.collective / radian; }},
+    {"collective75_deg", [](Setting, Rotor r) { return r.input.collective / radian; }, true},
     {"ct", [](Setting, Rotor r) { return r.figures.thrust_coefficient; }},
     {"cp", [](Setting, Rotor r) { return r.figures.power_coefficient; }},
     {"figure_of_merit", [](Setting, Rotor r) { return r.figures.figure_of_merit; }},
@@ -51,13 +53,13 @@ const Column numbers[] = {
     {"force_aft_n", [](Setting, Rotor r) { return r.response.loads.force.x; }},
     {"force_advancing_n", [](Setting, Rotor r) { return r.response.loads.force.y; }},
     {"torque_nm", [](Setting, Rotor r) { return r.figures.torque; }},
-    {"rotor_rpm", [](Setting c, Rotor) { return c.setup.rotor_speed / rpm_unit; }},
-    {"speed_axial_mps", [](Setting, Rotor r) { return r.input.velocity.z; }},
-    {"speed_inplane_mps", [](Setting, Rotor r) { return 0.0 - r.input.velocity.x; }},
-    {"axial_ratio", [](Setting, Rotor r) { return r.figures.axial_ratio; }},
-    {"advance_ratio", [](Setting, Rotor r) { return r.figures.advance_ratio; }},
-    {"iterations", [](Setting, Rotor r) { return static_cast<double>(r.iterations); }},
-    {"residual", [](Setting, Rotor r) { return r.residual; }},
+    {"rotor_rpm", [](Setting c, Rotor) { return c.setup.rotor_speed / rpm_unit; }, true},
+    {"speed_axial_mps", [](Setting, Rotor r) { return r.input.velocity.z; }, true},
+    {"speed_inplane_mps", [](Setting, Rotor r) { return 0.0 - r.input.velocity.x; }, true},
+    {"axial_ratio", [](Setting, Rotor r) { return r.figures.axial_ratio; }, true},
+    {"advance_ratio", [](Setting, Rotor r) { return r.figures.advance_ratio; }, true},
+    {"iterations", [](Setting, Rotor r) { return static_cast<double>(r.iterations); }, true},
+    {"residual", [](Setting, Rotor r) { return r.residual; }, true},
 };
 
 std::vector<std::string> column_names() {
@@ -118,7 +120,9 @@ int run(const Arguments& arguments) {
     IsolatedRotor<double> rotor;
     const Status status = isolated_rotor(configuration, all[i].flow, work, rotor);
     Row row;
-    for (const Column& column : numbers) row.emplace_back(column.value(configuration, rotor));
+    for (const Column& column : numbers) {
+      row.emplace_back(status == Status::ok || column.always ? column.value(configuration, rotor) : nothing);
+    }
     row.emplace_back(status_word(status));
     records.add(row);
     if (status != Status::ok) {

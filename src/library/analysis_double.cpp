@@ -1,12 +1,8 @@
-#define TILTROTOR_DEFINES_ANALYSIS
+#define TILTROTOR_DEFINES_INSTANCES
 #include "tiltrotor/analysis/instances.hpp"
 
 namespace tiltrotor {
 
-TILTROTOR_ANALYSIS(, double, DefaultDifferentiation)
-template void evaluate(const Configuration<double>&, const State<double>&, const Controls<double>&,
-                       Evaluation<double>&, double);
-template void derivative(const Configuration<double>&, const State<double>&, const Controls<double>&, State<double>&,
-                         double);
+TILTROTOR_INSTANCES(, double)
 
 }  // namespace tiltrotor

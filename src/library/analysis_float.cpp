@@ -1,8 +1,8 @@
-#define TILTROTOR_DEFINES_ANALYSIS
+#define TILTROTOR_DEFINES_INSTANCES
 #include "tiltrotor/analysis/instances.hpp"
 
 namespace tiltrotor {
 
-TILTROTOR_ANALYSIS(, float, DefaultDifferentiation)
+TILTROTOR_INSTANCES(, float)
 
 }  // namespace tiltrotor

@@ -21,44 +21,64 @@ constexpr double kSpeed = 40;         // m/s
 constexpr double kStep = 0.005;       // s
 constexpr double kDuration = 3;       // s
 constexpr double kRecordEvery = 0.05; // s
-constexpr double kFlaps[] = {40, 0};  // deg
 
-std::string flap_name(double flap_deg) { return flap_deg > 0 ? "40/25" : "0/0"; }
+struct Case {
+  const char* name;
+  double flap_deg;
+  bool tail_wash;  // the rotors' wash at the horizontal tail
+};
+constexpr Case kCases[] = {
+    {"flap 40/25", 40, true}, {"flap 0/0", 0, true}, {"flap 40/25, no rotor wash at the tail", 40, false}};
+constexpr Line kCaseLine[] = {Line::solid, Line::dashed, Line::dotted};
+constexpr Marker kCaseMarker[] = {Marker::circle, Marker::square, Marker::triangle};
 
-struct Records {
-  Table motion{{"flap", "time_s", "u_mps", "w_mps", "climb_mps", "ground_speed_mps", "q_degps", "pitch_deg"}};
-  Table modes{{"flap", "time_s", "axis", "mode", "real", "imag", "frequency_rad_s", "damping_ratio"}};
+// The aircraft with its table of rotor wash at the tail, whose sideslip factor multiplies all of it, set to zero.
+struct WithoutTailWash {
+  Aircraft<double> aircraft = aircraft_data<double>();
+  std::vector<double> zeros;
+  WithoutTailWash() {
+    auto& factor = aircraft.htail.rotor_wash_beta;
+    constexpr int numbers_per_knot = 2;  // value and slope
+    zeros.assign(static_cast<std::size_t>(numbers_per_knot * factor.smooth[0].count * factor.linear[0].count), 0.0);
+    factor.node = zeros.data();
+  }
 };
 
-void record_motion(const std::string& flap, const Simulation<double>& s, Table& table) {
+struct Records {
+  Table motion{{"case", "time_s", "u_mps", "w_mps", "climb_mps", "ground_speed_mps", "q_degps", "pitch_deg"}};
+  Table modes{{"case", "time_s", "axis", "mode", "real", "imag", "frequency_rad_s", "damping_ratio"}};
+};
+
+void record_motion(const std::string& name, const Simulation<double>& s, Table& table) {
   const State<double>& x = s.state;
   // Climb and ground speed of symmetric flight through still air.
   const double sp = std::sin(x.pitch);
   const double cp = std::cos(x.pitch);
   const double forward = x.velocity.x * cp + x.velocity.z * sp;
   const double climb = x.velocity.x * sp - x.velocity.z * cp;
-  table.add({flap, current_time(s), x.velocity.x, x.velocity.z, climb, forward, degrees(x.rates.y), degrees(x.pitch)});
+  table.add({name, current_time(s), x.velocity.x, x.velocity.z, climb, forward, degrees(x.rates.y), degrees(x.pitch)});
 }
 
-void record_modes(const std::string& flap, const Configured& c, const Simulation<double>& s, Modes& modes, bool follows,
+void record_modes(const std::string& name, const Configured& c, const Simulation<double>& s, Modes& modes, bool follows,
                   Table& table) {
   auto now = std::make_unique<Modes>(modes_of(linear_model(c, s.state, current_controls(s), kInceptors)));
   if (follows) continue_names(modes, *now);
   for (int k = 0; k < now->count; ++k) {
     const Mode<double>& m = now->mode[k];
     if (!is_body_mode(m)) continue;
-    table.add({flap, current_time(s), std::string(axis_word(m.axis)), std::string(m.name), m.real, m.imag, m.frequency,
+    table.add({name, current_time(s), std::string(axis_word(m.axis)), std::string(m.name), m.real, m.imag, m.frequency,
                m.damping_ratio});
   }
   modes = *now;
 }
 
-void fly(double flap_deg, Records& records) {
+void fly(const Case& which, Records& records) {
   Setup setup = default_setup(0);
-  setup.flap_deg = flap_deg;
-  const Configured c = configured(setup);
+  setup.flap_deg = which.flap_deg;
+  const auto changed = std::make_unique<WithoutTailWash>();
+  const Configured c = configured(setup, which.tail_wash ? aircraft_data<double>() : changed->aircraft);
   const Trimmed trim = trimmed_persistently(c, kSpeed);
-  if (!is_trimmed(trim.status)) throw std::runtime_error("no trim at 40 m/s, mast 0, flap " + flap_name(flap_deg));
+  if (!is_trimmed(trim.status)) throw std::runtime_error("no trim at 40 m/s, mast 0, " + std::string(which.name));
 
   Simulation<double> flight;
   const auto work = std::make_unique<SimulationWorkspace<double>>();
@@ -70,8 +90,8 @@ void fly(double flap_deg, Records& records) {
   const int record_steps = static_cast<int>(kRecordEvery / kStep + 0.5);
   const int second = static_cast<int>(1 / kStep + 0.5);
   for (int k = 0; k <= steps && status == Status::ok; ++k) {
-    if (k % record_steps == 0) record_motion(flap_name(flap_deg), flight, records.motion);
-    if (k % second == 0) record_modes(flap_name(flap_deg), c, flight, *modes, k > 0, records.modes);
+    if (k % record_steps == 0) record_motion(which.name, flight, records.motion);
+    if (k % second == 0) record_modes(which.name, c, flight, *modes, k > 0, records.modes);
     if (k < steps) status = advance(c, *work, flight);
   }
   if (status != Status::ok) throw std::runtime_error(std::string("response to collective: ") + status_text(status));
@@ -84,12 +104,12 @@ Picture motion_picture(const char* id, const char* title, const char* axis, cons
   plot.x.label = "Time after +1 deg collective, s";
   plot.y.label = axis;
   plot.axes_height = 200;
-  for (int i = 0; i < 2; ++i) {
-    const Table rows = motion.where("flap", flap_name(kFlaps[i]));
+  for (std::size_t i = 0; i < std::size(kCases); ++i) {
+    const Table rows = motion.where("case", std::string(kCases[i].name));
     Series s;
-    s.name = "flap " + flap_name(kFlaps[i]);
+    s.name = kCases[i].name;
     s.color = kLineColor[i];
-    s.line = i == 0 ? Line::solid : Line::dashed;
+    s.line = kCaseLine[i];
     s.x = rows.numbers("time_s");
     s.y = rows.numbers(column);
     plot.series.push_back(s);
@@ -102,8 +122,8 @@ struct Root {
   double real = -1e9, imag = 0;
   std::string mode;
 };
-Root least_stable(const Table& modes, const std::string& flap, const char* axis, double time) {
-  const Table rows = modes.where("flap", flap).where("axis", std::string(axis)).where("time_s", time);
+Root least_stable(const Table& modes, const std::string& name, const char* axis, double time) {
+  const Table rows = modes.where("case", name).where("axis", std::string(axis)).where("time_s", time);
   Root worst;
   for (std::size_t i = 0; i < rows.rows(); ++i) {
     if (rows.number(i, "real") > worst.real) {
@@ -115,40 +135,37 @@ Root least_stable(const Table& modes, const std::string& flap, const char* axis,
 
 std::vector<Finding> statements(const Records& records) {
   std::vector<Finding> findings;
-  for (const double flap_deg : kFlaps) {
-    const std::string flap = flap_name(flap_deg);
-    const Table rows = records.motion.where("flap", flap);
+  for (const Case& which : kCases) {
+    const Table rows = records.motion.where("case", std::string(which.name));
     const std::size_t last = rows.rows() - 1;
     const double climb = rows.number(last, "climb_mps");
     const double slower = rows.number(last, "ground_speed_mps") - rows.number(0, "ground_speed_mps");
     const double nose = rows.number(last, "pitch_deg") - rows.number(0, "pitch_deg");
     const int held = (climb > 0) + (slower < 0) + (nose > 0);
-    std::string found = "Flap " + flap + ", after 3 s: climb " + with_sign(climb, 2) + " m/s, speed " +
+    std::string found = capitalized(which.name) + ", after 3 s: climb " + with_sign(climb, 2) + " m/s, speed " +
                         with_sign(slower, 2) + " m/s, pitch " + with_sign(nose, 2) + " deg.";
     if (held < 3) {
       found +=
           " Cause: more collective strengthens the rotor wash; the wash tables at the horizontal tail turn that into "
-          "upwash, and the tail pushes the nose down harder than the disks tilt back. With flaps up, or without that wash, "
-          "the nose rises. The paper does not state its flap setting.";
+          "upwash, and the tail pushes the nose down harder than the disks tilt back. The third case, without that wash, "
+          "shows it. The paper does not state its flap setting.";
     }
     findings.push_back({held == 3 ? Finding::holds : Finding::partly,
                         "After +1 deg collective at 40 m/s the aircraft climbs, slows and pitches up.", found});
   }
-  for (const double flap_deg : kFlaps) {
-    const std::string flap = flap_name(flap_deg);
-    std::string found = "Flap " + flap + ":";
+  for (const Case& which : kCases) {
+    std::string found = capitalized(which.name) + ":";
     int held = 0;
     for (const char* axis : {"longitudinal", "lateral"}) {
-      const Root before = least_stable(records.modes, flap, axis, 0);
-      const Root after = least_stable(records.modes, flap, axis, kDuration);
+      const Root before = least_stable(records.modes, which.name, axis, 0);
+      const Root after = least_stable(records.modes, which.name, axis, kDuration);
       held += after.real > before.real;
       found += std::string(" ") + axis + " " + root_text(before.real, before.imag) + " becomes " +
                root_text(after.real, after.imag) + ";";
     }
     found.back() = '.';
     if (held < 2) {
-      found += " Cause: with flaps up the aircraft slows and pitches up, which takes it towards a better damped flight "
-               "condition.";
+      found += " Here the aircraft slows and pitches up, towards a state in which the slow oscillation is better damped.";
     }
     findings.push_back({held == 2 ? Finding::holds : held == 1 ? Finding::partly : Finding::differs,
                         "The slow modes are less stable 3 s after the step than before it.", found});
@@ -164,16 +181,16 @@ Picture root_picture(const char* axis, const Table& modes) {
   plot.y.label = "Imaginary part, rad/s";
   plot.x.zero_line = true;
   plot.y.low = 0;
-  for (int i = 0; i < 2; ++i) {
-    const Table rows = modes.where("flap", flap_name(kFlaps[i])).where("axis", std::string(axis));
+  for (std::size_t i = 0; i < std::size(kCases); ++i) {
+    const Table rows = modes.where("case", std::string(kCases[i].name)).where("axis", std::string(axis));
     bool named = false;
     for (const std::string& mode : rows.different("mode")) {
       const Table branch = rows.where("mode", mode);
       Series s;
-      if (!named) s.name = "flap " + flap_name(kFlaps[i]);
+      if (!named) s.name = kCases[i].name;
       named = true;
       s.color = kLineColor[i];
-      s.marker = i == 0 ? Marker::circle : Marker::square;
+      s.marker = kCaseMarker[i];
       s.filled = i == 0;
       s.marker_size = 3;
       s.x = branch.numbers("real");
@@ -198,7 +215,7 @@ Section collective_response() {
       "Helicopter mode, level flight, then one degree more collective and nothing else; nonlinear model, Runge-Kutta, 5 ms. "
       "The roots are those of the linear model at the state reached, which is no equilibrium.";
   Records records;
-  for (const double flap_deg : kFlaps) fly(flap_deg, records);
+  for (const Case& which : kCases) fly(which, records);
   const Table& motion = records.motion;
   section.pictures = {
       motion_picture("response_climb", "Climb rate", "Climb, m/s", "climb_mps", motion),

@@ -26,9 +26,11 @@ constexpr int kFewIterations = 16;  // enough wherever there is a trim
 
 Setup default_setup(double mast_deg) { return flight_setup(aircraft_data<double>(), mast_deg); }
 
-Configured configured(const Setup& setup) {
+Configured configured(const Setup& setup) { return configured(setup, aircraft_data<double>()); }
+
+Configured configured(const Setup& setup, const Aircraft<double>& aircraft) {
   Configured c;
-  const Status status = prepare(aircraft_data<double>(), setup, c);
+  const Status status = prepare(aircraft, setup, c);
   if (status != Status::ok) throw std::runtime_error(std::string("flight setup: ") + status_text(status));
   return c;
 }

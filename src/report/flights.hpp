@@ -20,6 +20,7 @@ using Trimmed = TrimResult<double>;
 // The default setup at a mast angle, prepared; `change` may edit it first. Throws when it is out of range.
 Configured configured(double mast_deg);
 Configured configured(const Setup& setup);
+Configured configured(const Setup& setup, const Aircraft<double>& aircraft);  // which must outlive the result
 
 Setup default_setup(double mast_deg);
 

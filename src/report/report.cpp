@@ -94,6 +94,13 @@ int run_report(const std::string& folder) {
         [&] { return mode_map(sweeps); },
         collective_response,
         jacobian_timing,
+        conversion_corridor,
+        mast_locus,
+        [&] { return power_required(sweeps); },
+        [&] { return load_sharing(sweeps); },
+        isolated_rotor_tests,
+        [&] { return control_response(sweeps); },
+        frequency_responses,
         data_flow,
     };
     cli::Progress progress("report", parts.size() + std::size(kSweepMasts));

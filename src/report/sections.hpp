@@ -21,7 +21,7 @@ Section mast_locus();                              // roots against mast angle a
 Section power_required(const Sweeps& sweeps);
 Section load_sharing(const Sweeps& sweeps);
 Section isolated_rotor_tests();
-Section control_response();                        // control power and sensitivity
+Section control_response(const Sweeps& sweeps);   // sensitivity, control power, damping
 Section frequency_responses();
 
 }  // namespace tiltrotor::report

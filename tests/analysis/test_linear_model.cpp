@@ -119,7 +119,9 @@ TEST(linearize_automatic_and_numerical_agree) {
                                   exact.controls, [&](int j) { return differences.b(i, j); },
                                   [&](int j) { return exact.b(i, j); }));
     }
-    CHECK_LT(worst, 1e-6);
+    // The C1 tables bend abruptly at their knots: a difference across one is off by its step, 6e-6, times the
+    // bend.
+    CHECK_LT(worst, 2e-6);
     NOTE("central differences within " << worst);
   }
 }
@@ -182,7 +184,8 @@ TEST(linearize_leaves_the_model_untouched) {
   CHECK_EQ(std::memcmp(&first.b, &second.b, sizeof first.b), 0);
 }
 
-// Direct increments of blade angles act as the gearing does: a column in inches is a combination of columns in radians.
+// Direct increments of blade angles act as the gearing does: a column in inches is a combination of columns
+// in radians.
 TEST(linearize_inceptors_are_combinations_of_blade_angles) {
   static LinearModel<double> inches, angles;
   const Configuration<double> c = configuration(30);
@@ -194,7 +197,8 @@ TEST(linearize_inceptors_are_combinations_of_blade_angles) {
   for (int i = 0; i < inches.states; ++i) {
     const double stick = gain[0] * angles.b(i, 1) + gain[1] * angles.b(i, 4);
     CHECK_NEAR(inches.b(i, 1), stick, 1e-12 * (1 + std::abs(stick)));
-    const double lateral = -c.gearing.lateral_collective * angles.b(i, 2) + c.gearing.aileron * angles.b(i, 5);
+    const double lateral =
+        -c.gearing.lateral_collective * angles.b(i, 2) + c.gearing.aileron * angles.b(i, 5);
     CHECK_NEAR(inches.b(i, 2), lateral, 1e-12 * (1 + std::abs(lateral)));
   }
 }
@@ -222,8 +226,8 @@ TEST(split_decouples_in_symmetric_flight) {
   CHECK_LT(1e-2, halves.coupling);
 }
 
-// The quasi-steady model has the same steady response to constant inputs: -A_qs^-1 B_qs equals the rigid part of
-// -A^-1 B (both are the equilibrium).
+// The quasi-steady model has the same steady response to constant inputs: -A_qs^-1 B_qs equals the rigid part
+// of -A^-1 B (both are the equilibrium).
 TEST(residualised_model_keeps_the_steady_response) {
   static LinearModel<double> full, reduced;
   static ResidualisationWorkspace<double> work;

@@ -5,7 +5,8 @@
 
 using namespace analysis_case;
 
-// Both policies solve the same equations to the same tolerance: same trim, the same Newton steps give or take one.
+// Both policies solve the same equations to the same tolerance: same trim, the same Newton steps give or take
+// one.
 TEST(trim_automatic_and_numerical_agree) {
   static TrimWorkspace<double, AutoDiff> automatic;
   static TrimWorkspace<double, NumDiff> numerical;
@@ -38,7 +39,8 @@ TEST(analysis_in_single_precision) {
   for (double mast : {0.0, 30.0, 60.0, 90.0}) {
     const float speed = mast < 90 ? 40.0f + static_cast<float>(mast) / 2 : 100.0f;
     Configuration<float> c;
-    CHECK(prepare(aircraft_data<float>(), flight_setup(aircraft_data<float>(), static_cast<float>(mast)), c) == Status::ok);
+    CHECK(prepare(aircraft_data<float>(), flight_setup(aircraft_data<float>(), static_cast<float>(mast)),
+                  c) == Status::ok);
     TrimResult<float> r;
     CHECK(trim(c, SteadyFlight<float>{speed, 0, 0, 0}, work, r) == TrimStatus::ok);
     CHECK_LE(r.iterations, 12);

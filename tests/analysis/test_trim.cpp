@@ -1,5 +1,5 @@
-// Trim: against a second implementation, against Newton's laws written down independently in earth axes, and where no
-// trim exists.
+// Trim: against a second implementation, against Newton's laws written down independently in earth axes, and
+// where no trim exists.
 #include <algorithm>
 #include <cstring>
 #include <limits>
@@ -55,7 +55,8 @@ TEST(trim_reference_grid) {
     worst_iterations = std::max(worst_iterations, r.iterations);
   }
   NOTE("worst: angles " << worst_angle << " rad, stick " << worst_inch << " in, inflow " << worst_inflow
-                        << ", thrust and power " << worst_ratio << " relative; iterations " << worst_iterations);
+                        << ", thrust and power " << worst_ratio << " relative; iterations "
+                        << worst_iterations);
 }
 
 // Every flight condition of the published GTRS and flight-test trim figures: one cold start each.
@@ -63,10 +64,11 @@ TEST(trim_published_conditions_from_cold_start) {
   struct Condition {
     double mast_deg, speed;
   };
-  const Condition conditions[] = {
-      {0, 0.5},   {0, 20.9},  {0, 31.0},  {0, 51.4},  {30, 41.0}, {30, 61.7}, {60, 51.5}, {60, 72.3},  {60, 82.3}, {90, 72.0},
-      {90, 92.5}, {90, 102.9}, {90, 123.5}, {0, 20.8}, {0, 43.27}, {90, 83.5}, {90, 102.4}, {0, 0},     {0, 20},    {0, 30},
-      {0, 50},    {30, 42},   {30, 62},   {60, 52},   {60, 72},   {60, 82},   {90, 75},   {90, 100},   {90, 120},  {90, 140}};
+  const Condition conditions[] = {{0, 0.5},    {0, 20.9},  {0, 31.0},  {0, 51.4},  {30, 41.0},  {30, 61.7},
+                                  {60, 51.5},  {60, 72.3}, {60, 82.3}, {90, 72.0}, {90, 92.5},  {90, 102.9},
+                                  {90, 123.5}, {0, 20.8},  {0, 43.27}, {90, 83.5}, {90, 102.4}, {0, 0},
+                                  {0, 20},     {0, 30},    {0, 50},    {30, 42},   {30, 62},    {60, 52},
+                                  {60, 72},    {60, 82},   {90, 75},   {90, 100},  {90, 120},   {90, 140}};
   int worst = 0;
   for (const Condition& k : conditions) {
     const TrimResult<double> r = trimmed(configuration(k.mast_deg), level(k.speed));
@@ -92,15 +94,16 @@ Vector to_earth(const Vec3<double>& b, double roll, double pitch) {
 
 }  // namespace
 
-// Newton's second law in earth axes: a steady turn accelerates by turn rate x velocity; component forces and weight
-// must supply it. Nothing of the body-axes equations is used.
+// Newton's second law in earth axes: a steady turn accelerates by turn rate x velocity; component forces and
+// weight must supply it. Nothing of the body-axes equations is used.
 TEST(trim_fulfils_newtons_law_in_earth_axes) {
   struct Case {
     double mast_deg, speed, climb_deg, turn_deg, sideslip_deg;
   };
-  const Case cases[] = {{0, 0, 0, 20, 0},    {0, 20, -10, 0, 0},  {0, 40, 5, 8, 4},     {0, 40, 0, 10, 0},  {0, 30, 0, 0, -10},
-                        {30, 50, 8, -6, 3},  {30, 40, 30, 0, 0},  {60, 60, -8, 10, 0},  {60, 60, 5, 8, 4},  {60, 80, 0, -15, 0},
-                        {90, 80, 20, 0, 5},  {90, 100, 5, 10, 0}, {90, 120, -8, 10, -2}, {90, 140, 0, -5, 1}};
+  const Case cases[] = {{0, 0, 0, 20, 0},      {0, 20, -10, 0, 0},  {0, 40, 5, 8, 4},   {0, 40, 0, 10, 0},
+                        {0, 30, 0, 0, -10},    {30, 50, 8, -6, 3},  {30, 40, 30, 0, 0}, {60, 60, -8, 10, 0},
+                        {60, 60, 5, 8, 4},     {60, 80, 0, -15, 0}, {90, 80, 20, 0, 5}, {90, 100, 5, 10, 0},
+                        {90, 120, -8, 10, -2}, {90, 140, 0, -5, 1}};
   for (const Case& k : cases) {
     const Configuration<double> c = configuration(k.mast_deg);
     const SteadyFlight<double> flight{k.speed, k.climb_deg * kDeg, k.turn_deg * kDeg, k.sideslip_deg * kDeg};
@@ -142,7 +145,8 @@ TEST(trim_fulfils_newtons_law_in_earth_axes) {
   }
 }
 
-// Textbook: a level turn without sideslip banks by about atan(V rate / g) and loads by sqrt(1 + (V rate / g)^2).
+// Textbook: a level turn without sideslip banks by about atan(V rate / g) and loads by sqrt(1 + (V rate /
+// g)^2).
 TEST(trim_coordinated_turn_load_factor) {
   const double speed = 80, rate = 10 * kDeg;
   const TrimResult<double> r = trimmed(configuration(90), {speed, 0, rate, 0});
@@ -256,7 +260,8 @@ std::string explanation(const TrimResult<double>& r) {
 bool contains(const std::string& text, const char* part) { return text.find(part) != std::string::npos; }
 }  // namespace
 
-// Lower ends of the conversion corridor and the end of helicopter mode: model.md 17.5, computed with another program.
+// Lower ends of the conversion corridor and the end of helicopter mode: model.md 17.5, computed with another
+// program.
 TEST(trim_tells_why_there_is_none) {
   const TrimResult<double> stalled = trimmed(configuration(30), level(24));
   CHECK(stalled.status == TrimStatus::wing_stall);

@@ -1,4 +1,4 @@
-// Gearing: the printed tables of CR-166536 (8a-I to 8a-IV, section 11 of the specification), signs, superposition.
+// Gearing: the printed tables of NASA CR-166536 (8a-I to 8a-IV), signs, superposition.
 #include <utility>
 
 #include "flight_cases.hpp"

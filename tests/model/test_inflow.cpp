@@ -30,7 +30,7 @@ TEST(inflow_gain_matrix_by_inversion_and_rotation) {
     const double kappa = n % 2 == 0 ? 1 : random.between(0.9, 1.2);
     const double cosine = std::cos(direction);
     const double sine = std::sin(direction);
-    // Rows and columns (0, downstream, across): model.md 4.3.
+    // Rows and columns (0, downstream, across) of Pitt and Peters.
     const double wind[3][3] = {{kappa / 2, -kGain * x, 0}, {kGain * x, 2 * (1 - x * x), 0}, {0, 0, 2 * (1 + x * x)}};
     const double turn[3][3] = {{1, 0, 0}, {0, cosine, sine}, {0, -sine, cosine}};  // hub -> wind
     std::array<std::array<double, 3>, 3> hub{};

@@ -19,7 +19,7 @@ MassProperties<double> at(double mast, double sl_cg0_in = 301.2, InertiaSet set 
 
 }  // namespace
 
-// Numbers of the specification for SL 300, WL 81.65 at mast 0 (in, two decimals).
+// Hand-evaluated numbers for SL 300, WL 81.65 at mast 0 (in, two decimals).
 TEST(mass_properties_printed_stations) {
   struct Row {
     double mast, sl, wl;

@@ -1,8 +1,8 @@
 // Differentiation policies: one interface, two ways to a Jacobian.
 //
 // AutoDiff runs the function on dual numbers: exact to rounding, no step, a pass of N directions at a time.
-// NumDiff runs it on plain numbers: central differences. Both give the value f(x) as well, by the same operations,
-// bit for bit.
+// NumDiff runs it on plain numbers: central differences. Both give the value f(x) as well, by the same
+// operations, bit for bit.
 //
 // The function is a generic callable `f(const T* x, T* y)`; it is called with T = Policy::Scalar<R, N> or R.
 #pragma once
@@ -60,9 +60,9 @@ struct NumDiff {
     R above[MaxOutputs];
   };
 
-  // Central differences. Step of input j: cbrt(eps) scale[j], which balances the truncation error (h^2) against
-  // rounding (eps / h) for a function that bends over a distance scale[j]; it is then rounded so that x + h and x - h
-  // are machine numbers and their distance is exact. Cost: 2 n + 1 evaluations of f.
+  // Central differences. Step of input j: cbrt(eps) scale[j], which balances the truncation error (h^2)
+  // against rounding (eps / h) for a function that bends over a distance scale[j]; it is then rounded so that
+  // x + h and x - h are machine numbers and their distance is exact. Cost: 2 n + 1 evaluations of f.
   template <class R, int N, int MaxInputs, int MaxOutputs, class Function, class Put>
   static void jacobian(Function&& f, int n, int m, const R* x, const R* scale, R* y,
                        Workspace<R, N, MaxInputs, MaxOutputs>& work, Put&& put) {
@@ -83,7 +83,8 @@ struct NumDiff {
   }
 };
 
-// Which policy the analyses use unless told otherwise: 1 makes the comparison build with numerical differences.
+// Which policy the analyses use unless told otherwise: 1 makes the comparison build with numerical
+// differences.
 #ifndef TILTROTOR_NUMERICAL_DIFFERENCES
 #define TILTROTOR_NUMERICAL_DIFFERENCES 0
 #endif
@@ -93,11 +94,17 @@ using DefaultDifferentiation = NumDiff;
 using DefaultDifferentiation = AutoDiff;
 #endif
 
-// Directions of one pass through the complete model: all states and the usual controls at once.
-inline constexpr int kModelDirections = 32;
+// Directions of one pass through the complete model: 32 take all states and the usual controls at once. Fewer
+// (8 or 16) need less stack and more passes, with the same result: for small targets.
+#ifndef TILTROTOR_MODEL_DIRECTIONS
+#define TILTROTOR_MODEL_DIRECTIONS 32
+#endif
+inline constexpr int kModelDirections = TILTROTOR_MODEL_DIRECTIONS;
+static_assert(kModelDirections >= 1, "at least one direction in a pass");
 
-// Distance over which the model bends noticeably in a state or control: the length of a numerical step is this times
-// cbrt(eps), 6e-6 in double. Speeds 10 m/s, angles and body rates 1, flapping rates 10 rad/s, inflow 0.1, inches 1.
+// Distance over which the model bends noticeably in a state or control: the length of a numerical step is
+// this times cbrt(eps), 6e-6 in double. Speeds 10 m/s, angles and body rates 1, flapping rates 10 rad/s,
+// inflow 0.1, inches 1.
 template <class R>
 constexpr R state_scale(int index) {
   if (index <= ix_w) return R(10);
@@ -116,7 +123,7 @@ constexpr R control_scale(int index) {
 // State, control and rate of one evaluation of the model on scalar T, with the flat arrays to fill them from.
 template <class T>
 struct ModelRoom {
-  T x[state_count];      // in the order of State::each; overwritten by the rates
+  T x[state_count];  // in the order of State::each; overwritten by the rates
   T u[control_count];
   State<T> state;
   State<T> rates;

@@ -8,7 +8,8 @@
 
 namespace tiltrotor {
 
-// 8 rigid-body states, 7 a rotor, downwash, 4 of coning. Heading and position are left out: nothing depends on them.
+// 8 rigid-body states, 7 a rotor, downwash, 4 of coning. Heading and position are left out: nothing depends
+// on them.
 inline constexpr int kMaxLinearStates = 27;
 inline constexpr int kMaxLinearControls = control_count;
 inline constexpr int kRigidStates = 8;
@@ -22,13 +23,14 @@ struct ControlSet {
 inline constexpr ControlSet kInceptors = {4, {iu_collective, iu_long_stick, iu_lat_stick, iu_pedal}};
 // Blade angles and surfaces, one by one.
 inline constexpr ControlSet kBladeControls = {7,
-                                              {iu_collective, iu_long_cyclic, iu_diff_collective, iu_diff_long_cyclic,
-                                               iu_elevator, iu_aileron, iu_rudder}};
+                                              {iu_collective, iu_long_cyclic, iu_diff_collective,
+                                               iu_diff_long_cyclic, iu_elevator, iu_aileron, iu_rudder}};
 // Every input of the model, lateral cyclic and gusts included.
-inline constexpr ControlSet kAllControls = {control_count,
-                                            {iu_collective, iu_long_stick, iu_lat_stick, iu_pedal, iu_long_cyclic,
-                                             iu_diff_collective, iu_diff_long_cyclic, iu_elevator, iu_aileron, iu_rudder,
-                                             iu_lateral_cyclic, iu_gust, iu_gust + 1, iu_gust + 2}};
+inline constexpr ControlSet kAllControls = {
+    control_count,
+    {iu_collective, iu_long_stick, iu_lat_stick, iu_pedal, iu_long_cyclic, iu_diff_collective,
+     iu_diff_long_cyclic, iu_elevator, iu_aileron, iu_rudder, iu_lateral_cyclic, iu_gust, iu_gust + 1,
+     iu_gust + 2}};
 
 // xdot - rates = A (x' - x) + B (u' - u). Units as in kStateNames and kControlNames.
 template <class R>
@@ -39,7 +41,7 @@ struct LinearModel {
   int control[kMaxLinearControls];  // column j of B belongs to kControlNames[control[j]]
   R x[kMaxLinearStates];            // the point
   R u[kMaxLinearControls];
-  R rates[kMaxLinearStates];        // f at the point; zero when it is trimmed and straight
+  R rates[kMaxLinearStates];  // f at the point; zero when it is trimmed and straight
   Matrix<R, kMaxLinearStates, kMaxLinearStates> a;
   Matrix<R, kMaxLinearStates, kMaxLinearControls> b;
 
@@ -61,7 +63,8 @@ struct LinearizationWorkspace {
   R scale[kInputs];
 };
 
-// The states of a linear model in their order: u w q theta | v p phi r | right rotor | left rotor | downwash | coning.
+// The states of a linear model in their order: u w q theta | v p phi r | right rotor | left rotor | downwash
+// | coning.
 template <class R>
 void linear_states(const Options& options, LinearModel<R>& model) {
   const int rigid[kRigidStates] = {ix_u, ix_w, ix_q, ix_pitch, ix_v, ix_p, ix_roll, ix_r};
@@ -90,15 +93,17 @@ void clear(LinearModel<R>& model) {
 }
 
 // A and B at (x, u). The arguments are not changed; the model keeps no memory.
-// Status: ok; not_finite (a number in the state, the controls, A or B is not finite: A, B and rates are then what was
-// found); bad_argument (`columns` names a control twice over the capacity or out of range, or c is not prepared: the
-// model is empty). `azimuth`: rad, for individual blades alone.
-// Cost: AutoDiff one pass of 32 directions for up to 32 states and controls, two beyond; NumDiff two evaluations each.
+// Status: ok; not_finite (a number in the state, the controls, A or B is not finite: A, B and rates are then
+// what was found); bad_argument (`columns` names a control twice over the capacity or out of range, or c is
+// not prepared: the model is empty). `azimuth`: rad, for individual blades alone. Cost: AutoDiff one pass of
+// 32 directions for up to 32 states and controls, two beyond; NumDiff two evaluations each.
 template <class R, class Policy>
-Status linearize(const Configuration<R>& c, const State<R>& x, const Controls<R>& u, const ControlSet& columns,
-                 LinearizationWorkspace<R, Policy>& work, LinearModel<R>& model, R azimuth = R(0)) {
+Status linearize(const Configuration<R>& c, const State<R>& x, const Controls<R>& u,
+                 const ControlSet& columns, LinearizationWorkspace<R, Policy>& work, LinearModel<R>& model,
+                 R azimuth = R(0)) {
   clear(model);
-  if (c.aircraft == nullptr || columns.count < 0 || columns.count > kMaxLinearControls) return Status::bad_argument;
+  if (c.aircraft == nullptr || columns.count < 0 || columns.count > kMaxLinearControls)
+    return Status::bad_argument;
   for (int j = 0; j < columns.count; ++j)
     if (columns.index[j] < 0 || columns.index[j] >= control_count) return Status::bad_argument;
 
@@ -128,8 +133,9 @@ Status linearize(const Configuration<R>& c, const State<R>& x, const Controls<R>
     model_rates(c, azimuth, room);
     for (int i = 0; i < n; ++i) rates[i] = room.x[model.state[i]];
   };
-  Policy::jacobian(rates_of, n + m, n, work.input, work.scale, model.rates, work.differentiation,
-                   [&model, n](int i, int j, R slope) { (j < n ? model.a(i, j) : model.b(i, j - n)) = slope; });
+  Policy::jacobian(
+      rates_of, n + m, n, work.input, work.scale, model.rates, work.differentiation,
+      [&model, n](int i, int j, R slope) { (j < n ? model.a(i, j) : model.b(i, j - n)) = slope; });
   const bool finite = all_finite(model.a, n, n) && (m == 0 || all_finite(model.b, n, m));
   return finite ? Status::ok : Status::not_finite;
 }

@@ -9,24 +9,39 @@ namespace tiltrotor {
 enum class ModeAxis : unsigned char { longitudinal, lateral, rotor };
 
 enum class ModeKind : unsigned char {
-  phugoid, short_period, heave, pitch_subsidence,    // longitudinal
-  dutch_roll, roll, spiral, roll_spiral,             // lateral
-  downwash,                                          // lag of the wing's downwash at the tail
-  flap_progressing, flap_regressing, inflow_mean, inflow_cyclic, coning,  // rotors, symmetric or antisymmetric
+  phugoid,
+  short_period,
+  heave,
+  pitch_subsidence,  // longitudinal
+  dutch_roll,
+  roll,
+  spiral,
+  roll_spiral,  // lateral
+  downwash,     // lag of the wing's downwash at the tail
+  flap_progressing,
+  flap_regressing,
+  inflow_mean,
+  inflow_cyclic,
+  coning,  // rotors, symmetric or antisymmetric
   count
 };
 
 namespace mode_detail {
 inline constexpr const char* kAxisWords[] = {"longitudinal", "lateral", "rotor"};
 inline constexpr const char* kKindWords[] = {
-    "phugoid",  "short_period",     "heave",           "pitch_subsidence", "dutch_roll",    "roll",  "spiral", "roll_spiral",
-    "downwash", "flap_progressing", "flap_regressing", "inflow_mean",      "inflow_cyclic", "coning"};
+    "phugoid",       "short_period", "heave",    "pitch_subsidence", "dutch_roll",      "roll",
+    "spiral",        "roll_spiral",  "downwash", "flap_progressing", "flap_regressing", "inflow_mean",
+    "inflow_cyclic", "coning"};
 static_assert(sizeof(kKindWords) / sizeof(kKindWords[0]) == static_cast<unsigned>(ModeKind::count),
               "one word per kind");
 }  // namespace mode_detail
 
-constexpr const char* axis_word(ModeAxis axis) { return mode_detail::kAxisWords[static_cast<unsigned>(axis)]; }
-constexpr const char* kind_word(ModeKind kind) { return mode_detail::kKindWords[static_cast<unsigned>(kind)]; }
+constexpr const char* axis_word(ModeAxis axis) {
+  return mode_detail::kAxisWords[static_cast<unsigned>(axis)];
+}
+constexpr const char* kind_word(ModeKind kind) {
+  return mode_detail::kKindWords[static_cast<unsigned>(kind)];
+}
 constexpr bool is_rotor_kind(ModeKind kind) { return kind >= ModeKind::flap_progressing; }
 
 // What the name of a mode is made of. Two modes of one set never have the same.
@@ -77,16 +92,35 @@ namespace mode_detail {
 template <class R>
 void add_share(const SplitCoordinate& coordinate, R part, ModeShares<R>& shares) {
   switch (coordinate.state) {
-    case ix_u: shares.u += part; return;
-    case ix_w: shares.w += part; return;
-    case ix_q: shares.q += part; return;
-    case ix_pitch: shares.pitch += part; return;
-    case ix_v: shares.v += part; return;
-    case ix_p: shares.p += part; return;
-    case ix_roll: shares.roll += part; return;
-    case ix_r: shares.r += part; return;
-    case ix_downwash: shares.downwash += part; return;
-    default: break;
+    case ix_u:
+      shares.u += part;
+      return;
+    case ix_w:
+      shares.w += part;
+      return;
+    case ix_q:
+      shares.q += part;
+      return;
+    case ix_pitch:
+      shares.pitch += part;
+      return;
+    case ix_v:
+      shares.v += part;
+      return;
+    case ix_p:
+      shares.p += part;
+      return;
+    case ix_roll:
+      shares.roll += part;
+      return;
+    case ix_r:
+      shares.r += part;
+      return;
+    case ix_downwash:
+      shares.downwash += part;
+      return;
+    default:
+      break;
   }
   (coordinate.symmetry == Symmetry::mean ? shares.mean : shares.difference) += part;
   if (coordinate.state >= ix_coning_right) {

@@ -1,10 +1,13 @@
 // How modes get their names (implementation of modes.hpp).
 //
 // 1. Rigid-body modes: the roots with the largest share of rigid-body states, eight of them.
-// 2. Four of these are longitudinal, four lateral: the division with the largest longitudinal share in the one half and
+// 2. Four of these are longitudinal, four lateral: the division with the largest longitudinal share in the
+// one half and
 //    the largest lateral share in the other.
-// 3. Names inside each half by the pattern of pairs and real roots, and by participation where the pattern is open.
-// 4. Of the others: the root in which the downwash state takes part most is its lag; the rotors' roots by flapping,
+// 3. Names inside each half by the pattern of pairs and real roots, and by participation where the pattern is
+// open.
+// 4. Of the others: the root in which the downwash state takes part most is its lag; the rotors' roots by
+// flapping,
 //    mean or cyclic inflow, symmetric or antisymmetric.
 #pragma once
 
@@ -129,8 +132,9 @@ void by_kind_of_root(const ModeSet<R>& set, const Selection& from, Selection& pa
   for (int i = 0; i < from.count; ++i) (is_pair(set.mode[from.place[i]]) ? pairs : reals).add(from.place[i]);
 }
 
-// Two pairs: short period (fast) and phugoid. One pair: the phugoid, with heave and pitch subsidence, unless speed and
-// attitude hardly take part in it; then the short period. Real roots left over are aperiodic phugoids.
+// Two pairs: short period (fast) and phugoid. One pair: the phugoid, with heave and pitch subsidence, unless
+// speed and attitude hardly take part in it; then the short period. Real roots left over are aperiodic
+// phugoids.
 template <class R>
 void name_longitudinal(ModeSet<R>& set, const Selection& modes) {
   const ModeAxis axis = ModeAxis::longitudinal;
@@ -157,8 +161,8 @@ void name_longitudinal(ModeSet<R>& set, const Selection& modes) {
   while (reals.count > 0) name_mode(set, take_largest(set, reals, fast), axis, ModeKind::phugoid);
 }
 
-// One pair: Dutch roll, with roll (the real root with most roll rate) and spiral. Two pairs: the slower is the coupled
-// roll and spiral. No pair: the real roots left over are an aperiodic Dutch roll.
+// One pair: Dutch roll, with roll (the real root with most roll rate) and spiral. Two pairs: the slower is
+// the coupled roll and spiral. No pair: the real roots left over are an aperiodic Dutch roll.
 template <class R>
 void name_lateral(ModeSet<R>& set, const Selection& modes) {
   const ModeAxis axis = ModeAxis::lateral;
@@ -168,7 +172,8 @@ void name_lateral(ModeSet<R>& set, const Selection& modes) {
   name_mode(set, take_largest(set, pairs, fast), axis, ModeKind::dutch_roll);
   while (pairs.count > 0) name_mode(set, take_largest(set, pairs, fast), axis, ModeKind::roll_spiral);
   name_mode(set, take_largest(set, reals, [](const Mode<R>& m) { return m.shares.p; }), axis, ModeKind::roll);
-  name_mode(set, take_largest(set, reals, [](const Mode<R>& m) { return -m.frequency; }), axis, ModeKind::spiral);
+  name_mode(set, take_largest(set, reals, [](const Mode<R>& m) { return -m.frequency; }), axis,
+            ModeKind::spiral);
   while (reals.count > 0) name_mode(set, take_largest(set, reals, fast), axis, ModeKind::dutch_roll);
 }
 
@@ -187,7 +192,8 @@ void name_rotor(ModeSet<R>& set, Selection& modes, bool downwash_state) {
   for (int k = 0; k < 2; ++k) {
     const Symmetry symmetry = k == 0 ? Symmetry::mean : Symmetry::difference;
     // The progressing flapping mode is the fastest oscillation that flaps.
-    const int progressing = take_largest(set, half[k], [](const Mode<R>& m) { return m.imag * m.shares.flap; });
+    const int progressing =
+        take_largest(set, half[k], [](const Mode<R>& m) { return m.imag * m.shares.flap; });
     name_mode(set, progressing, axis, ModeKind::flap_progressing, symmetry);
     const int mean = take_largest(set, half[k], [](const Mode<R>& m) { return m.shares.inflow_mean; });
     const bool is_coning = mean >= 0 && set.mode[mean].shares.coning > set.mode[mean].shares.inflow_mean;
@@ -252,7 +258,8 @@ Status modes(const LinearModel<R>& model, ModesWorkspace<R>& work, ModeSet<R>& s
   bool downwash_state = false;
   for (int i = 0; i < model.states; ++i) downwash_state = downwash_state || model.state[i] == ix_downwash;
   for (int k = 0; k < model.states; ++k) {
-    if (set.system.values.imag[k] >= R(0)) set.mode[set.count++] = d::describe_root(work.split, set.system, k);
+    if (set.system.values.imag[k] >= R(0))
+      set.mode[set.count++] = d::describe_root(work.split, set.system, k);
   }
   d::Selection rigid, others, longitudinal, lateral;
   d::divide(set, rigid, others, kRigidStates);
@@ -284,7 +291,8 @@ R overlap(const ModeSet<R>& a, int i, const ModeSet<R>& b, int j) {
 
 template <class R>
 Status follow(const ModeSet<R>& previous, ModeSet<R>& current) {
-  if (previous.states != current.states || previous.count < 1 || current.count < 1) return Status::bad_argument;
+  if (previous.states != current.states || previous.count < 1 || current.count < 1)
+    return Status::bad_argument;
   for (int i = 0; i < current.states; ++i) {
     if (previous.coordinate[i].state != current.coordinate[i].state) return Status::bad_argument;
   }
@@ -299,7 +307,8 @@ Status follow(const ModeSet<R>& previous, ModeSet<R>& current) {
     for (int i = 0; i < previous.count; ++i) {
       if (used[i]) continue;
       for (int j = 0; j < current.count; ++j) {
-        if (fixed[j] || mode_detail::is_pair(previous.mode[i]) != mode_detail::is_pair(current.mode[j])) continue;
+        if (fixed[j] || mode_detail::is_pair(previous.mode[i]) != mode_detail::is_pair(current.mode[j]))
+          continue;
         const R likeness = overlap(previous, i, current, j);
         if (likeness > best) {
           best = likeness;

@@ -1,7 +1,7 @@
 // Modes of a linear model: eigenvalues, eigenvectors, damping, and a name for each.
 //
-// Works on the full and on the residualised model, at trimmed and at any other states. A mode is a real eigenvalue or
-// a conjugate pair. follow() carries names along a sweep.
+// Works on the full and on the residualised model, at trimmed and at any other states. A mode is a real
+// eigenvalue or a conjugate pair. follow() carries names along a sweep.
 #pragma once
 
 #include "tiltrotor/analysis/mode_names.hpp"
@@ -11,16 +11,16 @@ namespace tiltrotor {
 
 template <class R>
 struct Mode {
-  R real, imag;        // eigenvalue, 1/s; imag >= 0, a pair is one mode
-  R frequency;         // |eigenvalue|, rad/s
-  R damping_ratio;     // -real / frequency; 1 or -1 for real roots, 0 for a root at zero
-  R time_to_half;      // s; negative: time to double; infinite for real = 0
+  R real, imag;     // eigenvalue, 1/s; imag >= 0, a pair is one mode
+  R frequency;      // |eigenvalue|, rad/s
+  R damping_ratio;  // -real / frequency; 1 or -1 for real roots, 0 for a root at zero
+  R time_to_half;   // s; negative: time to double; infinite for real = 0
   ModeAxis axis;
   ModeLabel label;
   char name[kModeNameLength];
   ModeShares<R> shares;
-  R condition;         // of the eigenvalue, math/eigen.hpp
-  int eigenvalue;      // its place in ModeSet::system
+  R condition;     // of the eigenvalue, math/eigen.hpp
+  int eigenvalue;  // its place in ModeSet::system
 };
 
 // Ordered: longitudinal, lateral, rotor; slow modes first. Coordinates as in SplitModel.
@@ -44,14 +44,15 @@ struct ModesWorkspace {
 template <class R>
 Status modes(const LinearModel<R>& model, ModesWorkspace<R>& work, ModeSet<R>& set);
 
-// Give the modes of `current` the names of those modes of `previous` that they continue: same kind of root (real or
-// pair) and eigenvectors that overlap. Modes without a forerunner keep the name they have, with another ordinal when
-// it is taken. Both sets must belong to models with the same states; otherwise bad_argument and nothing changes.
+// Give the modes of `current` the names of those modes of `previous` that they continue: same kind of root
+// (real or pair) and eigenvectors that overlap. Modes without a forerunner keep the name they have, with
+// another ordinal when it is taken. Both sets must belong to models with the same states; otherwise
+// bad_argument and nothing changes.
 template <class R>
 Status follow(const ModeSet<R>& previous, ModeSet<R>& current);
 
-// How far mode j of `b` continues mode i of `a`: 1 for the same mode, 0 for one that has nothing in common with it.
-// Does not depend on the units of the states: |w_a^H v_b| |w_b^H v_a| / (|w_a^H v_a| |w_b^H v_b|).
+// How far mode j of `b` continues mode i of `a`: 1 for the same mode, 0 for one that has nothing in common
+// with it. Does not depend on the units of the states: |w_a^H v_b| |w_b^H v_a| / (|w_a^H v_a| |w_b^H v_b|).
 template <class R>
 R overlap(const ModeSet<R>& a, int i, const ModeSet<R>& b, int j);
 

@@ -1,4 +1,5 @@
-// Smaller and clearer linear models: residualised rotors, and symmetric and antisymmetric halves (model.md 13.3, 13.4).
+// Smaller and clearer linear models: residualised rotors, and symmetric and antisymmetric halves
+// (model.md 13.3, 13.4).
 #pragma once
 
 #include "tiltrotor/analysis/linear_model.hpp"
@@ -10,10 +11,10 @@ inline constexpr int kMaxFastStates = kMaxLinearStates - kRigidStates;
 
 template <class R>
 struct ResidualisationWorkspace {
-  Matrix<R, kMaxFastStates, kMaxFastStates> fast;                            // A_ff
+  Matrix<R, kMaxFastStates, kMaxFastStates> fast;  // A_ff
   LU<R, kMaxFastStates> lu;
-  Matrix<R, kMaxFastStates, kRigidStates + kMaxLinearControls> drive;        // [A_fr B_f]
-  Matrix<R, kMaxFastStates, kRigidStates + kMaxLinearControls> response;     // A_ff^-1 [A_fr B_f]
+  Matrix<R, kMaxFastStates, kRigidStates + kMaxLinearControls> drive;     // [A_fr B_f]
+  Matrix<R, kMaxFastStates, kRigidStates + kMaxLinearControls> response;  // A_ff^-1 [A_fr B_f]
 };
 
 // The 8 rigid-body states with every other state in its quasi-steady balance:
@@ -63,14 +64,19 @@ Status residualise(const LinearModel<R>& full, ResidualisationWorkspace<R>& work
 }
 
 // What a coordinate of the split model is.
-enum class Symmetry : unsigned char { none, mean, difference };  // a state itself; (right + left)/2; (right - left)/2
+enum class Symmetry : unsigned char {
+  none,
+  mean,
+  difference
+};  // a state itself; (right + left)/2; (right - left)/2
 
 struct SplitCoordinate {
-  int state;          // place in kStateNames; the right rotor's for mean and difference
+  int state;  // place in kStateNames; the right rotor's for mean and difference
   Symmetry symmetry;
 };
 
-// The linear model in coordinates s = (right + left)/2, a = (right - left)/2 of the rotors, longitudinal ones first:
+// The linear model in coordinates s = (right + left)/2, a = (right - left)/2 of the rotors, longitudinal ones
+// first:
 //   u w q theta, means, downwash | v p phi r, differences.
 // In symmetric flight the blocks decouple exactly.
 template <class R>
@@ -88,13 +94,16 @@ struct SplitModel {
 namespace reduction_detail {
 
 constexpr bool is_right(int state) {
-  return (state >= ix_rotor_right && state < ix_rotor_left) || state == ix_coning_right || state == ix_coning_right + 1;
+  return (state >= ix_rotor_right && state < ix_rotor_left) || state == ix_coning_right ||
+         state == ix_coning_right + 1;
 }
 constexpr bool is_left(int state) {
-  return (state >= ix_rotor_left && state < ix_downwash) || state == ix_coning_left || state == ix_coning_left + 1;
+  return (state >= ix_rotor_left && state < ix_downwash) || state == ix_coning_left ||
+         state == ix_coning_left + 1;
 }
 constexpr int partner(int state) {
-  return state < ix_downwash ? state + (ix_rotor_left - ix_rotor_right) : state + (ix_coning_left - ix_coning_right);
+  return state < ix_downwash ? state + (ix_rotor_left - ix_rotor_right)
+                             : state + (ix_coning_left - ix_coning_right);
 }
 constexpr bool is_lateral(int state) {
   return state == ix_v || state == ix_p || state == ix_roll || state == ix_r;

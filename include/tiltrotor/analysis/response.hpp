@@ -5,9 +5,9 @@
 //   add_input(flight, {InputShape::step, iu_collective, one_degree, 0.0, 0.0});
 //   for (...) if (advance(c, work, flight) != Status::ok) ... flight.fault_state, flight.fault_time
 //
-// Simulation is plain: a snapshot is a copy, and a replay is exact. Heading, and position when it is a state, are
-// integrated with the rest. A and B at any moment: linearize(c, flight.state, current_controls(flight), ...,
-// current_azimuth(c, flight)).
+// Simulation is plain: a snapshot is a copy, and a replay is exact. Heading, and position when it is a state,
+// are integrated with the rest. A and B at any moment: linearize(c, flight.state, current_controls(flight),
+// ..., current_azimuth(c, flight)).
 #pragma once
 
 #include <type_traits>
@@ -19,7 +19,8 @@
 namespace tiltrotor {
 
 // rk4: explicit, four derivatives a step; stable to about 20 ms (the progressing flapping mode).
-// rodas3: Rosenbrock, L-stable, three derivatives and one Jacobian a step; for longer steps and stiff settings.
+// rodas3: Rosenbrock, L-stable, three derivatives and one Jacobian a step; for longer steps and stiff
+// settings.
 enum class Integrator : unsigned char { rk4, rodas3 };
 
 inline constexpr int kMaxInputs = 8;
@@ -27,15 +28,15 @@ inline constexpr int kMaxInputs = 8;
 template <class R>
 struct Simulation {
   State<R> state;
-  Controls<R> controls;               // what the inputs add to; may be changed between steps
+  Controls<R> controls;  // what the inputs add to; may be changed between steps
   InputSignal<R> input[kMaxInputs];
   int inputs;
   Integrator integrator;
   R dt;
-  unsigned steps;                     // done so far; time = steps dt
-  Status status;                      // of the last step; a failed flight stays where it was
-  int fault_state;                    // place in kStateNames of the state that failed, or -1
-  R fault_time;                       // s, end of the step that failed
+  unsigned steps;   // done so far; time = steps dt
+  Status status;    // of the last step; a failed flight stays where it was
+  int fault_state;  // place in kStateNames of the state that failed, or -1
+  R fault_time;     // s, end of the step that failed
 };
 
 template <class R, class Policy = DefaultDifferentiation>
@@ -49,11 +50,11 @@ struct SimulationWorkspace {
     RosenbrockWorkspace<R, state_count> rosenbrock;
   } method;
   ActiveStates active;
-  R x[state_count];       // active states
+  R x[state_count];  // active states
   R rates[state_count];
   R ahead[state_count], behind[state_count];
   R scale[state_count];
-  R whole[state_count];   // every state, for those that stand still
+  R whole[state_count];  // every state, for those that stand still
 };
 
 template <class R>
@@ -119,15 +120,16 @@ namespace response_detail {
 // Beyond these a flight has diverged: the tables end long before. In the order of State::each.
 template <class R>
 constexpr R state_bound(int index) {
-  if (index <= ix_w) return R(300);                              // m/s
-  if (index <= ix_r) return R(20);                               // rad/s
-  if (index == ix_roll) return R(1000);                          // rolls may add up
-  if (index == ix_pitch) return R(89.5) * kRadian<R>;            // Euler angles end there
+  if (index <= ix_w) return R(300);                    // m/s
+  if (index <= ix_r) return R(20);                     // rad/s
+  if (index == ix_roll) return R(1000);                // rolls may add up
+  if (index == ix_pitch) return R(89.5) * kRadian<R>;  // Euler angles end there
   if (index == ix_yaw || index >= ix_position) return std::numeric_limits<R>::max();
   if (index == ix_downwash) return R(2);
-  const bool rate = index > ix_downwash ? (index - ix_coning_right) % 2 == 1
-                                        : (index - ix_rotor_right) % 7 == 2 || (index - ix_rotor_right) % 7 == 3;
-  return rate ? R(200) : R(2);                                   // flapping rad and rad/s, inflow
+  const bool rate = index > ix_downwash
+                        ? (index - ix_coning_right) % 2 == 1
+                        : (index - ix_rotor_right) % 7 == 2 || (index - ix_rotor_right) % 7 == 3;
+  return rate ? R(200) : R(2);  // flapping rad and rad/s, inflow
 }
 
 // Right side of the active states at constant controls.
@@ -169,8 +171,9 @@ Status rodas3(const RightSide<R, Policy>& f, R time, R dt) {
   const int n = work.active.count;
   const R azimuth = c.setup.rotor_speed * time;
   for (int k = 0; k < n; ++k) work.scale[k] = state_scale<R>(work.active.index[k]);
-  Policy::jacobian([&f, azimuth](const auto* x, auto* rates) { f.rates(x, rates, azimuth); }, n, n, work.x, work.scale,
-                   work.rates, work.differentiation, [&work](int i, int j, R slope) { work.jacobian(i, j) = slope; });
+  Policy::jacobian([&f, azimuth](const auto* x, auto* rates) { f.rates(x, rates, azimuth); }, n, n, work.x,
+                   work.scale, work.rates, work.differentiation,
+                   [&work](int i, int j, R slope) { work.jacobian(i, j) = slope; });
   if (c.setup.options.azimuth == AzimuthMode::averaged)
     return rodas3_step(f, work.jacobian, time, dt, work.x, n, work.method.rosenbrock);
 
@@ -178,17 +181,19 @@ Status rodas3(const RightSide<R, Policy>& f, R time, R dt) {
   const R step = std::cbrt(std::numeric_limits<R>::epsilon());
   f.rates(static_cast<const R*>(work.x), work.ahead, azimuth + step);
   f.rates(static_cast<const R*>(work.x), work.behind, azimuth - step);
-  for (int k = 0; k < n; ++k) work.ahead[k] = c.setup.rotor_speed * (work.ahead[k] - work.behind[k]) / (R(2) * step);
-  return rodas3_step(f, work.jacobian, static_cast<const R*>(work.ahead), time, dt, work.x, n, work.method.rosenbrock);
+  for (int k = 0; k < n; ++k)
+    work.ahead[k] = c.setup.rotor_speed * (work.ahead[k] - work.behind[k]) / (R(2) * step);
+  return rodas3_step(f, work.jacobian, static_cast<const R*>(work.ahead), time, dt, work.x, n,
+                     work.method.rosenbrock);
 }
 
 }  // namespace response_detail
 
-// One step of dt. The controls are held during a step at their value in its middle: an input takes effect on the step
-// boundary nearest to its time.
-// Status: ok; not_finite or out_of_range (the flight has diverged: fault_state and fault_time tell which state and
-// when, the state stays that of the last good step); singular (rodas3). A failed simulation does not move again.
-// Cost: four derivatives (rk4); three derivatives and a Jacobian (rodas3).
+// One step of dt. The controls are held during a step at their value in its middle: an input takes effect on
+// the step boundary nearest to its time. Status: ok; not_finite or out_of_range (the flight has diverged:
+// fault_state and fault_time tell which state and when, the state stays that of the last good step); singular
+// (rodas3). A failed simulation does not move again. Cost: four derivatives (rk4); three derivatives and a
+// Jacobian (rodas3).
 template <class R, class Policy>
 Status advance(const Configuration<R>& c, SimulationWorkspace<R, Policy>& work, Simulation<R>& s) {
   if (s.status != Status::ok) return s.status;

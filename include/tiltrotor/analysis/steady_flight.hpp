@@ -30,8 +30,9 @@ SteadyFlightField first_invalid(const SteadyFlight<R>& flight) {
 
 // Body velocity of steady flight at a roll and pitch angle.
 //
-// In axes level with the ground and turned with the heading the velocity is V (cos g cos k, cos g sin k, -sin g), with
-// g the climb angle and k the track minus the heading. Its component along the body's y axis shall be V sin beta:
+// In axes level with the ground and turned with the heading the velocity is V (cos g cos k, cos g sin k, -sin
+// g), with g the climb angle and k the track minus the heading. Its component along the body's y axis shall
+// be V sin beta:
 //
 //   A cos k + B sin k = C,   A = sin(roll) sin(pitch),  B = cos(roll),
 //                            C = (sin beta + sin g sin(roll) cos(pitch)) / cos g
@@ -41,8 +42,8 @@ SteadyFlightField first_invalid(const SteadyFlight<R>& flight) {
 //
 //   sin k = (B C - A Q) / D^2,   cos k = (B Q + A C) / D^2.
 //
-// Nothing is divided by V: in hover the formulas hold and the velocity is zero. No attitude beyond Q = 0 has that
-// sideslip: the result is NaN there.
+// Nothing is divided by V: in hover the formulas hold and the velocity is zero. No attitude beyond Q = 0 has
+// that sideslip: the result is NaN there.
 template <class T>
 Vec3<T> steady_velocity(const SteadyFlight<Real<T>>& flight, const T& roll, const T& pitch) {
   using R = Real<T>;

@@ -1,4 +1,5 @@
-// Trim: state and controls of a steady flight, by damped Newton iteration on the complete model (model.md 12).
+// Trim: state and controls of a steady flight, by damped Newton iteration on the complete model (model.md
+// 12).
 //
 //   Configuration<double> c;  prepare(aircraft, flight_setup(aircraft, 30.0), c);
 //   SteadyFlight<double> flight{};  flight.speed = 50;
@@ -6,9 +7,9 @@
 //   TrimResult<double> result;
 //   if (trim(c, flight, work, result) == TrimStatus::ok) ... result.state, result.controls
 //
-// Unknowns are always the full set: roll, pitch, collective, sticks and pedal, the gimbal tilt and inflow of both
-// rotors, the lagged downwash and the coning angles when they are states. Symmetric flight is the special case in
-// which half of them agree.
+// Unknowns are always the full set: roll, pitch, collective, sticks and pedal, the gimbal tilt and inflow of
+// both rotors, the lagged downwash and the coning angles when they are states. Symmetric flight is the
+// special case in which half of them agree.
 #pragma once
 
 #include <type_traits>
@@ -23,25 +24,25 @@ namespace tiltrotor {
 template <class R>
 struct TrimResult {
   TrimStatus status;
-  int iterations;              // Newton steps in all, first attempt and continuation
-  int attempts;                // 1: the cold start converged; more: continuation was used
-  R residual;                  // largest scaled residual: accelerations over g, angular accelerations over 1 rad/s^2
-  int residual_state;          // place in kStateNames of the state whose rate is left over
-  SteadyFlightField invalid;   // with out_of_range: the first bad input
+  int iterations;      // Newton steps in all, first attempt and continuation
+  int attempts;        // 1: the cold start converged; more: continuation was used
+  R residual;          // largest scaled residual: accelerations over g, angular accelerations over 1 rad/s^2
+  int residual_state;  // place in kStateNames of the state whose rate is left over
+  SteadyFlightField invalid;  // with out_of_range: the first bad input
 
-  State<R> state;              // yaw and position 0
-  Controls<R> controls;        // the four inceptors; increments and gust 0
-  BladeControls<R> blades;     // what blades and surfaces see
+  State<R> state;           // yaw and position 0
+  Controls<R> controls;     // the four inceptors; increments and gust 0
+  BladeControls<R> blades;  // what blades and surfaces see
 
-  R angle_of_attack;           // atan2(w, u), 0 in hover, rad
-  R wing_angle_of_attack;      // of the free wing with rotor-induced lift correction, rad
-  R sideslip;                  // asin(v / V), rad
-  R load_factor;               // lift of everything over weight, body axes: -Z / W
-  R collective_root;           // mean blade pitch at r = 0, rad
-  R thrust[2];                 // resultant force of the rotor on its hub, right and left, N
-  R power[2];                  // shaft power, right and left, W
-  R download_fraction;         // force of the rotor wakes on the wing against the thrust, over the rotors' force (at
-                               // least a tenth of the weight); 0 where the wing in the wake pulls forward
+  R angle_of_attack;       // atan2(w, u), 0 in hover, rad
+  R wing_angle_of_attack;  // of the free wing with rotor-induced lift correction, rad
+  R sideslip;              // asin(v / V), rad
+  R load_factor;           // lift of everything over weight, body axes: -Z / W
+  R collective_root;       // mean blade pitch at r = 0, rad
+  R thrust[2];             // resultant force of the rotor on its hub, right and left, N
+  R power[2];              // shaft power, right and left, W
+  R download_fraction;  // force of the rotor wakes on the wing against the thrust, over the rotors' force (at
+                        // least a tenth of the weight); 0 where the wing in the wake pulls forward
 
   TrimLimit limit;             // the first limit exceeded, or none
   R limit_value, limit_bound;  // rad or in
@@ -49,14 +50,16 @@ struct TrimResult {
 
 template <class R, class Policy = DefaultDifferentiation>
 struct TrimWorkspace {
-  using Seeded = typename Policy::template Scalar<R, kMaxTrimUnknowns>;
-  typename Policy::template Workspace<R, kMaxTrimUnknowns, kMaxTrimUnknowns, kMaxTrimUnknowns> differentiation;
+  static constexpr int kDirections =
+      kMaxTrimUnknowns < kModelDirections ? kMaxTrimUnknowns : kModelDirections;
+  using Seeded = typename Policy::template Scalar<R, kDirections>;
+  typename Policy::template Workspace<R, kDirections, kMaxTrimUnknowns, kMaxTrimUnknowns> differentiation;
   ModelRooms<R, Seeded> rooms;
   TrimEquations<R> equations;
   Matrix<R, kMaxTrimUnknowns, kMaxTrimUnknowns> jacobian;
   LU<R, kMaxTrimUnknowns> lu;
-  R z[kMaxTrimUnknowns];         // current unknowns
-  R first_z[kMaxTrimUnknowns];   // where the cold start ended
+  R z[kMaxTrimUnknowns];        // current unknowns
+  R first_z[kMaxTrimUnknowns];  // where the cold start ended
   R trial[kMaxTrimUnknowns];
   R step[kMaxTrimUnknowns];
   R residual[kMaxTrimUnknowns];
@@ -67,14 +70,15 @@ struct TrimWorkspace {
 inline constexpr int kMaxTrimIterations = 200;
 
 struct TrimOptions {
-  int max_iterations = 40;    // of one Newton attempt, 1..kMaxTrimIterations
-  bool continuation = true;   // when the cold start fails: approach from an easier flight
+  int max_iterations = 40;   // of one Newton attempt, 1..kMaxTrimIterations
+  bool continuation = true;  // when the cold start fails: approach from an easier flight
 };
 
-// Trim from a cold start. The result is defined whatever is returned; when is_trimmed(status) it fulfils the equations
-// of motion to the tolerance (1e-10 in double), otherwise it describes the best point of the first attempt.
-// not_converged: no trim found; result.residual_state tells which equation is left, result.limit which limit the last
-// point exceeds, often the reason. Cost: typically 3 to 9 Jacobians; at most about 450 with the default options.
+// Trim from a cold start. The result is defined whatever is returned; when is_trimmed(status) it fulfils the
+// equations of motion to the tolerance (1e-10 in double), otherwise it describes the best point of the first
+// attempt. not_converged: no trim found; result.residual_state tells which equation is left, result.limit
+// which limit the last point exceeds, often the reason. Cost: typically 3 to 9 Jacobians; at most about 450
+// with the default options.
 template <class R, class Policy>
 TrimStatus trim(const Configuration<R>& c, const SteadyFlight<R>& flight, TrimWorkspace<R, Policy>& work,
                 TrimResult<R>& result, const TrimOptions& options = {});
@@ -95,10 +99,11 @@ constexpr R tolerance() {
 }
 
 inline constexpr int kHalvings = 12;
-inline constexpr int kStageIterations = 12;  // Newton steps of one stage of a continuation, and of a start nearby
-inline constexpr int kFlightStages = 8;      // from level flight to the climb, turn and sideslip asked for
-inline constexpr int kSpeedSearch = 4;       // neighbouring speeds tried on each side, 5 m/s apart
-inline constexpr int kStagesPerSearch = 2;   // the way back in steps of 2.5 m/s
+inline constexpr int kStageIterations =
+    12;                                  // Newton steps of one stage of a continuation, and of a start nearby
+inline constexpr int kFlightStages = 8;  // from level flight to the climb, turn and sideslip asked for
+inline constexpr int kSpeedSearch = 4;   // neighbouring speeds tried on each side, 5 m/s apart
+inline constexpr int kStagesPerSearch = 2;  // the way back in steps of 2.5 m/s
 
 template <class R>
 struct NewtonOutcome {
@@ -144,8 +149,8 @@ void limit_step(const TrimEquations<R>& equations, R* step) {
 
 // Newton from work.z, which holds the best point found when it returns.
 template <class R, class Policy>
-NewtonOutcome<R> newton(const Configuration<R>& c, const SteadyFlight<R>& flight, TrimWorkspace<R, Policy>& work,
-                        int max_iterations, int& iterations) {
+NewtonOutcome<R> newton(const Configuration<R>& c, const SteadyFlight<R>& flight,
+                        TrimWorkspace<R, Policy>& work, int max_iterations, int& iterations) {
   const int n = work.equations.count;
   const auto residuals = [&](const auto* z, auto* residual) {
     using T = std::remove_reference_t<decltype(*residual)>;
@@ -287,9 +292,10 @@ void describe(const Configuration<R>& c, const SteadyFlight<R>& flight, TrimWork
   }
   const R thrust = result.thrust[right] + result.thrust[left];
   const R least_thrust = R(0.1) * c.mass.mass * kGravity<R>;
-  result.download_fraction = download > R(0) ? download / (thrust > least_thrust ? thrust : least_thrust) : R(0);
-  const LimitCheck<R> check =
-      check_limits(c, flight.speed, result.wing_angle_of_attack, result.state, result.controls, result.blades);
+  result.download_fraction =
+      download > R(0) ? download / (thrust > least_thrust ? thrust : least_thrust) : R(0);
+  const LimitCheck<R> check = check_limits(c, flight.speed, result.wing_angle_of_attack, result.state,
+                                           result.controls, result.blades);
   result.limit = check.limit;
   result.limit_value = check.value;
   result.limit_bound = check.bound;

@@ -1,5 +1,5 @@
-// The equations of trim: which unknowns there are, how large a Newton step may be in each, and the scaled residuals
-// (model.md 12.1, 12.4).
+// The equations of trim: which unknowns there are, how large a Newton step may be in each, and the scaled
+// residuals (model.md 12.1, 12.4).
 #pragma once
 
 #include "tiltrotor/analysis/differentiation.hpp"
@@ -10,16 +10,16 @@ namespace tiltrotor {
 // Roll, pitch, four inceptors, five states a rotor, downwash, two coning angles.
 inline constexpr int kMaxTrimUnknowns = 19;
 
-// One unknown and one equation. The unknown is a state or a control; the equation says that the rate of a state,
-// scaled, is zero.
+// One unknown and one equation. The unknown is a state or a control; the equation says that the rate of a
+// state, scaled, is zero.
 template <class R>
 struct TrimEquation {
-  int state;          // place of the unknown in State, or -1
-  int control;        // place of the unknown in Controls, or -1
-  R step_limit;       // largest Newton step; 0: none
-  R scale;            // of a numerical difference
-  int rate;           // the state whose rate shall vanish
-  R rate_scale;       // residual = rate * rate_scale
+  int state;     // place of the unknown in State, or -1
+  int control;   // place of the unknown in Controls, or -1
+  R step_limit;  // largest Newton step; 0: none
+  R scale;       // of a numerical difference
+  int rate;      // the state whose rate shall vanish
+  R rate_scale;  // residual = rate * rate_scale
 };
 
 template <class R>
@@ -37,8 +37,8 @@ template <class R>
 inline constexpr R kInflowStep = R(0.02);
 }  // namespace trim_limits_of_step
 
-// The unknowns that are alive under the configuration's options. Forces are scaled by g, moments by 1 rad/s^2,
-// flapping by Omega^2 (Omega when it is of first order), inflow by Omega, downwash by 1 rad/s.
+// The unknowns that are alive under the configuration's options. Forces are scaled by g, moments by 1
+// rad/s^2, flapping by Omega^2 (Omega when it is of first order), inflow by Omega, downwash by 1 rad/s.
 template <class R>
 void trim_equations(const Configuration<R>& c, TrimEquations<R>& equations) {
   const Options& o = c.setup.options;
@@ -73,7 +73,8 @@ void trim_equations(const Configuration<R>& c, TrimEquations<R>& equations) {
   }
 }
 
-// Residuals of the unknowns z, on plain numbers or duals. `controls`: values of the inputs that are not unknowns.
+// Residuals of the unknowns z, on plain numbers or duals. `controls`: values of the inputs that are not
+// unknowns.
 template <class T>
 void trim_residuals(const Configuration<Real<T>>& c, const SteadyFlight<Real<T>>& flight,
                     const TrimEquations<Real<T>>& equations, ModelRoom<T>& room, const T* z, T* residual) {
@@ -102,11 +103,12 @@ void trim_residuals(const Configuration<Real<T>>& c, const SteadyFlight<Real<T>>
   }
 }
 
-// First guess for any mast angle and speed (model.md 12.4), extended to turns and climbs: bank of a coordinated turn,
-// its load factor on the rotors, and the part of the climb that thrust along the path must carry.
+// First guess for any mast angle and speed (model.md 12.4), extended to turns and climbs: bank of a
+// coordinated turn, its load factor on the rotors, and the part of the climb that thrust along the path must
+// carry.
 template <class R>
-void trim_first_guess(const Configuration<R>& c, const SteadyFlight<R>& flight, const TrimEquations<R>& equations,
-                      R* z) {
+void trim_first_guess(const Configuration<R>& c, const SteadyFlight<R>& flight,
+                      const TrimEquations<R>& equations, R* z) {
   const R sm = sin(c.mast);
   const R cm = cos(c.mast);
   const R weight = c.mass.mass * kGravity<R>;
@@ -121,9 +123,11 @@ void trim_first_guess(const Configuration<R>& c, const SteadyFlight<R>& flight, 
   const R least_load = R(0.02);
   load = load < least_load ? least_load : load;
   const R radius = c.aircraft->rotor.radius;
-  const R ct = R(0.5) * weight * load / (c.air.density * kPi<R> * radius * radius * c.tip_speed * c.tip_speed);
+  const R ct =
+      R(0.5) * weight * load / (c.air.density * kPi<R> * radius * radius * c.tip_speed * c.tip_speed);
 
-  // Speed along the shaft: level flight sees it through the mast angle, climbing helicopters through the climb.
+  // Speed along the shaft: level flight sees it through the mast angle, climbing helicopters through the
+  // climb.
   const R mu = flight.speed * std::fabs(cos(c.mast + flight.climb * (R(1) - sm * sm))) / c.tip_speed;
   const R through = flight.speed * sin(c.mast + flight.climb * (R(1) - sm * sm)) / c.tip_speed;
   const R n_hover = R(0.07);

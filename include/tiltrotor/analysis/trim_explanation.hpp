@@ -7,8 +7,9 @@ namespace tiltrotor {
 
 namespace trim_detail {
 
-inline constexpr const char* kFieldWords[] = {"", "speed must be 0..150 m/s", "climb angle must be within 60 deg",
-                                              "turn rate must be within 60 deg/s", "sideslip must be within 60 deg"};
+inline constexpr const char* kFieldWords[] = {
+    "", "speed must be 0..150 m/s", "climb angle must be within 60 deg", "turn rate must be within 60 deg/s",
+    "sideslip must be within 60 deg"};
 
 // Appends to a buffer and always leaves it terminated; what does not fit is cut.
 class Sentence {
@@ -80,7 +81,8 @@ void write_limit(const TrimResult<R>& r, Sentence& sentence) {
 
 }  // namespace trim_detail
 
-// Writes at most capacity - 1 characters and a terminating zero; returns the length. 160 characters are enough.
+// Writes at most capacity - 1 characters and a terminating zero; returns the length. 160 characters are
+// enough.
 template <class R>
 int explain(const TrimResult<R>& r, char* text, int capacity) {
   trim_detail::Sentence sentence(text, capacity);
@@ -97,21 +99,23 @@ int explain(const TrimResult<R>& r, char* text, int capacity) {
     case TrimStatus::not_converged:
     case TrimStatus::singular:
       sentence << "no trim found in " << r.iterations << " Newton steps: scaled residual ";
-      sentence.scientific(static_cast<double>(r.residual)) << " left in the rate of "
-                                                           << kStateNames[r.residual_state].name;
+      sentence.scientific(static_cast<double>(r.residual))
+          << " left in the rate of " << kStateNames[r.residual_state].name;
       if (r.limit != TrimLimit::none) {
         sentence << "; at the last point ";
         trim_detail::write_limit(r, sentence);
       }
       break;
     case TrimStatus::not_finite:
-      sentence << "the rate of " << kStateNames[r.residual_state].name << " is not a number at the first guess";
+      sentence << "the rate of " << kStateNames[r.residual_state].name
+               << " is not a number at the first guess";
       break;
     case TrimStatus::out_of_range:
     case TrimStatus::count:
       sentence << "bad input: "
-               << (r.invalid == SteadyFlightField::none ? "configuration or options"
-                                                         : trim_detail::kFieldWords[static_cast<unsigned>(r.invalid)]);
+               << (r.invalid == SteadyFlightField::none
+                       ? "configuration or options"
+                       : trim_detail::kFieldWords[static_cast<unsigned>(r.invalid)]);
       break;
   }
   return sentence.length();

@@ -1,5 +1,5 @@
-// Limits of a trimmed flight: a solution of the equations is no flight when the wing has stalled or a control is
-// beyond its stop.
+// Limits of a trimmed flight: a solution of the equations is no flight when the wing has stalled or a control
+// is beyond its stop.
 #pragma once
 
 #include "tiltrotor/model/control_mixing.hpp"
@@ -7,27 +7,36 @@
 
 namespace tiltrotor {
 
-enum class [[nodiscard]] TrimStatus : unsigned char {
-  ok,
-  wing_stall,      // trimmed, but the wing is past its stall
-  control_limit,   // trimmed, but a control is beyond its stop
-  flap_limit,      // trimmed, but a gimbal is beyond its stop
-  not_converged,   // no trim found
-  singular,        // the Newton matrix was singular at the last step
-  not_finite,      // the model gave NaN or infinity at the first guess
-  out_of_range,    // a bad input
-  count
-};
+enum class [[nodiscard]] TrimStatus : unsigned char{
+    ok,
+    wing_stall,     // trimmed, but the wing is past its stall
+    control_limit,  // trimmed, but a control is beyond its stop
+    flap_limit,     // trimmed, but a gimbal is beyond its stop
+    not_converged,  // no trim found
+    singular,       // the Newton matrix was singular at the last step
+    not_finite,     // the model gave NaN or infinity at the first guess
+    out_of_range,   // a bad input
+    count};
 
 enum class TrimLimit : unsigned char {
-  none, wing_angle, long_stick, lat_stick, pedal, collective_floor, elevator, aileron, rudder, gimbal_right,
+  none,
+  wing_angle,
+  long_stick,
+  lat_stick,
+  pedal,
+  collective_floor,
+  elevator,
+  aileron,
+  rudder,
+  gimbal_right,
   gimbal_left,
   count
 };
 
 namespace trim_detail {
-inline constexpr const char* kStatusWords[] = {"ok",            "wing_stall", "control_limit", "flap_limit",
-                                               "not_converged", "singular",   "not_finite",    "out_of_range"};
+inline constexpr const char* kStatusWords[] = {"ok",         "wing_stall",    "control_limit",
+                                               "flap_limit", "not_converged", "singular",
+                                               "not_finite", "out_of_range"};
 static_assert(sizeof(kStatusWords) / sizeof(kStatusWords[0]) == static_cast<unsigned>(TrimStatus::count),
               "one word per status");
 struct LimitName {
@@ -35,9 +44,9 @@ struct LimitName {
   const char* unit;
 };
 inline constexpr LimitName kLimitNames[] = {
-    {"none", ""},           {"wing angle of attack", "deg"}, {"longitudinal stick", "in"}, {"lateral stick", "in"},
-    {"pedal", "in"},        {"collective", "deg"},           {"elevator", "deg"},          {"aileron", "deg"},
-    {"rudder", "deg"},      {"right gimbal tilt", "deg"},    {"left gimbal tilt", "deg"}};
+    {"none", ""},      {"wing angle of attack", "deg"}, {"longitudinal stick", "in"}, {"lateral stick", "in"},
+    {"pedal", "in"},   {"collective", "deg"},           {"elevator", "deg"},          {"aileron", "deg"},
+    {"rudder", "deg"}, {"right gimbal tilt", "deg"},    {"left gimbal tilt", "deg"}};
 static_assert(sizeof(kLimitNames) / sizeof(kLimitNames[0]) == static_cast<unsigned>(TrimLimit::count),
               "one name per limit");
 }  // namespace trim_detail
@@ -50,13 +59,13 @@ constexpr const char* trim_status_word(TrimStatus status) {
 }
 // Whether state and controls solve the equations of motion, inside the limits or not.
 constexpr bool is_trimmed(TrimStatus status) {
-  return status == TrimStatus::ok || status == TrimStatus::wing_stall || status == TrimStatus::control_limit ||
-         status == TrimStatus::flap_limit;
+  return status == TrimStatus::ok || status == TrimStatus::wing_stall ||
+         status == TrimStatus::control_limit || status == TrimStatus::flap_limit;
 }
 
-// The angle of attack beyond which the free wing stalls (model.md 12.4). It is a limit where the aircraft rests on the
-// wing: not in helicopter mode, where rotors carry it through a descent with the wing stalled, and not where a unit of
-// lift coefficient carries less than a fiftieth of the weight (10 m/s at sea level).
+// The angle of attack beyond which the free wing stalls (model.md 12.4). It is a limit where the aircraft
+// rests on the wing: not in helicopter mode, where rotors carry it through a descent with the wing stalled,
+// and not where a unit of lift coefficient carries less than a fiftieth of the weight (10 m/s at sea level).
 template <class R>
 inline constexpr R kWingStall = R(16) * kRadian<R>;
 template <class R>
@@ -73,8 +82,8 @@ struct LimitCheck {
 
 // The first limit exceeded, in the order: wing, controls, surfaces, gimbals.
 template <class R>
-LimitCheck<R> check_limits(const Configuration<R>& c, R speed, R wing_angle, const State<R>& x, const Controls<R>& u,
-                           const BladeControls<R>& blades) {
+LimitCheck<R> check_limits(const Configuration<R>& c, R speed, R wing_angle, const State<R>& x,
+                           const Controls<R>& u, const BladeControls<R>& blades) {
   const Aircraft<R>& aircraft = *c.aircraft;
   const ControlTables<R>& t = aircraft.controls;
   const R pressure_lift = R(0.5) * c.air.density * speed * speed * aircraft.wing.area;
@@ -90,7 +99,8 @@ LimitCheck<R> check_limits(const Configuration<R>& c, R speed, R wing_angle, con
   const TrimStatus control = TrimStatus::control_limit;
   if (outside(u.long_stick, t.long_travel))
     return exceeded(control, TrimLimit::long_stick, u.long_stick, t.long_travel);
-  if (outside(u.lat_stick, t.lat_travel)) return exceeded(control, TrimLimit::lat_stick, u.lat_stick, t.lat_travel);
+  if (outside(u.lat_stick, t.lat_travel))
+    return exceeded(control, TrimLimit::lat_stick, u.lat_stick, t.lat_travel);
   if (outside(u.pedal, t.pedal_travel)) return exceeded(control, TrimLimit::pedal, u.pedal, t.pedal_travel);
   if (u.collective < c.gearing.collective_floor)
     return {control, TrimLimit::collective_floor, u.collective, c.gearing.collective_floor};

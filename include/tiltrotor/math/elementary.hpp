@@ -3,7 +3,8 @@
 // Libraries differ in the last bits of these functions and in the time they take. Here each is one argument
 // reduction and one polynomial (Chebyshev-fitted for the reduced interval), evaluated in a fixed order, so that a
 // flight computed on a workstation and on a microcontroller agrees bit for bit when the compiler does not contract
-// products and sums. Errors against the exact functions stay below 2 units in the last place (tested).
+// products and sums. Errors against the exact functions stay below 2 units in the last place (2.5 for
+// float beyond one turn; tested).
 // Angles beyond kLargestAngle have lost their meaning to rounding and return NaN.
 #pragma once
 

@@ -119,7 +119,7 @@ void evaluate(const Configuration<Real<T>>& c, const State<T>& x, const Controls
   rates.position = body.position;
   for (int side = 0; side < 2; ++side) {
     detail::store_rotor_rates(rotor[side], rates.rotor[side]);
-    if (o.flap_angular_acceleration) {
+    if (o.flap_angular_acceleration && o.flapping == FlapOrder::second) {
       const Vec3<T> w = mirror_axial(c.hub[side].from_body.apply(body.rates), side);
       rates.rotor[side].b1c_rate += w.y;
       rates.rotor[side].b1s_rate -= w.x;

@@ -1,0 +1,26 @@
+// Modes of one linear model after another, names carried along.
+#pragma once
+
+#include <memory>
+
+#include "library/analyses.hpp"
+
+namespace tiltrotor::cli {
+
+class ModeTracker {
+ public:
+  // `connects`: the model continues the one before. Status as modes().
+  Status find(const LinearModel<double>& model, bool connects);
+  const ModeSet<double>& found() const { return room_->current; }
+  void lose_track() { has_previous_ = false; }
+
+ private:
+  struct Room {
+    ModesWorkspace<double> work;
+    ModeSet<double> previous, current;
+  };
+  bool has_previous_ = false;
+  std::unique_ptr<Room> room_ = std::make_unique<Room>();
+};
+
+}  // namespace tiltrotor::cli

@@ -1,0 +1,99 @@
+#include "cli/response_columns.hpp"
+
+#include <cmath>
+#include <limits>
+
+namespace tiltrotor::cli {
+
+namespace {
+
+constexpr double radian = kRadian<double>;
+
+constexpr int shown_modes = kRigidStates + 1;
+
+struct Moment {
+  const Simulation<double>& simulation;
+  const State<double>& x;
+  Controls<double> u;
+};
+using Now = const Moment&;
+
+struct Column {
+  const char* name;
+  double (*value)(Now);
+};
+
+double speed(Now m) { return std::sqrt(dot(m.x.velocity, m.x.velocity)); }
+
+// Along the heading, level with the ground.
+double forward_speed(Now m) {
+  const Vec3<double>& v = m.x.velocity;
+  const double lateral_plane = v.y * std::sin(m.x.roll) + v.z * std::cos(m.x.roll);
+  return v.x * std::cos(m.x.pitch) + lateral_plane * std::sin(m.x.pitch);
+}
+double climb_rate(Now m) {
+  const Vec3<double>& v = m.x.velocity;
+  const double lateral_plane = v.y * std::sin(m.x.roll) + v.z * std::cos(m.x.roll);
+  return v.x * std::sin(m.x.pitch) - lateral_plane * std::cos(m.x.pitch);
+}
+
+const Column columns[] = {
+    {"time_s", [](Now m) { return current_time(m.simulation); }},
+    {"u_mps", [](Now m) { return m.x.velocity.x; }},
+    {"v_mps", [](Now m) { return m.x.velocity.y; }},
+    {"w_mps", [](Now m) { return m.x.velocity.z; }},
+    {"p_degps", [](Now m) { return m.x.rates.x / radian; }},
+    {"q_degps", [](Now m) { return m.x.rates.y / radian; }},
+    {"r_degps", [](Now m) { return m.x.rates.z / radian; }},
+    {"roll_deg", [](Now m) { return m.x.roll / radian; }},
+    {"pitch_deg", [](Now m) { return m.x.pitch / radian; }},
+    {"yaw_deg", [](Now m) { return m.x.yaw / radian; }},
+    {"speed_mps", speed},
+    {"forward_speed_mps", forward_speed},
+    {"climb_rate_mps", climb_rate},
+    {"collective75_deg", [](Now m) { return m.u.collective / radian; }},
+    // Inches from neutral.
+    {"long_stick_from_neutral_in", [](Now m) { return m.u.long_stick; }},
+    {"lat_stick_in", [](Now m) { return m.u.lat_stick; }},
+    {"pedal_in", [](Now m) { return m.u.pedal; }},
+    {"b1c_right_deg", [](Now m) { return m.x.rotor[right].b1c / radian; }},
+    {"b1s_right_deg", [](Now m) { return m.x.rotor[right].b1s / radian; }},
+    {"n0_right", [](Now m) { return m.x.rotor[right].n0; }},
+    {"b1c_left_deg", [](Now m) { return m.x.rotor[left].b1c / radian; }},
+    {"b1s_left_deg", [](Now m) { return m.x.rotor[left].b1s / radian; }},
+    {"n0_left", [](Now m) { return m.x.rotor[left].n0; }},
+    {"downwash_deg", [](Now m) { return m.x.downwash / radian; }},
+};
+
+}  // namespace
+
+std::vector<std::string> response_columns(bool with_modes) {
+  std::vector<std::string> names;
+  for (const Column& column : columns) names.emplace_back(column.name);
+  for (int i = 1; with_modes && i <= shown_modes; ++i) {
+    const std::string name = "mode" + std::to_string(i);
+    names.insert(names.end(), {name, name + "_real", name + "_imag"});
+  }
+  return names;
+}
+
+Row response_row(const Simulation<double>& simulation) {
+  const Moment moment{simulation, simulation.state, current_controls(simulation)};
+  Row row;
+  for (const Column& column : columns) row.emplace_back(column.value(moment));
+  return row;
+}
+
+void append_modes(Row& row, const ModeSet<double>* set) {
+  constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+  int shown = 0;
+  for (int i = 0; set != nullptr && i < set->count && shown < shown_modes; ++i) {
+    const Mode<double>& mode = set->mode[i];
+    if (mode.axis == ModeAxis::rotor) continue;
+    row.insert(row.end(), {mode.name, mode.real, mode.imag});
+    ++shown;
+  }
+  for (; shown < shown_modes; ++shown) row.insert(row.end(), {"", nothing, nothing});
+}
+
+}  // namespace tiltrotor::cli

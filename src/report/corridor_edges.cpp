@@ -1,0 +1,104 @@
+#include "report/corridor_edges.hpp"
+
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include "report/reference_points.hpp"
+
+namespace tiltrotor::report {
+
+namespace {
+
+constexpr double kResolution = 0.1;  // m/s
+constexpr double kHighest = 150;     // m/s, of the tables
+
+struct Edge {
+  double speed_mps;    // NaN: none before the end of the range
+  std::string reason;  // what stops flight beyond it
+};
+
+// From a speed at which `flies` holds towards one at which it may not: in coarse steps to the first failure, then by
+// halving.
+template <class Flies>
+Edge edge_towards(const Configured& c, double from, double end, Flies&& flies) {
+  const double coarse = end > from ? 4 : -4;
+  double good = from;
+  Trimmed failed{};
+  double bad = std::numeric_limits<double>::quiet_NaN();
+  Trimmed last = trimmed_persistently(c, from);
+  while (good != end) {
+    const double next = std::fabs(end - good) > std::fabs(coarse) ? good + coarse : end;
+    Trimmed t = trimmed(c, next);
+    if (!is_trimmed(t.status)) t = trimmed_near(c, next, last);
+    if (!flies(t)) {
+      bad = next;
+      failed = t;
+      break;
+    }
+    good = next;
+    last = t;
+  }
+  if (!std::isfinite(bad)) return {bad, ""};
+  while (std::fabs(bad - good) > kResolution) {
+    const double middle = 0.5 * (good + bad);
+    const Trimmed t = trimmed_near(c, middle, last);
+    if (flies(t)) {
+      good = middle;
+      last = t;
+    } else {
+      bad = middle;
+      failed = t;
+    }
+  }
+  return {good, failed.status == TrimStatus::ok ? "power" : trim_status_word(failed.status)};
+}
+
+Edge stall_side(const Configured& c, double from) {
+  return edge_towards(c, from, 0, [](const Trimmed& t) { return t.status == TrimStatus::ok; });
+}
+
+Edge power_side(const Configured& c, double from) {
+  const double limit = kWatt * transmission_power(c);
+  return edge_towards(c, from, kHighest,
+                      [limit](const Trimmed& t) { return t.status == TrimStatus::ok && total_power_kw(t) <= limit; });
+}
+
+}  // namespace
+
+Table corridor_edges(double mast_step_deg) {
+  Table table({"mast_deg", "stall_mps", "stall_reason", "power_mps", "power_reason"});
+  for (double mast = 0; mast <= 90; mast += mast_step_deg) {
+    const Configured c = configured(mast);
+    const double middle = middle_speed(mast);
+    const Edge stall = stall_side(c, middle);
+    Edge power = power_side(c, middle);
+    const bool torque = c.setup.rotor_speed < c.aircraft->rotor.speed_helicopter;
+    if (power.reason == "power" && torque) power.reason = "torque";
+    table.add({mast, stall.speed_mps, stall.reason, power.speed_mps, power.reason});
+  }
+  return table;
+}
+
+Table compared_minimum_speeds() {
+  Table table({"mast_deg", "mass_lb", "here_mps", "reason", "design_mps", "difference_mps"});
+  table.comment("Design: NASA TM X-62407 (1975), fig. 5.4.1; both with flap 40/25 and 565 rpm at sea level.");
+  const Table rows = reference_points("conversion_corridor").where("boundary", std::string("design_minimum"));
+  constexpr double attitude_limited = 30;  // deg; below, the design's limit is an attitude, not stall
+  constexpr double pound = 0.45359237;     // kg
+  for (std::size_t i = 0; i < rows.rows(); ++i) {
+    const double mast = rows.number(i, "mast_deg");
+    if (mast < attitude_limited) continue;
+    Setup setup = default_setup(mast);
+    setup.flap_deg = 40;
+    setup.rotor_speed = 565 * kPi<double> / 30;
+    setup.mass = pound * rows.number(i, "mass_lb");
+    const Configured c = configured(setup);
+    const Edge edge = stall_side(c, middle_speed(mast));
+    const double design = rows.number(i, "speed_mps");
+    table.add({mast, rows.number(i, "mass_lb"), edge.speed_mps, edge.reason, design, edge.speed_mps - design});
+  }
+  return table;
+}
+
+}  // namespace tiltrotor::report

@@ -1,0 +1,15 @@
+// Edges of the conversion corridor, found by bisection.
+#pragma once
+
+#include "report/flights.hpp"
+#include "report/table.hpp"
+
+namespace tiltrotor::report {
+
+// mast_deg, stall_mps and stall_reason (empty when flight is possible down to hover), power_mps and power_reason.
+Table corridor_edges(double mast_step_deg);
+
+// The stall side in the conditions of the 1975 design (its flap, rotor speed and masses) against the published points.
+Table compared_minimum_speeds();
+
+}  // namespace tiltrotor::report

@@ -1,0 +1,159 @@
+// Power required in level flight at every mast angle.
+
+#include <algorithm>
+#include <cmath>
+
+#include "report/reference_points.hpp"
+#include "report/sections.hpp"
+#include "report/svg_plot.hpp"
+#include "report/wording.hpp"
+
+namespace tiltrotor::report {
+
+namespace {
+
+constexpr Marker kMarkers[] = {Marker::circle, Marker::plus, Marker::square, Marker::cross, Marker::triangle, Marker::diamond};
+
+Table power_table(const Sweeps& sweeps) {
+  Table table({"mast_deg", "speed_mps", "power_kw"});
+  for (const SpeedSweep& sweep : sweeps) {
+    for (const LevelFlight& f : sweep.flights) table.add({sweep.mast_deg, f.speed_mps, total_power_kw(f.trim)});
+  }
+  return table;
+}
+
+// This program in the conditions of the prediction: flap 40/25 and 565 rpm at every mast angle.
+Table compared_with_prediction() {
+  constexpr double flap_deg = 40;
+  constexpr double rotor_speed = 565 * kPi<double> / 30;
+  Table table({"mast_deg", "speed_mps", "here_kw", "prediction_kw", "difference_pct"});
+  table.comment("Prediction: NASA TM X-62407 (1975), fig. 5.4.2; both with flap 40/25, 565 rpm, 13000 lb.");
+  const Table set = reference_points("power_required");
+  for (std::size_t i = 0; i < set.rows(); ++i) {
+    Setup setup = default_setup(set.number(i, "mast_deg"));
+    setup.flap_deg = flap_deg;
+    setup.rotor_speed = rotor_speed;
+    const double speed = set.number(i, "speed_mps");
+    const Trimmed t = trimmed_persistently(configured(setup), speed);
+    const double there = set.number(i, "power_kw");
+    const double here = is_trimmed(t.status) ? total_power_kw(t) : double(NAN);
+    table.add({setup.mast_deg, speed, here, there, 100 * (here / there - 1)});
+  }
+  return table;
+}
+
+Picture power_picture(const Table& table) {
+  Plot plot;
+  plot.id = "power_required";
+  plot.title = "Power required, flaps as scheduled";
+  plot.x.label = "Speed, m/s";
+  plot.y.label = "Power of both rotors, kW";
+  plot.x.low = 0;
+  plot.y.low = 0;
+  int color = 0;
+  for (const std::string& mast : table.different("mast_deg")) {
+    const Table rows = table.where("mast_deg", mast);
+    Series s;
+    s.name = "mast " + mast;
+    s.color = kLineColor[color++ % kLineColors];
+    s.x = rows.numbers("speed_mps");
+    s.y = rows.numbers("power_kw");
+    plot.series.push_back(s);
+  }
+  return {plot.id, svg(plot)};
+}
+
+Picture prediction_picture(const Table& compared) {
+  Plot plot;
+  plot.id = "power_prediction";
+  plot.title = "Power with flap 40/25, 565 rpm, against the 1975 prediction";
+  plot.x.label = "Speed, m/s";
+  plot.y.label = "Power of both rotors, kW";
+  plot.x.low = 0;
+  plot.y.low = 0;
+  std::size_t i = 0;
+  for (const std::string& mast : compared.different("mast_deg")) {
+    const Table rows = compared.where("mast_deg", mast);
+    Series here;
+    here.name = "mast " + mast;
+    here.color = kLineColor[i];
+    here.x = rows.numbers("speed_mps");
+    here.y = rows.numbers("here_kw");
+    Series there = here;
+    there.name = "1975, mast " + mast;
+    there.line = Line::none;
+    there.marker = kMarkers[i];
+    there.y = rows.numbers("prediction_kw");
+    plot.series.push_back(here);
+    plot.series.push_back(there);
+    ++i;
+  }
+  return {plot.id, svg(plot)};
+}
+
+// The speed at which the torque of the transmission is used up.
+double torque_limited_speed(double mast_deg, double rotor_rpm) {
+  Setup setup = default_setup(mast_deg);
+  setup.rotor_speed = rotor_rpm * kPi<double> / 30;
+  const Configured c = configured(setup);
+  double low = middle_speed(mast_deg);
+  double high = 150;
+  constexpr double resolution = 0.05;  // m/s
+  while (high - low > resolution) {
+    const double middle = 0.5 * (low + high);
+    const Trimmed t = trimmed(c, middle);
+    const bool has_torque = is_trimmed(t.status) && total_power_kw(t) < kWatt * transmission_power(c);
+    (has_torque ? low : high) = middle;
+  }
+  return low;
+}
+
+}  // namespace
+
+Section power_required(const Sweeps& sweeps) {
+  Section section{"power", "Power required", "", {}, {}, {}};
+  section.reading =
+      "Tilting the masts moves the bucket to higher speed and lower power: the wing takes over. The curves end at stall on "
+      "the left and at the power of the transmission, two times 1160 hp, on the right.";
+  const Table table = power_table(sweeps);
+  const Table compared = compared_with_prediction();
+  section.pictures = {power_picture(table), prediction_picture(compared)};
+
+  double worst = 0;
+  double sum = 0;
+  int count = 0;
+  for (const double d : compared.numbers("difference_pct")) {
+    if (!std::isfinite(d)) continue;
+    worst = std::fabs(d) > std::fabs(worst) ? d : worst;
+    sum += std::fabs(d);
+    ++count;
+  }
+  constexpr double tolerance = 12;
+  const double mean = count > 0 ? sum / count : 100;
+  section.findings.push_back({std::fabs(worst) <= tolerance ? Finding::holds : Finding::partly,
+                              "Agreement with the 1975 prediction of power (12 %).",
+                              std::to_string(count) + " of " + std::to_string(compared.rows()) +
+                                  " points trim in those conditions; mean difference " + fixed(mean, 1) + " %, largest " +
+                                  with_sign(worst, 1) + " %. A prediction, not a measurement."});
+  const Table top = reference_points("top_speed");
+  Table top_compared({"source", "mast_deg", "rotor_rpm", "here_mps", "reference_mps"});
+  std::string found;
+  bool close = true;
+  for (std::size_t i = 0; i < top.rows(); ++i) {
+    const double here = torque_limited_speed(top.number(i, "mast_deg"), top.number(i, "rotor_rpm"));
+    const double there = top.number(i, "speed_mps");
+    top_compared.add({top.text(i, "source"), top.number(i, "mast_deg"), top.number(i, "rotor_rpm"), here, there});
+    constexpr double speed_tolerance = 4.1;  // m/s, 8 kt
+    close = close && std::fabs(here - there) <= speed_tolerance;
+    found += top.text(i, "rotor_rpm") + " rpm: " + fixed(here, 1) + " m/s against " + fixed(there, 1) + " (" +
+             top.text(i, "source") + "). ";
+  }
+  section.findings.push_back({close ? Finding::holds : Finding::partly, "Top level speed by torque (8 kt).",
+                              found + "Torque limit: 1160 hp a rotor at 589 rpm."});
+  section.tables.push_back({"power_required", "power at every mast angle", table});
+  section.tables.push_back({"power_compared", "against the 1975 prediction", compared});
+  section.tables.push_back({"top_speed_compared", "torque-limited speed", top_compared});
+  return section;
+}
+
+}  // namespace tiltrotor::report

@@ -1,0 +1,131 @@
+// Files appear whole or not at all; a reader that leaves and a full disk are reported; formats and shards.
+#include <algorithm>
+
+#include "check.hpp"
+#include "cli/csv_text.hpp"
+#include "cli/json_grammar.hpp"
+#include "cli/scratch_folder.hpp"
+#include "run_program.hpp"
+
+using check::built;
+using check::JsonGrammar;
+using check::run_program;
+using check::run_tiltrotor;
+using check::ScratchFolder;
+
+namespace {
+
+const std::string reference_states = check::source_path("tests/reference/state_derivatives_c1.csv");
+
+// The commands with rows, each with several.
+const std::string commands_with_rows[] = {
+    "trim --mast 90 --speed 50:10:80",
+    "modes --mast 30,90 --speed 60:5:70",
+    "linearize --mast 90 --speed 80,90 --reduce rigid",
+    "loads --mast 30 --speed 50,60",
+    "derivative --states " + check::quoted(reference_states),
+    "loads --states " + check::quoted(reference_states),
+    "rotor --collective75 4:2:12",
+};
+
+}  // namespace
+
+TEST(cli_json_grammar_knows_json) {
+  for (const char* good : {"[]", "{}", "[1, -0.5e-7, \"a\\\"b\", null, true]", "{\"a\": {\"b\": []}}"}) {
+    CHECK(JsonGrammar::accepts(good));
+  }
+  for (const char* bad :
+       {"", "[1,]", "{a: 1}", "[nan]", "[01]", "[1.]", "[1] 2", "[+1]", "{\"a\" 1}", "[inf]"}) {
+    CHECK(!JsonGrammar::accepts(bad));
+  }
+}
+
+TEST(cli_json_of_every_command_parses) {
+  for (const std::string& command : commands_with_rows) {
+    const check::ProgramResult result = run_tiltrotor(command + " --format json");
+    CHECK_EQ(result.exit_status, command.compare(0, 6, "trim -") == 0 ? 1 : 0);
+    if (!CHECK(JsonGrammar::accepts(result.out))) NOTE(command);
+  }
+  CHECK(JsonGrammar::accepts(run_tiltrotor("linearize --mast 90 --speed 80 --format json").out));
+  CHECK(JsonGrammar::accepts(run_tiltrotor("linearize --mast 90 --speed 20 --format json").out));  // no trim
+  CHECK(JsonGrammar::accepts(
+      run_tiltrotor("respond --speed 40 --duration 0.1 --modes-every 0.05 --format json").out));
+}
+
+TEST(cli_linearize_json_has_the_promised_members) {
+  const std::string text = run_tiltrotor("linearize --mast 90 --speed 80 --format json").out;
+  for (const char* member : {"mast_deg", "speed_mps", "states", "controls", "x0", "u0", "A", "B"}) {
+    CHECK(text.find("\"" + std::string(member) + "\": ") != std::string::npos);
+  }
+  CHECK(text.find("{\"name\": \"theta\", \"unit\": \"rad\"}") != std::string::npos);
+  CHECK(text.find("{\"name\": \"long_stick\", \"unit\": \"in\"}") != std::string::npos);
+}
+
+TEST(cli_shards_join_to_the_whole) {
+  for (const std::string& command : commands_with_rows) {
+    const std::string whole = run_tiltrotor(command + " --format csv").out;
+    CHECK_LT(0, static_cast<int>(whole.size()));
+    for (const int parts : {2, 3, 7}) {
+      std::string joined;
+      for (int k = 1; k <= parts; ++k) {
+        joined += run_tiltrotor(command + " --format csv --shard " + std::to_string(k) + "/" +
+                                std::to_string(parts))
+                      .out;
+      }
+      if (!CHECK(joined == whole)) NOTE(command << " in " << parts << " parts");
+    }
+  }
+}
+
+TEST(cli_output_file_equals_stdout) {
+  const ScratchFolder folder;
+  for (const std::string& command : commands_with_rows) {
+    const std::string whole = run_tiltrotor(command).out;
+    CHECK_EQ(run_tiltrotor(command + " --output " + folder.path("out.csv")).out, std::string());
+    CHECK(folder.read("out.csv") == whole);
+    CHECK_EQ(folder.files(), 1);  // nothing left beside it
+  }
+}
+
+TEST(cli_matrices_are_written_at_every_step) {
+  const ScratchFolder folder;
+  const std::string flight = "respond --speed 40 --duration 0.02 --dt 0.01 --matrices " + folder.path("m");
+  CHECK_EQ(run_tiltrotor(flight).exit_status, 0);
+  const check::CsvText a(folder.read("m/a.csv"));
+  const check::CsvText b(folder.read("m/b.csv"));
+  CHECK_EQ(a.columns.size(), 25u);
+  CHECK_EQ(a.rows.size(), 3u * 23u);
+  CHECK_EQ(b.columns.size(), 6u);
+  CHECK_EQ(b.rows.size(), 3u * 23u);
+  CHECK_EQ(a.text(0, "row"), std::string("u"));
+  CHECK_EQ(a.number(23, "time_s"), 0.01);
+}
+
+TEST(cli_closed_pipe_is_reported) {
+  const check::ProgramResult result =
+      run_program("( " + built("tiltrotor") + " trim --speed 0:1:50; echo status $? >&2 ) | true");
+  CHECK(result.err.find("cannot write to standard output") != std::string::npos);
+  CHECK(result.err.find("status 1\n") != std::string::npos);
+}
+
+TEST(cli_full_disk_is_reported) {
+  for (const char* to : {" >/dev/full", " --output /dev/full"}) {
+    const check::ProgramResult result = run_tiltrotor(std::string("trim --speed 0:10:50") + to);
+    CHECK_EQ(result.exit_status, 1);
+    CHECK(result.err.find("No space left") != std::string::npos);
+  }
+}
+
+TEST(cli_numbers_do_not_depend_on_the_locale) {
+  const std::string plain = run_tiltrotor("trim --speed 40").out;
+  for (const char* locale : {"de_DE.UTF-8", "fr_FR.UTF-8", "C"}) {
+    CHECK(run_program("LC_ALL=" + std::string(locale) + " " + built("tiltrotor") + " trim --speed 40").out ==
+          plain);
+  }
+}
+
+TEST(cli_table_has_one_line_a_row) {
+  const std::string table = run_tiltrotor("trim --speed 0:10:50 --format table").out;
+  CHECK_EQ(std::count(table.begin(), table.end(), '\n'), 7);
+  CHECK_EQ(table.find(','), std::string::npos);
+}

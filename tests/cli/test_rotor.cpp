@@ -1,0 +1,166 @@
+// The isolated rotor: equilibrium, momentum theory, symmetry, and published measurements.
+#include <cmath>
+
+#include "check.hpp"
+#include "cli/csv_text.hpp"
+#include "run_program.hpp"
+#include "tiltrotor/analysis/isolated_rotor.hpp"
+#include "tiltrotor/model/aircraft_data.hpp"
+
+using check::CsvText;
+using check::run_tiltrotor;
+using namespace tiltrotor;
+
+namespace {
+
+struct Stand {
+  Configuration<double> configuration;
+  IsolatedRotorWorkspace<double> work;
+  IsolatedRotor<double> rotor;
+
+  explicit Stand(double mast_deg, const Options& options = {}) {
+    FlightSetup<double> setup = flight_setup(aircraft_data<double>(), mast_deg);
+    setup.options = options;
+    if (prepare(aircraft_data<double>(), setup, configuration) != Status::ok)
+      throw std::runtime_error("setup");
+  }
+  Status run(const RotorFlow<double>& flow) { return isolated_rotor(configuration, flow, work, rotor); }
+};
+
+RotorFlow<double> flow(double collective_deg, double axial, double in_plane) {
+  RotorFlow<double> f{};
+  f.collective = collective_deg * kRadian<double>;
+  f.axial = axial;
+  f.in_plane = in_plane;
+  return f;
+}
+
+}  // namespace
+
+// Hover: the mean of the momentum theory CT = 2 lambda^2 with the model's factor on the induced velocity.
+TEST(isolated_rotor_hover_obeys_momentum_theory) {
+  Stand stand(0);
+  for (const double collective : {4.0, 8.0, 12.0}) {
+    if (!CHECK(stand.run(flow(collective, 0, 0)) == Status::ok)) return;
+    const double n0 = stand.rotor.input.state.n0;
+    const double kappa = stand.configuration.induced_power_factor;
+    CHECK_REL(n0, kappa * std::sqrt(stand.rotor.figures.thrust_coefficient / (2 * kappa)), 2e-3);
+    CHECK_NEAR(stand.rotor.input.state.b1c, 0.0, 1e-9);
+    CHECK_NEAR(stand.rotor.input.state.b1s, 0.0, 1e-9);
+    CHECK(stand.rotor.figures.figure_of_merit > 0.4 && stand.rotor.figures.figure_of_merit < 0.9);
+  }
+}
+
+// Turned by half a revolution the same flow comes from the other side.
+TEST(isolated_rotor_does_not_prefer_a_side) {
+  Stand ahead(0), behind(0);
+  CHECK(ahead.run(flow(8, 3, 40)) == Status::ok);
+  CHECK(behind.run(flow(8, 3, -40)) == Status::ok);
+  CHECK_REL(behind.rotor.figures.thrust, ahead.rotor.figures.thrust, 1e-10);
+  CHECK_REL(behind.rotor.input.state.b1c, -ahead.rotor.input.state.b1c, 1e-9);
+  CHECK_REL(behind.rotor.input.state.ns, -ahead.rotor.input.state.ns, 1e-9);
+}
+
+TEST(isolated_rotor_cyclic_holds_the_disk) {
+  Stand stand(0);
+  RotorFlow<double> f = flow(8, 0, 40);
+  f.cyclic = CyclicUse::cancels_tilt;
+  if (!CHECK(stand.run(f) == Status::ok)) return;
+  CHECK_EQ(stand.rotor.input.state.b1c, 0.0);
+  CHECK_EQ(stand.rotor.input.state.b1s, 0.0);
+  // The same cyclic given beforehand leaves the disk where it is.
+  RotorFlow<double> given = flow(8, 0, 40);
+  given.lateral_cyclic = stand.rotor.input.lateral_cyclic;
+  given.long_cyclic = stand.rotor.input.long_cyclic;
+  CHECK(std::abs(given.long_cyclic) > 0.5 * kRadian<double>);
+  Stand free(0);
+  CHECK(free.run(given) == Status::ok);
+  CHECK_NEAR(free.rotor.input.state.b1c, 0.0, 1e-8);
+  CHECK_NEAR(free.rotor.input.state.b1s, 0.0, 1e-8);
+}
+
+// Both orders of flapping have the same equilibrium; coning as a state is found with the rest.
+TEST(isolated_rotor_switches) {
+  Stand second(0);
+  CHECK(second.run(flow(8, 0, 40)) == Status::ok);
+  Options options;
+  options.flapping = FlapOrder::first;
+  Stand first(0, options);
+  CHECK(first.run(flow(8, 0, 40)) == Status::ok);
+  CHECK_REL(first.rotor.figures.thrust, second.rotor.figures.thrust, 1e-8);
+  CHECK_REL(first.rotor.input.state.b1c, second.rotor.input.state.b1c, 1e-7);
+  options = {};
+  options.coning_states = true;
+  options.inflow = InflowShape::uniform;
+  Stand coning(0, options);
+  CHECK(coning.run(flow(8, 0, 40)) == Status::ok);
+  CHECK(coning.rotor.input.coning.angle > 0.5 * kRadian<double>);
+  CHECK_NEAR(coning.rotor.response.coning_acceleration, 0.0, 1e-6);
+}
+
+TEST(isolated_rotor_refuses_bad_flow) {
+  Stand stand(0);
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  CHECK(stand.run(flow(nan, 0, 0)) == Status::out_of_range);
+  CHECK(stand.run(flow(8, 200, 0)) == Status::out_of_range);
+  CHECK(stand.run(flow(8, 0, nan)) == Status::out_of_range);
+  CHECK(stand.run(flow(91, 0, 0)) == Status::out_of_range);
+}
+
+TEST(isolated_rotor_converges_over_its_range) {
+  int iterations = 0;
+  for (const double mast : {0.0, 90.0}) {
+    Stand stand(mast);
+    for (const double in_plane : {0.0, 20.0, 60.0}) {
+      for (const double axial : {0.0, 5.0, 20.0}) {
+        const double inflow_angle =
+            std::atan(axial / (0.75 * stand.configuration.tip_speed)) / kRadian<double>;
+        for (const double angle : {2.0, 6.0, 10.0}) {
+          CHECK(stand.run(flow(inflow_angle + angle, axial, in_plane)) == Status::ok);
+          iterations = stand.rotor.iterations > iterations ? stand.rotor.iterations : iterations;
+        }
+      }
+    }
+  }
+  NOTE("at most " << iterations << " iterations");
+  CHECK_LE(iterations, 12);
+}
+
+// XV-15 rotor, NASA Ames outdoor facility, run 15, metal blades, tip speed 769 ft/s (NASA/CR-2017-219486,
+// table A-2).
+TEST(cli_rotor_hover_power_against_oarf) {
+  struct Point {
+    double ct, cp;
+  };
+  const Point measured[] = {{0.005581, 0.000426}, {0.007391, 0.000588}, {0.009208, 0.000796},
+                            {0.011063, 0.001044}, {0.012035, 0.001188}, {0.013089, 0.001358}};
+  const double rpm = 769 * 0.3048 / 3.81 * 30 / kPi<double>;
+  const CsvText run(run_tiltrotor("rotor --collective75 4:0.5:16 --rpm " + std::to_string(rpm)).out);
+  double worst = 0;
+  for (const Point& point : measured) {
+    for (std::size_t i = 1; i < run.rows.size(); ++i) {
+      const double below = run.number(i - 1, "ct");
+      const double above = run.number(i, "ct");
+      if (below > point.ct || above < point.ct) continue;
+      const double part = (point.ct - below) / (above - below);
+      const double cp = run.number(i - 1, "cp") + part * (run.number(i, "cp") - run.number(i - 1, "cp"));
+      worst = std::fmax(worst, std::abs(cp / point.cp - 1));
+      break;
+    }
+  }
+  NOTE("largest difference of power at equal thrust " << 100 * worst << " %");
+  CHECK(worst > 0 && worst < 0.07);
+}
+
+TEST(cli_rotor_columns_agree_with_each_other) {
+  const CsvText run(run_tiltrotor("rotor --mast 90 --collective75 28 --rpm 517 --speed-axial 60,70").out);
+  if (!CHECK_EQ(run.rows.size(), 2u)) return;
+  for (std::size_t i = 0; i < 2; ++i) {
+    const double power = run.number(i, "power_kw") * 1000;
+    CHECK_REL(power, run.number(i, "torque_nm") * 517 * kPi<double> / 30, 1e-9);
+    CHECK_REL(run.number(i, "efficiency"),
+              run.number(i, "thrust_n") * run.number(i, "speed_axial_mps") / power, 1e-9);
+    CHECK_EQ(run.text(i, "figure_of_merit"), std::string());
+    CHECK_EQ(run.text(i, "status"), std::string("ok"));
+  }
+}
