@@ -210,7 +210,9 @@ TEST(dual_gradient_along_a_curve) {
 
 TEST(dual_known_value_and_slopes) {
   using D = Dual<double, 5>;
-  const D arguments[2] = {D::variable(2, 0), D::variable(3, 4)};
+  const D x = D::variable(2, 0);
+  const D y = D::variable(3, 4);
+  const D* const arguments[2] = {&x, &y};
   const double slopes[2] = {-2, 5};
   const D z = ScalarTraits<D>::from_slopes<2>(7.0, slopes, arguments);
   CHECK_EQ(value(z), 7.0);

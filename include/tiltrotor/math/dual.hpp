@@ -63,13 +63,13 @@ struct Dual {
 
 template <class R, int N>
 struct ScalarTraits<Dual<R, N>> {
-  using Real = R;
+  using Real = typename ScalarTraits<R>::Real;
   using T = Dual<R, N>;
 
   static R value(const T& x) { return x.v; }
   // sqrt' = 1 / (2 sqrt)
   static T sqrt(const T& x) {
-    const R root = std::sqrt(x.v);
+    const R root = ScalarTraits<R>::sqrt(x.v);
     return {root, scaled(R(0.5) / root, x.d)};
   }
   // sin' = cos
@@ -91,12 +91,12 @@ struct ScalarTraits<Dual<R, N>> {
   // Result of a function whose value and slopes are known: touches the partials once.
   static constexpr bool kTakesSlopes = true;
   template <int Arguments>
-  static T from_slopes(R value, const R* slope, const T* x) {
+  static T from_slopes(R value, const R* slope, const T* const* x) {
     if constexpr (Arguments == 1) {
-      return {value, scaled(slope[0], x[0].d)};
+      return {value, scaled(slope[0], x[0]->d)};
     } else {
-      T result(value, combined(slope[0], x[0].d, slope[1], x[1].d));
-      for (int a = 2; a < Arguments; ++a) result.d = combined(R(1), result.d, slope[a], x[a].d);
+      T result(value, combined(slope[0], x[0]->d, slope[1], x[1]->d));
+      for (int a = 2; a < Arguments; ++a) result.d = combined(R(1), result.d, slope[a], x[a]->d);
       return result;
     }
   }

@@ -6,6 +6,16 @@
 // same order in both forms, so the results are the same. Padding lanes start at zero and stay unread.
 #pragma once
 
+// Inlining decides here: small functions on vectors must not pass them through memory; large ones must not add their
+// stack to that of their caller.
+#if defined(__GNUC__)
+#define TILTROTOR_INLINE inline __attribute__((always_inline))
+#define TILTROTOR_NOINLINE __attribute__((noinline))
+#else
+#define TILTROTOR_INLINE inline
+#define TILTROTOR_NOINLINE
+#endif
+
 namespace tiltrotor {
 
 #if defined(__AVX512F__)

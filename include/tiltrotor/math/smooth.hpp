@@ -37,13 +37,13 @@ T smooth_clip(const T& x, Real<T> low, Real<T> high, Real<T> e) {
   return low + smooth_positive(x - low, e) - smooth_positive(x - high, e);
 }
 // 0 for t <= 0, 1 for t >= 1, the quintic t^3 (10 - 15 t + 6 t^2) between: C2.
-// The branches are safe: value, slope and curvature agree where they meet.
+// The choice is safe: value, slope and curvature agree where the pieces meet.
 template <class T>
 T smooth_step(const T& t) {
   using R = Real<T>;
-  if (!(value(t) > R(0))) return T(R(0)) + R(0) * t;
-  if (value(t) >= R(1)) return T(R(1)) + R(0) * t;
-  return t * t * t * (R(10) + t * (R(-15) + R(6) * t));
+  const auto v = value(t);
+  const T quintic = t * t * t * (R(10) + t * (R(-15) + R(6) * t));
+  return select(v > R(0), select(v < R(1), quintic, T(R(1))), T(R(0) * t));
 }
 
 // a - b brought to -pi..pi by whole turns: the derivative is that of the plain difference.
@@ -51,9 +51,9 @@ template <class T>
 T wrapped_difference(const T& a, const T& b) {
   using R = Real<T>;
   const T difference = a - b;
-  if (value(difference) > kPi<R>) return difference - R(2) * kPi<R>;
-  if (value(difference) < -kPi<R>) return difference + R(2) * kPi<R>;
-  return difference;
+  const auto v = value(difference);
+  const R turn = R(2) * kPi<R>;
+  return select(v > kPi<R>, T(difference - turn), select(v < -kPi<R>, T(difference + turn), difference));
 }
 
 }  // namespace tiltrotor

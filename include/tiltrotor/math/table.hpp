@@ -8,8 +8,9 @@
 #pragma once
 
 #include <type_traits>
+#include <utility>
 
-#include "tiltrotor/math/scalar.hpp"
+#include "tiltrotor/math/pack.hpp"
 
 namespace tiltrotor {
 
@@ -21,8 +22,8 @@ template <class R>
 struct Axis {
   int count;      // knots, 1..kMaxKnots
   const R* knot;  // strictly increasing
-  // Optional index, written by the table generator: equal buckets no wider than the narrowest interval, each with the
-  // interval at its left end. A search is then one multiplication and two comparisons, whatever the argument.
+  // Optional index, written by the table generator: equal buckets narrower than the narrowest interval, each with the
+  // interval just before its left end. A search is then one multiplication and one comparison, whatever the argument.
   const unsigned char* bucket = nullptr;
   int buckets = 0;
   R per_width = 0;  // buckets per unit of the argument
@@ -45,16 +46,15 @@ struct Place {
   R fraction;
 };
 
-// Largest i <= count - 2 with knot[i] <= x; 0 when x lies before the grid. At least two knots; x is finite or NaN.
+// Largest i <= count - 2 with knot[i] <= x; 0 when x lies before the grid or is NaN. x lies on the grid when the axis
+// has an index.
 template <class R>
 int find_interval(const Axis<R>& axis, R x) {
   if (axis.bucket != nullptr) {
     const R at = (x - axis.knot[0]) * axis.per_width;
     const R last = static_cast<R>(axis.buckets - 1);
-    int i = axis.bucket[static_cast<int>(at > R(0) ? (at < last ? at : last) : R(0))];
-    i -= static_cast<int>(i > 0 && x < axis.knot[i]);  // rounding at the edge of a bucket
-    i += static_cast<int>(i < axis.count - 2 && x >= axis.knot[i + 1]);
-    return i;
+    const int i = axis.bucket[static_cast<int>(at > R(0) ? (at < last ? at : last) : R(0))];
+    return i + static_cast<int>(i < axis.count - 2 && x >= axis.knot[i + 1]);
   }
   int low = 0;
   int high = axis.count - 1;
@@ -68,6 +68,24 @@ int find_interval(const Axis<R>& axis, R x) {
   }
   return low;
 }
+template <class R>
+TILTROTOR_INLINE PackIndex<R> find_interval(const Axis<R>& axis, const Pack<R>& x) {
+  constexpr int lanes = Pack<R>::kLanes;
+  PackIndex<R> i;
+  if (axis.bucket == nullptr) {
+    for (int lane = 0; lane < lanes; ++lane) i.e[lane] = find_interval(axis, x.get(lane));
+    return i;
+  }
+  const Pack<R> at = (x - axis.knot[0]) * axis.per_width;
+  const R last = static_cast<R>(axis.buckets - 1);
+  const Pack<R> held = select(at > R(0), select(at < last, at, Pack<R>(last)), Pack<R>(R(0)));
+  for (int lane = 0; lane < lanes; ++lane) i.e[lane] = static_cast<int>(held.get(lane));
+  for (int lane = 0; lane < lanes; ++lane) {
+    const int k = axis.bucket[i.e[lane]];
+    i.e[lane] = k + (static_cast<int>(k < axis.count - 2) & static_cast<int>(x.get(lane) >= axis.knot[k + 1]));
+  }
+  return i;
+}
 
 // Plain place on a linear axis, held at the ends.
 template <class R>
@@ -78,170 +96,218 @@ Place<R> place_on(const Axis<R>& axis, R x) {
   return {i, t < R(0) ? R(0) : (t > R(1) ? R(1) : t)};
 }
 
-namespace detail {
+template <class R>
+R pick(const R* array, int index) {
+  return array[index];
+}
+template <class R>
+void pick_four(const R* array, int index, R* out) {
+  for (int k = 0; k < 4; ++k) out[k] = array[index + k];
+}
 
-// The four weights of one axis on {left value, right value, left slope, right slope}, and their derivatives.
+// An argument found on a smooth axis, with the weights of the four numbers that interpolate there: value at the left
+// and right knot, slope at the left and right knot. Tables over the same axis share it.
+//   T  scalar of the argument: plain number, pack, dual number, complex
+//   V  plain number or pack: what decisions and indices are made from
+//   W  scalar of the weights: dual numbers take plain weights and their slopes, the others weigh themselves
 template <class T>
-struct AxisWeights {
-  T w[4];
+struct Located {
+  using V = decltype(value(std::declval<T>()));
+  using W = std::conditional_t<ScalarTraits<T>::kTakesSlopes, V, T>;
+  using Index = decltype(find_interval(std::declval<Axis<Real<T>>>(), std::declval<V>()));
+  Index interval;
+  W weight[4];
+  V slope[ScalarTraits<T>::kTakesSlopes ? 4 : 1];           // d weight / d argument
+  decltype(std::declval<V>() < std::declval<V>()) outside;  // held at the end, no slope
+  const T* argument;                                        // must outlive this
 };
 
-// Cubic Hermite basis at fraction t of an interval of width h; straight line when linear.
 template <class T>
-AxisWeights<T> weights(Interpolation mode, const T& t, Real<T> h) {
+TILTROTOR_INLINE Located<T> locate(const Axis<Real<T>>& axis, Interpolation mode, const T& x) {
   using R = Real<T>;
-  if (mode == Interpolation::linear) return {{R(1) - t, t, T(R(0)), T(R(0))}};
-  const T s = R(1) - t;
-  return {{s * s * (R(1) + R(2) * t), t * t * (R(3) - R(2) * t), h * t * s * s, -h * t * t * s}};
+  using V = typename Located<T>::V;
+  using W = typename Located<T>::W;
+  const V low = axis.knot[0];
+  const V high = axis.knot[axis.count - 1];
+  const V plain = value(x);
+  const V held = select(plain < low, low, select(plain > high, high, plain));
+  Located<T> at;
+  at.argument = &x;
+  at.outside = (plain < low) | (plain > high);
+  V left = low;
+  V width = R(1);
+  if (axis.count > 1) {
+    at.interval = find_interval(axis, held);
+    left = pick(axis.knot, at.interval);
+    width = pick(axis.knot + 1, at.interval) - left;
+  } else {  // a constant
+    at.interval = typename Located<T>::Index();
+    at.outside = low == low;
+  }
+  W t = (held - left) / width;
+  if constexpr (!std::is_same_v<V, W>) {
+    if (!at.outside) t = (x - left) / width;
+  }
+  const W s = R(1) - t;
+  if (mode == Interpolation::linear) {
+    at.weight[0] = s;
+    at.weight[1] = t;
+    at.weight[2] = at.weight[3] = W(R(0));
+  } else {  // cubic Hermite basis
+    at.weight[0] = s * s * (R(1) + R(2) * t);
+    at.weight[1] = t * t * (R(3) - R(2) * t);
+    at.weight[2] = width * t * s * s;
+    at.weight[3] = -(width * t * t * s);
+  }
+  if constexpr (ScalarTraits<T>::kTakesSlopes) {
+    const V rise = R(1) / width;
+    if (mode == Interpolation::linear) {
+      at.slope[0] = -rise;
+      at.slope[1] = rise;
+      at.slope[2] = at.slope[3] = V(R(0));
+    } else {
+      at.slope[1] = R(6) * t * s * rise;
+      at.slope[0] = -at.slope[1];
+      at.slope[2] = s * (s - R(2) * t);
+      at.slope[3] = t * (t - R(2) * s);
+    }
+  }
+  return at;
 }
-// d weights / dx
-template <class R>
-AxisWeights<R> weight_slopes(Interpolation mode, R t, R h) {
-  if (mode == Interpolation::linear) return {{-R(1) / h, R(1) / h, R(0), R(0)}};
-  const R s = R(1) - t;
-  return {{-R(6) * t * s / h, R(6) * t * s / h, s * (s - R(2) * t), t * (t - R(2) * s)}};
+
+namespace detail {
+
+template <int... K, class Function>
+TILTROTOR_INLINE void for_each(std::integer_sequence<int, K...>, Function&& f) {
+  (f(std::integral_constant<int, K>()), ...);
+}
+// f(0), f(1) ... f(N - 1) with the number known to the compiler.
+template <int N, class Function>
+TILTROTOR_INLINE void unrolled(Function&& f) {
+  for_each(std::make_integer_sequence<int, N>(), f);
 }
 
 constexpr int power_of_4(int n) { return n == 0 ? 1 : 4 * power_of_4(n - 1); }
 
-// Where a look-up happens on each smooth axis.
-template <class R, int Smooth>
-struct Cell {
-  int interval[Smooth];
-  R width[Smooth];
-  bool inside[Smooth];  // false: held at the end, no slope
+// The local polynomial of a cell has 4^Smooth coefficients: base-4 digit a of a coefficient's number selects, on smooth
+// axis a, {left value, right value, left slope, right slope}.
+template <class T, int Smooth>
+struct CellCoefficients {
+  using V = typename Located<T>::V;
+  const Real<T>* node;
+  typename Located<T>::Index place;  // of the corner where every axis is left
+  int step[Smooth];                  // to the right end of each axis
+
+  TILTROTOR_INLINE CellCoefficients(const Axis<Real<T>>* axis, const Real<T>* block, const Located<T>* const* at) : node(block) {
+    int stride = 1 << Smooth;
+    for (int a = Smooth - 1; a >= 0; --a) {
+      place = a == Smooth - 1 ? at[a]->interval * stride : place + at[a]->interval * stride;
+      step[a] = axis[a].count > 1 ? stride : 0;
+      stride *= axis[a].count;
+    }
+  }
+  // Numbers of all corners, in order: bit a of a corner's number is its end of axis a.
+  TILTROTOR_INLINE void load(V (&number)[1 << Smooth][1 << Smooth]) const {
+    unrolled<(1 << Smooth)>([&](auto k) {
+      const Real<T>* corner = node;
+      for (int a = 0; a < Smooth; ++a) corner += (k >> a & 1) != 0 ? step[a] : 0;
+      if constexpr (Smooth == 2) {
+        pick_four(corner, place, number[k]);
+      } else {
+        for (int s = 0; s < (1 << Smooth); ++s) number[k][s] = pick(corner + s, place);
+      }
+    });
+  }
 };
 
-// Corner coefficients of a cell, gathered as c[4^Smooth]: base-4 digit a selects, on smooth axis a,
-// {left value, right value, left slope, right slope}.
-template <class R, int Smooth>
-void gather(const Axis<R>* axis, const R* node, const Cell<R, Smooth>& cell, R* c) {
-  constexpr int per_node = 1 << Smooth;
-  const R* corner[1 << Smooth];  // bit a: right end of axis a
-  for (int k = 0; k < (1 << Smooth); ++k) {
-    int index = 0;
-    for (int a = 0; a < Smooth; ++a) {
-      const int last = axis[a].count - 1;
-      const int at = cell.interval[a] + (k >> a & 1);
-      index = index * axis[a].count + (at < last ? at : last);
-    }
-    corner[k] = node + index * per_node;
-  }
-  for (int k = 0; k < power_of_4(Smooth); ++k) {
-    int ends = 0;
-    int slopes = 0;
-    for (int a = 0; a < Smooth; ++a) {
-      ends |= (k >> (2 * a) & 1) << a;
-      slopes |= (k >> (2 * a + 1) & 1) << a;
-    }
-    c[k] = corner[ends][slopes];
-  }
+// Bits 0, 2, 4 .. of a number.
+constexpr int even_bits(int k) { return k == 0 ? 0 : (k & 1) + 2 * even_bits(k >> 2); }
+
+// The four coefficients of one axis, weighed.
+template <class W, class V, class C>
+TILTROTOR_INLINE W weighed(const V (&w)[4], const C& c0, const C& c1, const C& c2, const C& c3) {
+  return (w[0] * c0 + w[1] * c1) + (w[2] * c2 + w[3] * c3);
 }
 
-// Contract the coefficients with the weights of the last axis: 4 Rest numbers -> Rest.
-template <int Rest, class T, class C>
-void contract(const C* c, const AxisWeights<T>& w, T* out) {
-  for (int k = 0; k < Rest; ++k) {
-    out[k] = (w.w[0] * c[k] + w.w[1] * c[k + Rest]) + (w.w[2] * c[k + 2 * Rest] + w.w[3] * c[k + 3 * Rest]);
-  }
-}
-
-// Value of the local polynomial: axes contracted from the last to the first.
+// Axes contracted from the last to the first: 4^Axes coefficients -> 1.
 template <int Axes, class T, class C>
-T polynomial(const C* c, const AxisWeights<T>* w) {
-  constexpr int rest = power_of_4(Axes - 1);
-  T out[rest];
-  contract<rest>(c, w[Axes - 1], out);
-  if constexpr (Axes == 1) {
-    return out[0];
+TILTROTOR_INLINE typename Located<T>::W polynomial(const C* c, const Located<T>* const* at) {
+  using W = typename Located<T>::W;
+  if constexpr (Axes == 0) {
+    return c[0];
   } else {
-    return polynomial<Axes - 1>(out, w);
+    constexpr int rest = power_of_4(Axes - 1);
+    W out[rest];
+    unrolled<rest>([&](auto k) {
+      out[k] = weighed<W>(at[Axes - 1]->weight, c[k], c[k + rest], c[k + 2 * rest], c[k + 3 * rest]);
+    });
+    return polynomial<Axes - 1, T>(static_cast<const W*>(out), at);
   }
 }
-
-// The same with its slope along every axis, from the weights `w` and their derivatives `d`.
-template <int Axes, class R>
-R polynomial_with_slopes(const R* c, const AxisWeights<R>* w, const AxisWeights<R>* d, R* slope) {
-  constexpr int rest = power_of_4(Axes - 1);
-  R out[rest];
-  R steep[rest];
-  contract<rest>(c, w[Axes - 1], out);
-  contract<rest>(c, d[Axes - 1], steep);
-  if constexpr (Axes == 1) {
-    slope[0] = steep[0];
-    return out[0];
+// The same with its slope along every axis.
+template <int Axes, class T>
+TILTROTOR_INLINE typename Located<T>::V polynomial_with_slopes(const typename Located<T>::V* c, const Located<T>* const* at,
+                                              typename Located<T>::V* slope) {
+  using V = typename Located<T>::V;
+  if constexpr (Axes == 0) {
+    return c[0];
   } else {
-    slope[Axes - 1] = polynomial<Axes - 1>(steep, w);
-    return polynomial_with_slopes<Axes - 1>(out, w, d, slope);
+    constexpr int rest = power_of_4(Axes - 1);
+    V out[rest];
+    V steep[rest];
+    unrolled<rest>([&](auto k) {
+      out[k] = weighed<V>(at[Axes - 1]->weight, c[k], c[k + rest], c[k + 2 * rest], c[k + 3 * rest]);
+      steep[k] = weighed<V>(at[Axes - 1]->slope, c[k], c[k + rest], c[k + 2 * rest], c[k + 3 * rest]);
+    });
+    slope[Axes - 1] =
+        select(at[Axes - 1]->outside, V(Real<T>(0)), polynomial<Axes - 1, T>(static_cast<const V*>(steep), at));
+    return polynomial_with_slopes<Axes - 1, T>(out, at, slope);
   }
 }
 
-template <class R>
-struct PlainArgument {
-  R held;       // argument, held inside the grid
-  bool inside;  // on the grid
-};
-template <class R>
-PlainArgument<R> hold(const Axis<R>& axis, R x) {
-  const R low = axis.knot[0];
-  const R high = axis.knot[axis.count - 1];
-  if (x < low) return {low, false};
-  if (x > high) return {high, false};
-  return {x, axis.count > 1};
-}
-
-// One smooth block of nodes at arguments x[Smooth].
-template <class T, class R, int Smooth>
-T evaluate(const Axis<R>* axis, const R* node, Interpolation mode, const T* x) {
-  // Dual numbers take plain fractions and the slopes of the polynomial; other scalars go through it themselves.
-  using Fraction = std::conditional_t<ScalarTraits<T>::kTakesSlopes, R, T>;
-  Cell<R, Smooth> cell;
-  Fraction fraction[Smooth];
-  for (int a = 0; a < Smooth; ++a) {
-    const PlainArgument<R> p = hold(axis[a], value(x[a]));
-    cell.inside[a] = p.inside;
-    cell.interval[a] = axis[a].count > 1 ? find_interval(axis[a], p.held) : 0;
-    const R left = axis[a].knot[cell.interval[a]];
-    cell.width[a] = axis[a].count > 1 ? axis[a].knot[cell.interval[a] + 1] - left : R(1);
-    if constexpr (ScalarTraits<T>::kTakesSlopes) {
-      fraction[a] = (p.held - left) / cell.width[a];
-    } else {  // held at an end: a constant
-      fraction[a] = p.inside ? (x[a] - left) / cell.width[a] : T((p.held - left) / cell.width[a]);
-    }
-  }
-  R c[power_of_4(Smooth)];
-  gather<R, Smooth>(axis, node, cell, c);
-
+// One smooth block of nodes at located arguments.
+template <int Smooth, class T>
+TILTROTOR_INLINE T evaluate(const Axis<Real<T>>* axis, const Real<T>* block, const Located<T>* const* at) {
+  using V = typename Located<T>::V;
+  const CellCoefficients<T, Smooth> cell(axis, block, at);
+  V number[1 << Smooth][1 << Smooth];
+  cell.load(number);
+  V c[power_of_4(Smooth)];
+  unrolled<power_of_4(Smooth)>([&](auto k) { c[k] = number[even_bits(k)][even_bits(k >> 1)]; });
   if constexpr (ScalarTraits<T>::kTakesSlopes) {
     // Value and slopes in plain numbers; the partials of the arguments are touched once.
-    AxisWeights<R> w[Smooth];
-    AxisWeights<R> d[Smooth];
-    R slope[Smooth];
-    for (int a = 0; a < Smooth; ++a) {
-      w[a] = weights<R>(mode, fraction[a], cell.width[a]);
-      d[a] = weight_slopes<R>(mode, fraction[a], cell.width[a]);
-    }
-    const R f = polynomial_with_slopes<Smooth>(c, w, d, slope);
-    for (int a = 0; a < Smooth; ++a) slope[a] = cell.inside[a] ? slope[a] : R(0);
-    return ScalarTraits<T>::template from_slopes<Smooth>(f, slope, x);
+    V slope[Smooth];
+    const V f = polynomial_with_slopes<Smooth, T>(c, at, slope);
+    const T* argument[Smooth];
+    for (int a = 0; a < Smooth; ++a) argument[a] = at[a]->argument;
+    return ScalarTraits<T>::template from_slopes<Smooth>(f, slope, argument);
   } else {
-    AxisWeights<T> w[Smooth];
-    for (int a = 0; a < Smooth; ++a) w[a] = weights<T>(mode, fraction[a], cell.width[a]);
-    return polynomial<Smooth>(c, w);
+    return polynomial<Smooth, T>(static_cast<const V*>(c), at);
   }
 }
 
 }  // namespace detail
 
-// Look-up in a table without linear axes.
-template <class T, class R>
-T lookup(const Table<R, 1>& table, Interpolation mode, const T& x) {
-  return detail::evaluate<T, R, 1>(table.smooth, table.node, mode, &x);
+// Look-up at located arguments; the axes they were located on must be those of the table.
+template <class T>
+T lookup(const Table<Real<T>, 1>& table, const Located<T>& x) {
+  const Located<T>* const at[1] = {&x};
+  return detail::evaluate<1, T>(table.smooth, table.node, at);
 }
-template <class T, class R>
-T lookup(const Table<R, 2>& table, Interpolation mode, const T& x, const T& y) {
-  const T arguments[2] = {x, y};
-  return detail::evaluate<T, R, 2>(table.smooth, table.node, mode, arguments);
+template <class T>
+TILTROTOR_INLINE T lookup(const Table<Real<T>, 2>& table, const Located<T>& x, const Located<T>& y) {
+  const Located<T>* const at[2] = {&x, &y};
+  return detail::evaluate<2, T>(table.smooth, table.node, at);
+}
+
+// Look-up in a table without linear axes.
+template <class T>
+T lookup(const Table<Real<T>, 1>& table, Interpolation mode, const T& x) {
+  return lookup(table, locate(table.smooth[0], mode, x));
+}
+template <class T>
+T lookup(const Table<Real<T>, 2>& table, Interpolation mode, const T& x, const T& y) {
+  return lookup(table, locate(table.smooth[0], mode, x), locate(table.smooth[1], mode, y));
 }
 
 // Look-up with linear axes at fixed places: the blend of the smooth blocks at the corners around the places.
@@ -249,8 +315,14 @@ T lookup(const Table<R, 2>& table, Interpolation mode, const T& x, const T& y) {
 template <class T, class R, int Smooth, int Linear>
 T lookup(const Table<R, Smooth, Linear>& table, Interpolation mode, const Place<R> (&place)[Linear],
          const T (&x)[Smooth]) {
+  Located<T> located[Smooth];
+  const Located<T>* at[Smooth];
   int block = 1 << Smooth;
-  for (int a = 0; a < Smooth; ++a) block *= table.smooth[a].count;
+  for (int a = 0; a < Smooth; ++a) {
+    located[a] = locate(table.smooth[a], mode, x[a]);
+    at[a] = &located[a];
+    block *= table.smooth[a].count;
+  }
   T sum = T(R(0));
   for (int corner = 0; corner < (1 << Linear); ++corner) {
     R weight = R(1);
@@ -261,7 +333,7 @@ T lookup(const Table<R, Smooth, Linear>& table, Interpolation mode, const Place<
       index = index * table.linear[a].count + place[a].interval + right;
     }
     if (weight == R(0)) continue;
-    sum = sum + weight * detail::evaluate<T, R, Smooth>(table.smooth, table.node + index * block, mode, x);
+    sum = sum + weight * detail::evaluate<Smooth, T>(table.smooth, table.node + index * block, at);
   }
   return sum;
 }

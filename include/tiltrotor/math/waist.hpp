@@ -37,17 +37,22 @@ struct OuterPartials<Dual<R, M>> {
   static constexpr int padded = Partials<R, M>::kPadded;
 };
 
-// out.d[outer] = sum over the waist of (d out / d waist input) * (d waist input / d outer)
+// out.d[outer] = sum over the waist of slope[j] = (d out / d waist input j) times (d waist input j / d outer)
 template <class R, int N, int M>
-Dual<R, M> chain(const Dual<R, N>& local, const Dual<R, M>* waist) {
-  Dual<R, M> r(local.v, scaled(local.d.get(0), waist[0].d));
+Dual<R, M> chain(R local, const R (&slope)[N], const Dual<R, M>* waist) {
+  Dual<R, M> r(local, scaled(slope[0], waist[0].d));
   for (int j = 1; j < N; ++j) {
-    const R slope = local.d.get(j);
     for (int g = 0; g < Partials<R, M>::kGroups; ++g) {
-      r.d.group[g] = r.d.group[g] + slope * waist[j].d.group[g];
+      r.d.group[g] = r.d.group[g] + slope[j] * waist[j].d.group[g];
     }
   }
   return r;
+}
+template <class R, int N, int M>
+Dual<R, M> chain(const Dual<R, N>& local, const Dual<R, M>* waist) {
+  R slope[N];
+  for (int j = 0; j < N; ++j) slope[j] = local.d.get(j);
+  return chain(local.v, slope, waist);
 }
 
 // Struct of local duals -> the same struct of outer duals.

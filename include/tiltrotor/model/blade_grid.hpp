@@ -1,6 +1,7 @@
 // Stations of the blade and azimuth where the blade-element integrals are summed.
 #pragma once
 
+#include "tiltrotor/math/pack.hpp"
 #include "tiltrotor/model/aircraft.hpp"
 #include "tiltrotor/model/options.hpp"
 
@@ -29,8 +30,9 @@ template <class R>
 struct AzimuthStations {
   int count;
   R weight;  // blades per station
-  R cosine[kMaxAzimuthStations];
-  R sine[kMaxAzimuthStations];
+  // Beyond `count` zeros, so that blades may be computed in groups.
+  R cosine[kMaxAzimuthStations + kPackLanes<R>];
+  R sine[kMaxAzimuthStations + kPackLanes<R>];
 };
 
 namespace detail {

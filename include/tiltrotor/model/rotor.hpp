@@ -4,42 +4,12 @@
 // the aircraft, which makes it a waist for derivatives.
 #pragma once
 
-#include "tiltrotor/model/blade_element.hpp"
+#include "tiltrotor/model/blade_group.hpp"
 #include "tiltrotor/model/flapping.hpp"
 #include "tiltrotor/model/inflow.hpp"
 #include "tiltrotor/model/loads.hpp"
 
 namespace tiltrotor {
-
-template <class T>
-struct RotorInput {
-  Vec3<T> velocity;      // hub relative to the air, m/s
-  Vec3<T> rates;         // of the hub frame, rad/s
-  RotorState<T> state;
-  ConingState<T> coning;
-  T collective;          // blade pitch at the reference radius, rad
-  T lateral_cyclic;      // A1: pitch = ... - A1 cos psi - B1 sin psi, rad
-  T long_cyclic;         // B1
-
-  static constexpr int kCount = 18;
-  template <class Self, class Visit>
-  static void each(Self& s, Visit&& visit) {
-    Vec3<T>::each(s.velocity, visit);
-    Vec3<T>::each(s.rates, visit);
-    visit(s.state.b1c);
-    visit(s.state.b1s);
-    visit(s.state.b1c_rate);
-    visit(s.state.b1s_rate);
-    visit(s.state.n0);
-    visit(s.state.nc);
-    visit(s.state.ns);
-    visit(s.coning.angle);
-    visit(s.coning.rate);
-    visit(s.collective);
-    visit(s.lateral_cyclic);
-    visit(s.long_cyclic);
-  }
-};
 
 // Sums over the blades.
 template <class T>
@@ -75,27 +45,6 @@ struct RotorResponse {
   }
 };
 
-// Flow seen by the blade at one azimuth, no small angles.
-template <class T>
-BladeFlow<T> blade_flow(const Configuration<Real<T>>& c, const RotorInput<T>& in, const T& sin_flap, const T& cos_flap,
-                        Real<T> cosine, Real<T> sine) {
-  using R = Real<T>;
-  const R omega = c.setup.rotor_speed;
-  const RotorState<T>& x = in.state;
-  const T gimbal = x.b1c * cosine + x.b1s * sine;
-  const T flap_rate = in.coning.rate + x.b1c_rate * cosine + x.b1s_rate * sine + omega * (x.b1s * cosine - x.b1c * sine);
-  BladeFlow<T> flow;
-  flow.tangential_0 = in.velocity.y * cosine - in.velocity.x * sine;
-  flow.tangential_r = cos_flap * (omega + in.rates.z) - sin_flap * (in.rates.x * cosine + in.rates.y * sine);
-  flow.normal_0 = cos_flap * (in.velocity.z + c.tip_speed * x.n0) -
-                  sin_flap * (in.velocity.x * cosine + in.velocity.y * sine);
-  flow.normal_r = flap_rate + in.rates.x * sine - in.rates.y * cosine +
-                  cos_flap * (omega * (x.nc * cosine + x.ns * sine));
-  flow.pitch = in.collective - in.lateral_cyclic * cosine - in.long_cyclic * sine -
-               c.pitch_flap * gimbal;
-  return flow;
-}
-
 // Blade-element loads of the rotor.
 template <class T>
 RotorLoads<T> rotor_loads(const Configuration<Real<T>>& c, const RotorInput<T>& in,
@@ -103,14 +52,16 @@ RotorLoads<T> rotor_loads(const Configuration<Real<T>>& c, const RotorInput<T>& 
   using R = Real<T>;
   const T zero = T(R(0));
   RotorLoads<T> sum{{zero, zero, zero}, zero, zero, zero, zero};
+  BladeGroup<T> group(c, in);
   for (int k = 0; k < azimuth.count; ++k) {
+    const int lane = k % BladeGroup<T>::kBlades;
+    if (lane == 0) group.compute(azimuth, k);
     const R cosine = azimuth.cosine[k];
     const R sine = azimuth.sine[k];
-    const T flap = in.coning.angle + in.state.b1c * cosine + in.state.b1s * sine;
+    const T flap = flap_angle(in, cosine, sine);
     const T sin_flap = sin(flap);
     const T cos_flap = cos(flap);
-    const BladeFlow<T> flow = blade_flow(c, in, sin_flap, cos_flap, cosine, sine);
-    const BladeLoads<T> blade = through_waist(flow, [&c](const auto& local) { return blade_loads(c, local); });
+    const BladeLoads<T> blade = group.loads(lane, blade_flow(c, in, sin_flap, cos_flap, cosine, sine));
     const T radial = sin_flap * blade.normal;  // inward along the blade's projection on the disk
     sum.force.x -= cosine * radial + sine * blade.tangential;
     sum.force.y += cosine * blade.tangential - sine * radial;

@@ -1,0 +1,241 @@
+// Pack: several plain numbers computed together, as many as the target's vectors hold.
+//
+// A pack is a scalar of the model like any other: the formulas of a blade element, written once, run on one number, on
+// a pack, or on a dual number whose value and partials are packs. Each lane sees the operations of a plain number in the
+// same order, so its result is the plain result bit for bit, whatever the number of lanes.
+// Decisions are made lane by lane with select(): both sides are computed.
+#pragma once
+
+#include <cmath>
+#include <utility>
+
+#include "tiltrotor/math/dual.hpp"
+#include "tiltrotor/math/lanes.hpp"
+
+namespace tiltrotor {
+
+template <class R>
+inline constexpr int kPackLanes = kVectorBytes / static_cast<int>(sizeof(R));
+
+namespace detail {
+
+// Whole numbers as wide as R: indices, and truth as -1 or 0.
+template <class R>
+struct IndexOf;
+template <>
+struct IndexOf<double> {
+  using type = long long;
+};
+template <>
+struct IndexOf<float> {
+  using type = int;
+};
+
+template <class E, int Lanes>
+struct ArrayLanes {
+  E e[Lanes];
+  constexpr E operator[](int i) const { return e[i]; }
+  constexpr E& operator[](int i) { return e[i]; }
+};
+
+#if defined(__GNUC__) && !defined(TILTROTOR_PORTABLE_LANES)
+inline constexpr bool kCompilerVectors = true;
+template <class E, int Lanes>
+struct PackStorage {
+  typedef E type __attribute__((vector_size(Lanes * static_cast<int>(sizeof(E)))));
+};
+template <class E>
+struct PackStorage<E, 1> {
+  typedef ArrayLanes<E, 1> type;
+};
+#else
+inline constexpr bool kCompilerVectors = false;
+template <class E, int Lanes>
+struct PackStorage {
+  typedef ArrayLanes<E, Lanes> type;
+};
+#endif
+
+}  // namespace detail
+
+// Body of an operation: on whole vectors where the compiler has them, else lane by lane.
+#define TILTROTOR_LANEWISE(RESULT, WHOLE, LANE)                            \
+  if constexpr (detail::kCompilerVectors && kLanes > 1) {                  \
+    return {WHOLE};                                                        \
+  } else {                                                                 \
+    RESULT r;                                                              \
+    for (int i = 0; i < kLanes; ++i) r.e[i] = LANE;                        \
+    return r;                                                              \
+  }
+
+// Indices into an array, one for each lane. Plain integers: addresses are computed one by one on every target.
+template <class R>
+struct PackIndex {
+  static constexpr int kLanes = kPackLanes<R>;
+  int e[kLanes];
+
+  TILTROTOR_INLINE friend PackIndex operator+(const PackIndex& a, const PackIndex& b) {
+    PackIndex r;
+    for (int i = 0; i < kLanes; ++i) r.e[i] = a.e[i] + b.e[i];
+    return r;
+  }
+  TILTROTOR_INLINE friend PackIndex operator*(const PackIndex& a, int factor) {
+    PackIndex r;
+    for (int i = 0; i < kLanes; ++i) r.e[i] = a.e[i] * factor;
+    return r;
+  }
+};
+
+// Truth of each lane: -1 or 0.
+template <class R>
+struct PackMask {
+  static constexpr int kLanes = kPackLanes<R>;
+  using I = typename detail::IndexOf<R>::type;
+  typename detail::PackStorage<I, kLanes>::type e;
+
+  TILTROTOR_INLINE friend PackMask operator&(const PackMask& a, const PackMask& b) {
+    TILTROTOR_LANEWISE(PackMask, a.e & b.e, a.e[i] & b.e[i])
+  }
+  TILTROTOR_INLINE friend PackMask operator|(const PackMask& a, const PackMask& b) {
+    TILTROTOR_LANEWISE(PackMask, a.e | b.e, a.e[i] | b.e[i])
+  }
+  TILTROTOR_INLINE friend bool any(const PackMask& a) {
+    I all = 0;
+    for (int i = 0; i < kLanes; ++i) all |= a.e[i];
+    return all != 0;
+  }
+};
+
+template <class R>
+struct Pack {
+  static constexpr int kLanes = kPackLanes<R>;
+  using I = typename detail::IndexOf<R>::type;
+  using Mask = PackMask<R>;
+  typename detail::PackStorage<R, kLanes>::type e;
+
+  Pack() = default;
+  Pack(R x) {  // NOLINT(google-explicit-constructor): the same number in every lane
+    if constexpr (detail::kCompilerVectors && kLanes > 1) {
+      e = x - decltype(e){};
+    } else {
+      for (int i = 0; i < kLanes; ++i) e[i] = x;
+    }
+  }
+  explicit Pack(const typename detail::PackStorage<R, kLanes>::type& lanes) : e(lanes) {}
+
+  R get(int lane) const { return e[lane]; }
+  void set(int lane, R x) { e[lane] = x; }
+
+  TILTROTOR_INLINE friend Pack operator-(const Pack& a) { TILTROTOR_LANEWISE(Pack, Pack(-a.e), -a.e[i]) }
+  TILTROTOR_INLINE friend Pack operator+(const Pack& a, const Pack& b) { TILTROTOR_LANEWISE(Pack, Pack(a.e + b.e), a.e[i] + b.e[i]) }
+  TILTROTOR_INLINE friend Pack operator-(const Pack& a, const Pack& b) { TILTROTOR_LANEWISE(Pack, Pack(a.e - b.e), a.e[i] - b.e[i]) }
+  TILTROTOR_INLINE friend Pack operator*(const Pack& a, const Pack& b) { TILTROTOR_LANEWISE(Pack, Pack(a.e * b.e), a.e[i] * b.e[i]) }
+  TILTROTOR_INLINE friend Pack operator/(const Pack& a, const Pack& b) { TILTROTOR_LANEWISE(Pack, Pack(a.e / b.e), a.e[i] / b.e[i]) }
+  Pack& operator+=(const Pack& b) { return *this = *this + b; }
+  Pack& operator-=(const Pack& b) { return *this = *this - b; }
+
+  TILTROTOR_INLINE friend Mask operator<(const Pack& a, const Pack& b) {
+    TILTROTOR_LANEWISE(Mask, a.e < b.e, -static_cast<I>(a.e[i] < b.e[i]))
+  }
+  TILTROTOR_INLINE friend Mask operator>(const Pack& a, const Pack& b) { return b < a; }
+  TILTROTOR_INLINE friend Mask operator<=(const Pack& a, const Pack& b) {
+    TILTROTOR_LANEWISE(Mask, a.e <= b.e, -static_cast<I>(a.e[i] <= b.e[i]))
+  }
+  TILTROTOR_INLINE friend Mask operator>=(const Pack& a, const Pack& b) { return b <= a; }
+  TILTROTOR_INLINE friend Mask operator==(const Pack& a, const Pack& b) {
+    TILTROTOR_LANEWISE(Mask, a.e == b.e, -static_cast<I>(a.e[i] == b.e[i]))
+  }
+
+  TILTROTOR_INLINE friend Pack select(const Mask& m, const Pack& a, const Pack& b) {
+    TILTROTOR_LANEWISE(Pack, Pack(m.e ? a.e : b.e), m.e[i] != 0 ? a.e[i] : b.e[i])
+  }
+};
+
+#undef TILTROTOR_LANEWISE
+
+// The dual number of the chosen side.
+template <class R, int N>
+TILTROTOR_INLINE Dual<Pack<R>, N> select(const PackMask<R>& m, const Dual<Pack<R>, N>& a, const Dual<Pack<R>, N>& b) {
+  Dual<Pack<R>, N> r;
+  r.v = select(m, a.v, b.v);
+  for (int g = 0; g < Partials<Pack<R>, N>::kGroups; ++g) r.d.group[g] = select(m, a.d.group[g], b.d.group[g]);
+  return r;
+}
+
+// array[index] in each lane.
+namespace detail {
+
+template <class R, int... Lane>
+TILTROTOR_INLINE Pack<R> pick_lanes(const R* array, const PackIndex<R>& index, std::integer_sequence<int, Lane...>) {
+  Pack<R> r;
+  ((r.e[Lane] = array[index.e[Lane]]), ...);  // one by one: faster than the gather instructions of many processors
+  return r;
+}
+
+}  // namespace detail
+
+template <class R>
+TILTROTOR_INLINE Pack<R> pick(const R* array, const PackIndex<R>& index) {
+  return detail::pick_lanes(array, index, std::make_integer_sequence<int, kPackLanes<R>>());
+}
+
+// out[k] = array[index + k] in each lane, k = 0 .. 3.
+template <class R>
+TILTROTOR_INLINE void pick_four(const R* array, const PackIndex<R>& index, Pack<R>* out) {
+  for (int k = 0; k < 4; ++k) out[k] = pick(array + k, index);
+}
+#if defined(__has_builtin) && !defined(TILTROTOR_PORTABLE_LANES)
+#if __has_builtin(__builtin_shufflevector) && defined(__AVX__)
+// Whole rows loaded and transposed.
+TILTROTOR_INLINE void pick_four(const double* array, const PackIndex<double>& index, Pack<double>* out) {
+  typedef double Row __attribute__((vector_size(32)));
+  const auto row = [&](int lane) {
+    Row r;
+    __builtin_memcpy(&r, array + index.e[lane], sizeof r);
+    return r;
+  };
+#if defined(__AVX512F__)
+  const auto both = [&](int lane) { return __builtin_shufflevector(row(lane), row(lane + 4), 0, 1, 2, 3, 4, 5, 6, 7); };
+  const auto a = both(0);
+  const auto b = both(1);
+  const auto c = both(2);
+  const auto d = both(3);
+  const auto ab_even = __builtin_shufflevector(a, b, 0, 8, 2, 10, 4, 12, 6, 14);
+  const auto ab_odd = __builtin_shufflevector(a, b, 1, 9, 3, 11, 5, 13, 7, 15);
+  const auto cd_even = __builtin_shufflevector(c, d, 0, 8, 2, 10, 4, 12, 6, 14);
+  const auto cd_odd = __builtin_shufflevector(c, d, 1, 9, 3, 11, 5, 13, 7, 15);
+  out[0].e = __builtin_shufflevector(ab_even, cd_even, 0, 1, 8, 9, 4, 5, 12, 13);
+  out[1].e = __builtin_shufflevector(ab_odd, cd_odd, 0, 1, 8, 9, 4, 5, 12, 13);
+  out[2].e = __builtin_shufflevector(ab_even, cd_even, 2, 3, 10, 11, 6, 7, 14, 15);
+  out[3].e = __builtin_shufflevector(ab_odd, cd_odd, 2, 3, 10, 11, 6, 7, 14, 15);
+#else
+  const auto ab_even = __builtin_shufflevector(row(0), row(1), 0, 4, 2, 6);
+  const auto ab_odd = __builtin_shufflevector(row(0), row(1), 1, 5, 3, 7);
+  const auto cd_even = __builtin_shufflevector(row(2), row(3), 0, 4, 2, 6);
+  const auto cd_odd = __builtin_shufflevector(row(2), row(3), 1, 5, 3, 7);
+  out[0].e = __builtin_shufflevector(ab_even, cd_even, 0, 1, 4, 5);
+  out[1].e = __builtin_shufflevector(ab_odd, cd_odd, 0, 1, 4, 5);
+  out[2].e = __builtin_shufflevector(ab_even, cd_even, 2, 3, 6, 7);
+  out[3].e = __builtin_shufflevector(ab_odd, cd_odd, 2, 3, 6, 7);
+#endif
+}
+#endif
+#endif
+
+template <class R>
+struct ScalarTraits<Pack<R>> {
+  using Real = R;
+  using T = Pack<R>;
+  static T value(const T& x) { return x; }
+  static T sqrt(const T& x) {
+    T r;
+    for (int i = 0; i < T::kLanes; ++i) r.e[i] = std::sqrt(x.e[i]);
+    return r;
+  }
+  static T sin(const T& x) { return sine_cosine(x).sine; }
+  static T cos(const T& x) { return sine_cosine(x).cosine; }
+  static T atan2(const T& y, const T& x) { return arctangent2(y, x); }
+  static constexpr bool kTakesSlopes = false;
+};
+
+}  // namespace tiltrotor

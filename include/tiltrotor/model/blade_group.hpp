@@ -1,0 +1,103 @@
+// Blades at several azimuths, computed together: one in each lane of the target's vectors.
+//
+// The elements of these blades are nearly all the work of a rotor. They are computed on packs of plain numbers, with
+// slopes along the five numbers of BladeFlow when the rotor's scalar carries partials; the slopes are then chained.
+#pragma once
+
+#include <complex>
+#include <type_traits>
+
+#include "tiltrotor/math/waist.hpp"
+#include "tiltrotor/model/rotor_input.hpp"
+
+namespace tiltrotor {
+
+namespace detail {
+
+template <class R>
+Pack<R> load_pack(const R* from) {
+  Pack<R> p;
+  for (int lane = 0; lane < Pack<R>::kLanes; ++lane) p.set(lane, from[lane]);
+  return p;
+}
+
+// The same plain numbers of the rotor's input in every lane.
+template <class T>
+RotorInput<Pack<Real<T>>> in_every_lane(const RotorInput<T>& in) {
+  RotorInput<Pack<Real<T>>> packs;
+  Real<T> plain[RotorInput<T>::kCount];
+  Real<T>* at = plain;
+  RotorInput<T>::each(in, [&at](const T& x) { *at++ = value(x); });
+  unpack(plain, packs);
+  return packs;
+}
+
+}  // namespace detail
+
+template <class T>
+class BladeGroup {
+  using R = Real<T>;
+  static constexpr bool kTakesSlopes = ScalarTraits<T>::kTakesSlopes;
+  using Lanes = std::conditional_t<kTakesSlopes, Dual<Pack<R>, BladeFlow<T>::kCount>, Pack<R>>;
+
+ public:
+  static constexpr int kBlades = kPackLanes<R>;
+
+  BladeGroup(const Configuration<R>& c, const RotorInput<T>& in) : c_(c), in_(detail::in_every_lane(in)) {}
+
+  // Blades at the azimuths from `first`.
+  void compute(const AzimuthStations<R>& azimuth, int first) {
+    const Pack<R> cosine = detail::load_pack(azimuth.cosine + first);
+    const Pack<R> sine = detail::load_pack(azimuth.sine + first);
+    const Pack<R> flap = flap_angle(in_, cosine, sine);
+    const BladeFlow<Pack<R>> flow = blade_flow(c_, in_, sin(flap), cos(flap), cosine, sine);
+    if constexpr (kTakesSlopes) {
+      loads_ = blade_loads_and_slopes(c_, flow);
+    } else {
+      loads_ = blade_loads(c_, flow);
+    }
+  }
+
+  // Loads of one blade of the group, seeing `flow`.
+  BladeLoads<T> loads(int lane, const BladeFlow<T>& flow) const {
+    BladeLoads<T> one;
+    if constexpr (kTakesSlopes) {
+      T waist[BladeFlow<T>::kCount];
+      pack(flow, waist);
+      const Lanes* from = &loads_.normal;
+      BladeLoads<T>::each(one, [&](T& x) { x = chained_lane(*from++, lane, waist); });
+    } else {
+      one = {loads_.normal.get(lane), loads_.tangential.get(lane), loads_.normal_moment.get(lane),
+             loads_.tangential_moment.get(lane)};
+    }
+    return one;
+  }
+
+ private:
+  static T chained_lane(const Lanes& load, int lane, const T* waist) {
+    R slope[BladeFlow<T>::kCount];
+    for (int j = 0; j < BladeFlow<T>::kCount; ++j) slope[j] = load.d.get(j).get(lane);
+    return chain(load.v.get(lane), slope, waist);
+  }
+
+  const Configuration<R>& c_;
+  RotorInput<Pack<R>> in_;
+  BladeLoads<Lanes> loads_;
+};
+
+// Complex numbers go through the blade themselves, one after the other.
+template <class R>
+class BladeGroup<std::complex<R>> {
+  using T = std::complex<R>;
+
+ public:
+  static constexpr int kBlades = 1;
+  BladeGroup(const Configuration<R>& c, const RotorInput<T>&) : c_(c) {}
+  void compute(const AzimuthStations<R>&, int) {}
+  BladeLoads<T> loads(int, const BladeFlow<T>& flow) const { return blade_loads(c_, flow); }
+
+ private:
+  const Configuration<R>& c_;
+};
+
+}  // namespace tiltrotor
