@@ -3,6 +3,9 @@
 # Variables:  CXX, CXXFLAGS, LDFLAGS   the usual ones                     (CXXFLAGS=-O3)
 #             ARCH=native              value of -march; empty: portable code
 #             CROSS_COMPILE=           tool prefix, for example aarch64-linux-gnu-
+#             TARGET=                  cortex-m7 or cortex-m4f: no operating system, libraries only
+#             RUNNER=                  starts a program of another machine; found for the usual CROSS_COMPILE
+#             PRECISION=single         tr_real of the C interface is float
 #             HOST_CXX, HOST_CXXFLAGS  compiler of the table generator, which runs on this machine
 #             AIRCRAFT=xv15            folder below tables/ that is compiled in
 #             BUILD=build              give each variant (sanitizers, clang, cross) its own
@@ -36,6 +39,13 @@ CLANG_FORMAT ?= clang-format
 ARCH       ?= $(if $(CROSS_COMPILE),,native)
 accepts     = $(shell $(CXX) $(1) -E -x c++ /dev/null >/dev/null 2>&1 && echo $(1))
 ARCH_FLAGS := $(if $(filter native,$(ARCH)),$(call accepts,-march=native),$(ARCH:%=-march=%))
+TARGET_cortex-m7  := -mcpu=cortex-m7 -mthumb -mfpu=fpv5-d16 -mfloat-abi=hard -ffunction-sections -fdata-sections
+TARGET_cortex-m4f := -mcpu=cortex-m4 -mthumb -mfpu=fpv4-sp-d16 -mfloat-abi=hard -ffunction-sections -fdata-sections
+ARCH_FLAGS += $(TARGET_$(TARGET))
+# aarch64-linux-gnu- is run by qemu-aarch64, arm-linux-gnueabihf- by qemu-arm, when installed.
+MACHINE := $(firstword $(subst -, ,$(CROSS_COMPILE)))
+RUNNER  ?= $(if $(and $(findstring linux,$(CROSS_COMPILE)),$(shell command -v qemu-$(MACHINE))),\
+             qemu-$(MACHINE) -L /usr/$(CROSS_COMPILE:%-=%))
 
 CXXFLAGS      ?= -O3
 HOST_CXXFLAGS ?= -O1
@@ -43,13 +53,17 @@ WARNINGS      := -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wdouble-promoti
 # -ffp-contract=off: a fused multiply-add rounds once instead of twice, and the compiler fuses differently in scalar
 #   and in vector code. Without fusing, the value of a plain evaluation and the value part of a dual number are equal
 #   bit for bit, on every machine.
+# -fno-tree-slp-vectorize: g++ 12 forms fused multiply-adds there in spite of the flag above.
 # -fno-math-errno: nobody reads errno after sqrt(); setting it costs a branch per call and stops vectorisation.
-FLAGS      := -std=c++17 $(CXXFLAGS) $(ARCH_FLAGS) -ffp-contract=off -fno-math-errno $(WARNINGS) -Iinclude
+FLAGS      := -std=c++17 $(CXXFLAGS) $(ARCH_FLAGS) -ffp-contract=off -fno-tree-slp-vectorize -fno-math-errno \
+              $(WARNINGS) -Iinclude
 HOST_FLAGS := -std=c++17 $(HOST_CXXFLAGS) $(WARNINGS) -Iinclude -Isrc
+FLAGS      += $(if $(filter single,$(PRECISION)),-DTR_SINGLE_PRECISION)
 CORE_FLAGS := -fno-exceptions -fno-rtti
 ND_FLAGS   := -DTILTROTOR_NUMERICAL_DIFFERENCES=1
 PRIVATE    := -Isrc -I$(BUILD)/generated -DTILTROTOR_VERSION=\"$(VERSION)\"
-TEST_FLAGS := -Itests '-DTILTROTOR_SOURCE_DIR="$(CURDIR)"' '-DTILTROTOR_BINARY_DIR="$(abspath $(BUILD))"'
+TEST_FLAGS := -Itests '-DTILTROTOR_SOURCE_DIR="$(CURDIR)"' '-DTILTROTOR_BINARY_DIR="$(abspath $(BUILD))"' \
+              '-DTILTROTOR_RUNNER="$(strip $(RUNNER))"'
 DEPENDENCIES := -MMD -MP
 
 # ---- what there is ----
@@ -78,12 +92,12 @@ GENERATED  := $(if $(TABLEGEN_SOURCE),$(BUILD)/generated/aircraft_tables.inc) $(
 # Everything of the program but main(): tests look into it.
 PROGRAM_PARTS := $(filter-out %/main.o,$(PROGRAM_OBJECTS))
 LIBRARIES  := $(BUILD)/libtiltrotor.a $(BUILD)/libtiltrotor-nd.a
-PROGRAMS   := $(if $(PROGRAM_SOURCE),$(BUILD)/tiltrotor $(BUILD)/tiltrotor-nd)
+PROGRAMS   := $(if $(TARGET),,$(if $(PROGRAM_SOURCE),$(BUILD)/tiltrotor $(BUILD)/tiltrotor-nd))
 BENCHMARKS := $(BENCH_SOURCE:bench/%.cpp=$(BUILD)/bench_%)
 
 # ---- goals ----
 
-.PHONY: all run test bench headers format install clean help FORCE
+.PHONY: all run test test-cross bench headers format install clean help FORCE
 .DELETE_ON_ERROR:
 Q := $(if $(V),,@)
 
@@ -94,7 +108,13 @@ run: all ## run the whole study; figures and numbers go to build/report
 	@echo "$(CURDIR)/build/report/index.html"
 
 test: all $(BUILD)/run_tests ## build and run every test, or TESTS="name ..."
-	$(Q)$(BUILD)/run_tests $(TESTS)
+	$(Q)$(RUNNER) $(BUILD)/run_tests $(TESTS)
+
+test-cross: ## test on every other machine whose compiler and emulator are installed
+	$(Q)set -e; for prefix in aarch64-linux-gnu- riscv64-linux-gnu- arm-linux-gnueabihf-; do \
+	  if command -v $${prefix}g++ && command -v qemu-$${prefix%%-*}; then \
+	    $(MAKE) CROSS_COMPILE=$$prefix BUILD=$(BUILD)/$${prefix%-} CXXFLAGS=-O1 test hash; \
+	  else echo "test-cross: no compiler or emulator for $$prefix, not tested"; fi; done
 
 bench: $(BENCHMARKS) ## build and run every benchmark
 	$(Q)set -e; for benchmark in $(BENCHMARKS); do $$benchmark; done
@@ -116,14 +136,15 @@ install: all ## copy headers, libraries, program and pkg-config file to DESTDIR/
 	install -m 755 $(BUILD)/tiltrotor "$$to/bin"; \
 	printf '%s\n' 'prefix=$(abspath $(PREFIX))' 'includedir=$${prefix}/include' 'libdir=$${prefix}/lib' '' \
 	  'Name: tiltrotor' 'Description: Tilt-rotor flight mechanics with exact derivatives' \
-	  'Version: $(VERSION)' 'Cflags: -I$${includedir}' 'Libs: -L$${libdir} -ltiltrotor -lm' \
+	  'Version: $(VERSION)' 'Cflags: -I$${includedir}$(if $(filter single,$(PRECISION)), -DTR_SINGLE_PRECISION)' 'Libs: -L$${libdir} -ltiltrotor -lm' \
 	  > "$$to/lib/pkgconfig/tiltrotor.pc"
 
 clean: ## remove the build directory
 	rm -rf '$(BUILD)'
 
 help: ## list the goals
-	@sed -n 's/^\([a-z]*\):.*## \(.*\)/  \1:\2/p' Makefile | awk -F: '{ printf "%-10s %s\n", $$1, $$2 }'
+	@sed -n 's/^\([a-z-]*\):.*## \(.*\)/  \1:\2/p' $(filter-out %.d,$(MAKEFILE_LIST)) | \
+	  awk -F: '{ printf "%-15s %s\n", $$1, $$2 }'
 
 # ---- stamps: files that change when what they record changes, so that a new flag or a removed source rebuilds ----
 
@@ -202,6 +223,8 @@ $(BUILD)/bench/%.o: bench/%.cpp
 $(BUILD)/host/%.o: src/%.cpp $(BUILD)/host.stamp
 	@echo "  compile $< (host)"; mkdir -p $(@D)
 	$(Q)$(HOST_CXX) $(HOST_FLAGS) $(DEPENDENCIES) -c $< -o $@
+
+include src/firmware/firmware.mk src/examples/examples.mk tests/budget/budget.mk
 
 # A header that needs another one included first is broken; C headers must also please a C99 compiler.
 .PHONY: $(HEADERS:%=alone/%)

@@ -32,9 +32,12 @@ inline std::string quoted(const std::string& word) {
   return result + "'";
 }
 
-/// Path of something the build made, quoted for a command line: built("tiltrotor").
+/// Command that starts a program the build made: built("tiltrotor"). Programs of another machine need an emulator
+/// before them; the table generator is always one of this machine.
 inline std::string built(const std::string& name) {
-  return quoted(std::string(TILTROTOR_BINARY_DIR "/") + name);
+  const std::string path = quoted(std::string(TILTROTOR_BINARY_DIR "/") + name);
+  const std::string runner = TILTROTOR_RUNNER;
+  return runner.empty() || name == "tablegen" ? path : runner + " " + path;
 }
 
 /// Path of a file of the source tree: source_path("tests/states.csv").

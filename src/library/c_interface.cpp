@@ -205,7 +205,9 @@ bool plausible(const tr_linear_shape& shape) {
   return seen[ix_coning_right] == seen[ix_coning_left] && seen[ix_coning_right + 1] == seen[ix_coning_left + 1];
 }
 
-std::size_t square(int n) { return static_cast<std::size_t>(n) * static_cast<std::size_t>(n); }
+constexpr std::size_t entries(int rows, int columns) {
+  return static_cast<std::size_t>(rows) * static_cast<std::size_t>(columns);
+}
 
 }  // namespace
 
@@ -424,8 +426,8 @@ tr_status tr_linearize(const tr_sim* sim, tr_work* work, int32_t columns, tr_lin
   for (int i = 0; i < kMaxLinearStates; ++i) shape->state[i] = i < model.states ? model.state[i] : -1;
   for (int j = 0; j < control_count; ++j) shape->control[j] = j < set->count ? set->index[j] : -1;
   const bool wants_b = b != nullptr || b_length > 0;
-  const auto b_needed = static_cast<std::size_t>(model.states) * static_cast<std::size_t>(set->count);
-  if (a_length < square(model.states) || (wants_b && b_length < b_needed)) return TR_SHORT_BUFFER;
+  const bool b_fits = !wants_b || b_length >= entries(model.states, set->count);
+  if (a_length < entries(model.states, model.states) || !b_fits) return TR_SHORT_BUFFER;
   if (a == nullptr || (wants_b && b == nullptr)) return TR_BAD_ARGUMENT;
 
   const Status status = linearize(s.configuration, s.x, s.u, *set, room.workspace, model);
@@ -460,7 +462,7 @@ tr_status tr_modes(tr_work* work, const tr_linear_shape* shape, const tr_real* a
   if (work == nullptr || shape == nullptr || a == nullptr || modes == nullptr || count == nullptr)
     return TR_BAD_ARGUMENT;
   if (!plausible(*shape)) return TR_BAD_ARGUMENT;
-  if (a_length < square(shape->states)) return TR_SHORT_BUFFER;
+  if (a_length < entries(shape->states, shape->states)) return TR_SHORT_BUFFER;
   ModesRoom& room = place<ModesRoom>(work);
   LinearModel<R>& model = room.model;
   clear(model);

@@ -15,6 +15,7 @@ namespace tiltrotor::report {
 namespace {
 
 constexpr double kMastStep = 2.5;  // deg
+constexpr double kEdgeStep = 5;    // deg
 constexpr double kSpeedStep = 2;   // m/s
 constexpr double kHighestSpeed = 140;
 
@@ -47,22 +48,47 @@ std::string state_word(const Configured& c, const Trimmed& t) {
   return trim_status_word(t.status);
 }
 
+std::vector<Table::Cell> grid_row(const Configured& c, double mast, double speed, const Trimmed& t) {
+  const std::string state = state_word(c, t);
+  const Slowest s = state == "ok" ? slowest(modes_of(c, t)) : Slowest{NAN, "", NAN, ""};
+  const double missing = NAN;
+  const bool has_trim = is_trimmed(t.status);
+  return {mast, speed, state, static_cast<double>(t.iterations), has_trim ? total_power_kw(t) : missing,
+          has_trim ? degrees(t.state.pitch) : missing, has_trim ? degrees(t.wing_angle_of_attack) : missing, s.real, s.mode,
+          s.damping_ratio, s.oscillation};
+}
+
+// From cold starts: outwards from the middle of the corridor and up from hover, in each run to the second point in a row
+// that does not fly. What lies beyond is not tried.
 Table grid_table() {
   Table table({"mast_deg", "speed_mps", "state", "iterations", "power_kw", "pitch_deg", "wing_alpha_deg", "least_stable_real",
                "least_stable_mode", "least_damping_ratio", "least_damped_mode"});
-  table.comment("state: ok, power (needs more than the transmission takes), or why there is no trim. Roots of the body alone.");
+  table.comment("state: ok, power (needs more than the transmission takes), why there is no trim, or beyond (not tried).");
+  const int last = static_cast<int>(kHighestSpeed / kSpeedStep);
   for (double mast = 0; mast <= 90; mast += kMastStep) {
     const Configured c = configured(mast);
-    for (double speed = 0; speed <= kHighestSpeed; speed += kSpeedStep) {
-      const Trimmed t = trimmed(c, speed);
-      const std::string state = state_word(c, t);
-      const bool flies = state == "ok";
-      const Slowest s = flies ? slowest(modes_of(c, t)) : Slowest{NAN, "", NAN, ""};
-      const double missing = NAN;
-      const bool has_trim = is_trimmed(t.status);
-      table.add({mast, speed, state, static_cast<double>(t.iterations), has_trim ? total_power_kw(t) : missing,
-                 has_trim ? degrees(t.state.pitch) : missing, has_trim ? degrees(t.wing_angle_of_attack) : missing, s.real,
-                 s.mode, s.damping_ratio, s.oscillation});
+    std::vector<std::vector<Table::Cell>> rows(static_cast<std::size_t>(last + 1));
+    const auto run = [&](int from, int direction) {
+      int failures = 0;
+      for (int k = from; k >= 0 && k <= last && failures < 2; k += direction) {
+        std::vector<Table::Cell>& row = rows[static_cast<std::size_t>(k)];
+        if (!row.empty()) return;
+        const Trimmed t = trimmed(c, k * kSpeedStep);
+        row = grid_row(c, mast, k * kSpeedStep, t);
+        failures = std::get<std::string>(row[2]) == "ok" ? 0 : failures + 1;
+      }
+    };
+    const int middle = static_cast<int>(middle_speed(mast) / kSpeedStep);
+    run(middle, 1);
+    run(middle - 1, -1);
+    run(0, 1);
+    for (int k = 0; k <= last; ++k) {
+      std::vector<Table::Cell>& row = rows[static_cast<std::size_t>(k)];
+      if (row.empty()) {
+        const double none = NAN;
+        row = {mast, k * kSpeedStep, std::string("beyond"), none, none, none, none, none, std::string(), none, std::string()};
+      }
+      table.add(row);
     }
   }
   return table;
@@ -115,8 +141,8 @@ Plot corridor_plot(const char* id, const char* title, const Table& grid, const T
     for (std::size_t i = 0; i < columns; ++i) plot.cells.value[i * rows + j] = values[j * columns + i];
   }
   const std::vector<double> mast = edges.numbers("mast_deg");
-  plot.series = {line_of("stall side", kBlack, Line::solid, Marker::none, edges.numbers("stall_mps"), mast),
-                 line_of("power side", kBlack, Line::dotted, Marker::none, edges.numbers("power_mps"), mast),
+  plot.series = {line_of("wing stall", kBlack, Line::solid, Marker::none, edges.numbers("stall_mps"), mast),
+                 line_of("power, torque", kBlack, Line::dotted, Marker::none, edges.numbers("power_mps"), mast),
                  published("1975 minimum", "design_minimum", kPurple, Marker::circle),
                  published("1975 Vc", "design_vc", kPurple, Marker::square),
                  published("1980 minimum", "corridor_minimum", kGreen, Marker::triangle),
@@ -153,26 +179,38 @@ Finding minimum_speeds(const Table& compared) {
              " lb: " + fixed(compared.number(i, "here_mps"), 1) + " against " + fixed(compared.number(i, "design_mps"), 1);
   }
   return {good ? Finding::holds : Finding::partly, "Minimum speeds of the 1975 design, same flap and rotor speed (8 kt).",
-          found + " m/s. Stall is taken at a wing angle of attack of 16 deg."};
+          found + " m/s. Here stall is a wing angle of attack of 16 deg; the design adds what the rotors can carry, which depends "
+                  "on mass."};
 }
 
-Finding convergence(const Table& grid, const Table& edges) {
-  std::size_t inside = 0;
-  std::size_t found = 0;
-  double most = 0;
-  for (std::size_t i = 0; i < grid.rows(); ++i) {
-    const Table edge = edges.where("mast_deg", grid.number(i, "mast_deg"));
-    const double speed = grid.number(i, "speed_mps");
-    const double low = edge.number(0, "stall_mps");
-    if (speed < (std::isfinite(low) ? low : 0) || speed > edge.number(0, "power_mps")) continue;
-    ++inside;
-    if (grid.text(i, "state") != "ok") continue;
-    ++found;
-    most = std::max(most, grid.number(i, "iterations"));
+Finding convergence(const Table& grid) {
+  const Table inside = grid.where("state", std::string("ok"));
+  std::string reasons;
+  for (const std::string& state : grid.different("state")) {
+    if (state == "ok" || state == "beyond") continue;
+    reasons += (reasons.empty() ? "" : ", ") + state + " " + std::to_string(grid.where("state", state).rows());
   }
-  return {found == inside ? Finding::holds : Finding::differs, "Trim converges from a cold start everywhere in the corridor.",
-          std::to_string(found) + " of " + std::to_string(inside) + " grid points between the edges, at most " +
-              fixed(most, 0) + " Newton steps."};
+  const std::vector<double> iterations = inside.numbers("iterations");
+  const double most = *std::max_element(iterations.begin(), iterations.end());
+  // A hole would be a point without trim between two with.
+  std::size_t holes = 0;
+  for (std::size_t i = 1; i + 1 < grid.rows(); ++i) {
+    const auto flies = [&](std::size_t k) { return grid.text(k, "state") == "ok"; };
+    const bool same_mast = grid.text(i - 1, "mast_deg") == grid.text(i + 1, "mast_deg");
+    holes += same_mast && flies(i - 1) && flies(i + 1) && grid.text(i, "state") == "not_converged";
+  }
+  return {holes == 0 ? Finding::holds : Finding::differs, "Trim converges from a cold start everywhere in the corridor.",
+          std::to_string(inside.rows()) + " grid points inside, at most " + fixed(most, 0) +
+              " Newton steps, no hole. Points tried outside, by reason: " + reasons + "."};
+}
+
+Finding stops(const Table& edges) {
+  std::string names;
+  for (const std::string& name : edges.different("stop_name")) {
+    if (!name.empty()) names += (names.empty() ? "" : ", ") + name;
+  }
+  return {Finding::remark, "On the slow side it is the wing that ends level flight at every mast angle from 25 deg on.",
+          names.empty() ? "No control reaches its stop before." : "Controls that reach their stop before: " + names + "."};
 }
 
 }  // namespace
@@ -184,12 +222,12 @@ Section conversion_corridor() {
       "the transmission has no more power (at mast 90, with its lower rotor speed, torque). Blue is stable. At low mast "
       "angles flight below the stall of the wing is possible, nose high. Flap and rotor speed change at mast 0 and 90.";
   const Table grid = grid_table();
-  const Table edges = corridor_edges(kMastStep);
+  const Table edges = corridor_edges(kEdgeStep);
   const Table compared = compared_minimum_speeds();
   section.pictures = {growth_picture(grid, edges), damping_picture(grid, edges)};
-  section.findings = {minimum_speeds(compared), convergence(grid, edges)};
+  section.findings = {minimum_speeds(compared), stops(edges), convergence(grid)};
   section.tables.push_back({"corridor", "every point of the grid", grid});
-  section.tables.push_back({"corridor_edges", "stall and power side", edges});
+  section.tables.push_back({"corridor_edges", "wing stall, control stops, power", edges});
   section.tables.push_back({"corridor_compared", "minimum speed against the 1975 design", compared});
   return section;
 }

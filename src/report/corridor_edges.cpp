@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <limits>
+#include <functional>
 #include <string>
 
 #include "report/reference_points.hpp"
@@ -10,22 +11,25 @@ namespace tiltrotor::report {
 
 namespace {
 
-constexpr double kResolution = 0.1;  // m/s
+constexpr double kResolution = 0.2;  // m/s
 constexpr double kHighest = 150;     // m/s, of the tables
 
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+
 struct Edge {
-  double speed_mps;    // NaN: none before the end of the range
-  std::string reason;  // what stops flight beyond it
+  double speed_mps;  // NaN: none before the end of the range
+  Trimmed beyond;    // the trim just outside
 };
+
+const char* limit_word(TrimLimit limit) { return trim_detail::kLimitNames[static_cast<unsigned>(limit)].name; }
 
 // From a speed at which `flies` holds towards one at which it may not: in coarse steps to the first failure, then by
 // halving.
-template <class Flies>
-Edge edge_towards(const Configured& c, double from, double end, Flies&& flies) {
+Edge edge_towards(const Configured& c, double from, double end, const std::function<bool(const Trimmed&)>& flies) {
   const double coarse = end > from ? 4 : -4;
   double good = from;
   Trimmed failed{};
-  double bad = std::numeric_limits<double>::quiet_NaN();
+  double bad = kNone;
   Trimmed last = trimmed_persistently(c, from);
   while (good != end) {
     const double next = std::fabs(end - good) > std::fabs(coarse) ? good + coarse : end;
@@ -39,7 +43,7 @@ Edge edge_towards(const Configured& c, double from, double end, Flies&& flies) {
     good = next;
     last = t;
   }
-  if (!std::isfinite(bad)) return {bad, ""};
+  if (!std::isfinite(bad)) return {kNone, failed};
   while (std::fabs(bad - good) > kResolution) {
     const double middle = 0.5 * (good + bad);
     const Trimmed t = trimmed_near(c, middle, last);
@@ -51,10 +55,15 @@ Edge edge_towards(const Configured& c, double from, double end, Flies&& flies) {
       failed = t;
     }
   }
-  return {good, failed.status == TrimStatus::ok ? "power" : trim_status_word(failed.status)};
+  return {good, failed};
 }
 
 Edge stall_side(const Configured& c, double from) {
+  return edge_towards(c, from, 0,
+                      [](const Trimmed& t) { return is_trimmed(t.status) && t.status != TrimStatus::wing_stall; });
+}
+
+Edge stop_side(const Configured& c, double from) {
   return edge_towards(c, from, 0, [](const Trimmed& t) { return t.status == TrimStatus::ok; });
 }
 
@@ -67,15 +76,21 @@ Edge power_side(const Configured& c, double from) {
 }  // namespace
 
 Table corridor_edges(double mast_step_deg) {
-  Table table({"mast_deg", "stall_mps", "stall_reason", "power_mps", "power_reason"});
+  Table table({"mast_deg", "stall_mps", "stop_mps", "stop_name", "power_mps", "power_reason"});
   for (double mast = 0; mast <= 90; mast += mast_step_deg) {
     const Configured c = configured(mast);
     const double middle = middle_speed(mast);
     const Edge stall = stall_side(c, middle);
-    Edge power = power_side(c, middle);
-    const bool torque = c.setup.rotor_speed < c.aircraft->rotor.speed_helicopter;
-    if (power.reason == "power" && torque) power.reason = "torque";
-    table.add({mast, stall.speed_mps, stall.reason, power.speed_mps, power.reason});
+    const Edge stop = stop_side(c, middle);
+    const Edge power = power_side(c, middle);
+    const bool is_stop = stop.beyond.status == TrimStatus::control_limit;
+    const bool is_power = power.beyond.status == TrimStatus::ok;
+    const bool is_torque = c.setup.rotor_speed < c.aircraft->rotor.speed_helicopter;
+    table.add({mast, stall.speed_mps, is_stop ? stop.speed_mps : kNone,
+               std::string(is_stop ? limit_word(stop.beyond.limit) : ""), power.speed_mps,
+               std::string(!is_power   ? trim_status_word(power.beyond.status)
+                           : is_torque ? "torque"
+                                       : "power")});
   }
   return table;
 }
@@ -96,7 +111,8 @@ Table compared_minimum_speeds() {
     const Configured c = configured(setup);
     const Edge edge = stall_side(c, middle_speed(mast));
     const double design = rows.number(i, "speed_mps");
-    table.add({mast, rows.number(i, "mass_lb"), edge.speed_mps, edge.reason, design, edge.speed_mps - design});
+    table.add({mast, rows.number(i, "mass_lb"), edge.speed_mps, std::string(trim_status_word(edge.beyond.status)), design,
+               edge.speed_mps - design});
   }
   return table;
 }

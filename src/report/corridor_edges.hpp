@@ -6,7 +6,8 @@
 
 namespace tiltrotor::report {
 
-// mast_deg, stall_mps and stall_reason (empty when flight is possible down to hover), power_mps and power_reason.
+// mast_deg; on the slow side stall_mps (wing) and stop_mps with stop_name (control at its stop), empty where there is none
+// down to hover; on the fast side power_mps and power_reason.
 Table corridor_edges(double mast_step_deg);
 
 // The stall side in the conditions of the 1975 design (its flap, rotor speed and masses) against the published points.

@@ -54,7 +54,9 @@ Trimmed trimmed_persistently(const Configured& c, double speed_mps) {
 
 Trimmed trimmed_near(const Configured& c, double speed_mps, const Trimmed& neighbour) {
   Trimmed result = neighbour;
-  (void)trim_from(c, level(speed_mps), work(), result);
+  TrimOptions options;
+  options.max_iterations = kFewIterations;
+  (void)trim_from(c, level(speed_mps), work(), result, options);
   return result;
 }
 

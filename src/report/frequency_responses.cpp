@@ -127,18 +127,32 @@ Picture picture(const Case& which, const Table& table, const char* kind, const c
   return {plot.id, svg(plot)};
 }
 
-Finding judge(const Case& which, const Table& table) {
-  double gain = 0;
-  double phase = 0;
+// Largest differences from a frequency on.
+struct Misfit {
+  double gain = 0, phase = 0;
+};
+Misfit misfit(const Table& table, double from) {
+  Misfit m;
   for (std::size_t i = 0; i < table.rows(); ++i) {
-    gain = std::max(gain, std::fabs(table.number(i, "gain_db") - table.number(i, "identified_gain_db")));
-    phase = std::max(phase, std::fabs(table.number(i, "phase_deg") - table.number(i, "identified_phase_deg")));
+    if (table.number(i, "omega_rad_s") < from) continue;
+    m.gain = std::max(m.gain, std::fabs(table.number(i, "gain_db") - table.number(i, "identified_gain_db")));
+    m.phase = std::max(m.phase, std::fabs(table.number(i, "phase_deg") - table.number(i, "identified_phase_deg")));
   }
+  return m;
+}
+
+Finding judge(const Case& which, const Table& table) {
+  const auto [gain, phase] = misfit(table, 0);
+  constexpr double above_phugoid = 1;  // rad/s
+  const Misfit fast = misfit(table, above_phugoid);
   const bool good = gain <= kGainTolerance && phase <= kPhaseTolerance;
   return {good ? Finding::holds : Finding::partly,
           std::string(which.title) + (which.shape_only ? ", shape" : "") + ": within 2 dB and 15 deg of flight.",
-          "Largest differences over the identified band: " + fixed(gain, 1) + " dB, " + fixed(phase, 0) + " deg." +
-              (which.shape_only ? " The gain of the power lever is not published; both curves meet at 1 rad/s." : "")};
+          "Largest differences over the identified band: " + fixed(gain, 1) + " dB, " + fixed(phase, 0) + " deg; from 1 rad/s on " +
+              fixed(fast.gain, 1) + " dB, " + fixed(fast.phase, 0) + " deg." +
+              (which.shape_only ? " The gain of the power lever is not published; both curves meet at 1 rad/s."
+                                : " The identified form has no phugoid, which bends the model's curve below 1 rad/s; the gain "
+                                  "is high throughout: the elevator is too effective.")};
 }
 
 Finding short_period(const Modes& modes) {

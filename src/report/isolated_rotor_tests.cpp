@@ -17,6 +17,7 @@ namespace {
 
 constexpr double kSolidity = 0.0891;          // of the published coefficients: 3 blades, 14 in, R 150 in
 constexpr double kCollectiveStep = 0.5;       // deg
+constexpr double kStallFrom = 0.005;          // CT
 constexpr double kSpeedOfSound = 340.3;       // m/s
 constexpr double kHoverTipSpeed = 234.2;      // m/s, of the OARF runs
 constexpr double kHoverTolerance = 7;         // % of CP
@@ -44,7 +45,8 @@ std::vector<Sample> collective_sweep(double tip_speed, double axial, double in_p
     IsolatedRotor<double> rotor;
     if (isolated_rotor(c, flow, *work, rotor) != Status::ok) continue;
     const RotorFigures<double>& f = rotor.figures;
-    if (!samples.empty() && f.thrust_coefficient <= samples.back().ct) break;
+    const bool stalls = !samples.empty() && f.thrust_coefficient <= samples.back().ct && f.thrust_coefficient > kStallFrom;
+    if (stalls) break;
     samples.push_back({deg, f.thrust_coefficient, f.power_coefficient, f.figure_of_merit, f.efficiency});
   }
   return samples;

@@ -81,7 +81,7 @@ TEST(modes_numbers_follow_from_the_eigenvalue) {
   }
 }
 
-// Which root is which: model.md 17.3, from another program.
+// Which root is which: from another program.
 TEST(modes_names_of_known_roots) {
   static ModeSet<double> set;
   const auto near = [&](const char* name, double real, double imag) {

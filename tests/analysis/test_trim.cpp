@@ -260,7 +260,7 @@ std::string explanation(const TrimResult<double>& r) {
 bool contains(const std::string& text, const char* part) { return text.find(part) != std::string::npos; }
 }  // namespace
 
-// Lower ends of the conversion corridor and the end of helicopter mode: model.md 17.5, computed with another
+// Lower ends of the conversion corridor and the end of helicopter mode: computed with another
 // program.
 TEST(trim_tells_why_there_is_none) {
   const TrimResult<double> stalled = trimmed(configuration(30), level(24));

@@ -14,8 +14,8 @@ using check::run_tiltrotor;
 
 namespace {
 
-// The two programs differ in the last digits of converted constants: 6e-8 of the largest derivative of a
-// row's kind.
+// The two programs differ in the last digits of converted constants: 6e-8 where large loads nearly cancel
+// (one d_w), below 1e-8 for the loads themselves.
 constexpr double tolerance = 1e-6;
 
 const char* const states[] = {"u",     "v",     "w",      "p",      "q",      "r",    "phi",  "theta",

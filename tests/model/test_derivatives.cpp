@@ -214,8 +214,8 @@ Loads<Dual<double, 1>> sideslip_derivative(Component component, double mast_deg,
 
 }  // namespace
 
-TEST(derivatives_complex_step) { compare(4, 0); }
-TEST(derivatives_central_difference) { compare(0, 4); }
+TEST(derivatives_complex_step) { compare(2, 0); }
+TEST(derivatives_central_difference) { compare(0, 2); }
 TEST(slow_derivatives_every_column) { compare(kColumns, 9); }
 
 // Table slopes at zero sideslip by hand: CR-166536 tables 3-VII, 3-VIII, 3-IX at 10 deg (-14.5 ft2, -75 ft3, -202 ft3), odd, so the slope at zero is

@@ -1,4 +1,4 @@
-// The linear model about any state, trimmed or not: A = df/dx, B = df/du (model.md 13.1).
+// The linear model about any state, trimmed or not: A = df/dx, B = df/du.
 #pragma once
 
 #include <type_traits>

@@ -1,5 +1,5 @@
 // Names of modes: what a root of the linear model is called, decided by which states take part in it
-// (model.md 13.4, 17.3).
+//.
 #pragma once
 
 #include "tiltrotor/analysis/reduction.hpp"

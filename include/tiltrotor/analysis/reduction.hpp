@@ -1,5 +1,5 @@
 // Smaller and clearer linear models: residualised rotors, and symmetric and antisymmetric halves
-// (model.md 13.3, 13.4).
+//.
 #pragma once
 
 #include "tiltrotor/analysis/linear_model.hpp"

@@ -1,4 +1,4 @@
-// Steady flight: what a trim holds, and the velocity and rates that follow from the attitude (model.md 12.1).
+// Steady flight: what a trim holds, and the velocity and rates that follow from the attitude.
 #pragma once
 
 #include "tiltrotor/model/configuration.hpp"

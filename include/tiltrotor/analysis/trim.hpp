@@ -1,5 +1,4 @@
-// Trim: state and controls of a steady flight, by damped Newton iteration on the complete model (model.md
-// 12).
+// Trim: state and controls of a steady flight, by damped Newton iteration on the complete model.
 //
 //   Configuration<double> c;  prepare(aircraft, flight_setup(aircraft, 30.0), c);
 //   SteadyFlight<double> flight{};  flight.speed = 50;
@@ -273,7 +272,7 @@ void describe(const Configuration<R>& c, const SteadyFlight<R>& flight, TrimWork
   Evaluation<R>& e = work.evaluation;
   evaluate(c, result.state, result.controls, e);
 
-  result.angle_of_attack = flight.speed > R(0) ? std::atan2(v.z, v.x) : R(0);
+  result.angle_of_attack = flight.speed > R(0) ? atan2(v.z, v.x) : R(0);
   result.wing_angle_of_attack = e.wing_alpha;
   result.sideslip = flight.speed > R(0) ? flight.sideslip : R(0);
   result.collective_root = result.controls.collective + root_twist(c);

@@ -1,5 +1,5 @@
 // The equations of trim: which unknowns there are, how large a Newton step may be in each, and the scaled
-// residuals (model.md 12.1, 12.4).
+// residuals.
 #pragma once
 
 #include "tiltrotor/analysis/differentiation.hpp"
@@ -103,7 +103,7 @@ void trim_residuals(const Configuration<Real<T>>& c, const SteadyFlight<Real<T>>
   }
 }
 
-// First guess for any mast angle and speed (model.md 12.4), extended to turns and climbs: bank of a
+// First guess for any mast angle and speed , extended to turns and climbs: bank of a
 // coordinated turn, its load factor on the rotors, and the part of the climb that thrust along the path must
 // carry.
 template <class R>
@@ -113,7 +113,7 @@ void trim_first_guess(const Configuration<R>& c, const SteadyFlight<R>& flight,
   const R cm = cos(c.mast);
   const R weight = c.mass.mass * kGravity<R>;
   const R bank_limit = R(60) * kRadian<R>;
-  R bank = std::atan(flight.speed * cos(flight.climb) * flight.turn_rate / kGravity<R>);
+  R bank = atan2(flight.speed * cos(flight.climb) * flight.turn_rate, kGravity<R>);
   bank = bank > bank_limit ? bank_limit : bank < -bank_limit ? -bank_limit : bank;
 
   const R wing_share = flight.speed < R(40) ? flight.speed / R(40) : R(1);
@@ -140,7 +140,7 @@ void trim_first_guess(const Configuration<R>& c, const SteadyFlight<R>& flight,
 
   const R reference = c.aircraft->rotor.twist_reference;
   const R level_pitch = c.setup.mast_deg < R(15) ? R(0.5) * kRadian<R> : R(3) * kRadian<R>;
-  const R collective = std::atan((through + n0) / reference) + (R(2) + R(4) * cm * cm) * kRadian<R>;
+  const R collective = atan2(through + n0, reference) + (R(2) + R(4) * cm * cm) * kRadian<R>;
   for (int j = 0; j < equations.count; ++j) {
     const TrimEquation<R>& row = equations.row[j];
     z[j] = R(0);

@@ -24,7 +24,6 @@ enum class TrimLimit : unsigned char {
   long_stick,
   lat_stick,
   pedal,
-  collective_floor,
   elevator,
   aileron,
   rudder,
@@ -45,7 +44,7 @@ struct LimitName {
 };
 inline constexpr LimitName kLimitNames[] = {
     {"none", ""},      {"wing angle of attack", "deg"}, {"longitudinal stick", "in"}, {"lateral stick", "in"},
-    {"pedal", "in"},   {"collective", "deg"},           {"elevator", "deg"},          {"aileron", "deg"},
+    {"pedal", "in"},              {"elevator", "deg"},          {"aileron", "deg"},
     {"rudder", "deg"}, {"right gimbal tilt", "deg"},    {"left gimbal tilt", "deg"}};
 static_assert(sizeof(kLimitNames) / sizeof(kLimitNames[0]) == static_cast<unsigned>(TrimLimit::count),
               "one name per limit");
@@ -63,7 +62,7 @@ constexpr bool is_trimmed(TrimStatus status) {
          status == TrimStatus::control_limit || status == TrimStatus::flap_limit;
 }
 
-// The angle of attack beyond which the free wing stalls (model.md 12.4). It is a limit where the aircraft
+// The angle of attack beyond which the free wing stalls . It is a limit where the aircraft
 // rests on the wing: not in helicopter mode, where rotors carry it through a descent with the wing stalled,
 // and not where a unit of lift coefficient carries less than a fiftieth of the weight (10 m/s at sea level).
 template <class R>
@@ -80,7 +79,8 @@ struct LimitCheck {
   R value, bound;  // rad, in
 };
 
-// The first limit exceeded, in the order: wing, controls, surfaces, gimbals.
+// The first limit exceeded, in the order: wing, controls, surfaces, gimbals. The lower limit of the power lever
+// (Gearing::collective_floor) is none of them: the rotor governor adds to what the lever asks for.
 template <class R>
 LimitCheck<R> check_limits(const Configuration<R>& c, R speed, R wing_angle, const State<R>& x,
                            const Controls<R>& u, const BladeControls<R>& blades) {
@@ -102,8 +102,6 @@ LimitCheck<R> check_limits(const Configuration<R>& c, R speed, R wing_angle, con
   if (outside(u.lat_stick, t.lat_travel))
     return exceeded(control, TrimLimit::lat_stick, u.lat_stick, t.lat_travel);
   if (outside(u.pedal, t.pedal_travel)) return exceeded(control, TrimLimit::pedal, u.pedal, t.pedal_travel);
-  if (u.collective < c.gearing.collective_floor)
-    return {control, TrimLimit::collective_floor, u.collective, c.gearing.collective_floor};
   if (outside(blades.elevator, t.elevator_limit))
     return exceeded(control, TrimLimit::elevator, blades.elevator, t.elevator_limit);
   if (outside(blades.aileron, t.aileron_limit))

@@ -1,0 +1,52 @@
+// One derivative, one Jacobian, one trim, one frame: what `make bench-instructions` counts, each in a function of its
+// own that callgrind can find. Instructions do not depend on the machine's load or clock.
+#include <cstring>
+#include <memory>
+
+#include "frame.hpp"
+
+using namespace bench;
+
+namespace {
+
+struct Rooms {
+  Configuration<double> c;
+  TrimResult<double> flight, again;
+  State<double> rates;
+  LinearModel<double> model;
+  TrimWorkspace<double, AutoDiff> trim;
+  FrameWork<AutoDiff> work;
+  Simulation<double> simulation;
+};
+
+}  // namespace
+
+// The real-time grid, unless the name says otherwise.
+extern "C" {
+__attribute__((noinline)) void counted_derivative(Rooms& r) {
+  derivative(r.c, r.flight.state, r.flight.controls, r.rates);
+}
+__attribute__((noinline)) void counted_jacobian(Rooms& r) {
+  require(linearize(r.c, r.flight.state, r.flight.controls, kBladeControls, r.work.linearization, r.model) == Status::ok,
+          "A, B");
+}
+__attribute__((noinline)) void counted_trim(Rooms& r) {
+  require(is_trimmed(trim(r.c, level(kMiddleSpeed), r.trim, r.again)), "no trim");
+}
+__attribute__((noinline)) void counted_frame(Rooms& r) { frame(r.c, r.work, r.simulation); }
+}
+
+// Argument: the name of the function to call, without counted_; a second argument chooses the specification grid.
+int main(int argc, char** argv) {
+  require(argc == 2 || argc == 3, "usage: bench_instructions derivative|jacobian|trim|frame [specification]");
+  const auto rooms = std::make_unique<Rooms>();
+  Rooms& r = *rooms;
+  r.c = configuration(kMiddleMast, with_grid(argc == 3 ? BladeGrid::specification : BladeGrid::realtime));
+  r.flight = trimmed(r.c, kMiddleSpeed);
+  r.simulation = flight_with_input(r.c, r.flight, InputShape::step, kRadian<double>);
+  if (std::strcmp(argv[1], "derivative") == 0) counted_derivative(r);
+  if (std::strcmp(argv[1], "jacobian") == 0) counted_jacobian(r);
+  if (std::strcmp(argv[1], "trim") == 0) counted_trim(r);
+  if (std::strcmp(argv[1], "frame") == 0) counted_frame(r);
+  return 0;
+}

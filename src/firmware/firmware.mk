@@ -1,0 +1,59 @@
+# The reference flight on this machine, and as images for a Cortex-M7 (double) and a Cortex-M4F (single precision).
+
+FIRMWARE_PREFIX ?= arm-none-eabi-
+FIRMWARE_FRAMES ?= 600
+MEASURED_STATES ?= 1000
+FIRMWARE_RAM    ?= 192K
+FIRMWARE_STACK  ?= 64K
+C_FLAGS := -std=c99 -O2 $(ARCH_FLAGS) -ffp-contract=off -Wall -Wextra -Wpedantic $(if $(WERROR),-Werror) \
+           $(if $(filter single,$(PRECISION)),-DTR_SINGLE_PRECISION) -Iinclude -Isrc
+FIRMWARE_HEADERS := $(wildcard src/firmware/*.h) include/tiltrotor/tiltrotor.h
+
+.PHONY: hash firmware test-firmware
+
+$(BUILD)/firmware/%.o: src/firmware/%.c $(FIRMWARE_HEADERS) $(BUILD)/flags.stamp
+	@echo "  compile $<"; mkdir -p $(@D)
+	$(Q)$(CC) $(C_FLAGS) -DFIRMWARE_FRAMES=$(FIRMWARE_FRAMES) -DMEASURED_STATES=$(MEASURED_STATES) -c $< -o $@
+
+$(BUILD)/reference_flight: $(addprefix $(BUILD)/firmware/,flight_on_host.o reference_flight.o) $(BUILD)/libtiltrotor.a
+	$(link)
+	$(Q)$(CXX) $(FLAGS) $(LDFLAGS) $^ $(LDLIBS) -o $@
+
+hash: $(BUILD)/reference_flight ## hash of the reference flight, the same on every machine
+	$(Q)$(RUNNER) $(BUILD)/reference_flight | \
+	  awk -v machine="$$($(CC) -dumpmachine)" '/^hash|^precision/ { printf "%s %s\n", machine, $$0 }'
+
+ifdef TARGET
+BOARD_OBJECTS := $(addprefix $(BUILD)/firmware/,board.o reference_flight.o)
+$(BUILD)/flight.elf: $(BUILD)/firmware/flight_image.o
+$(BUILD)/measure.elf: $(addprefix $(BUILD)/firmware/,measure_image.o measure.o)
+$(BUILD)/flight.elf $(BUILD)/measure.elf: $(BOARD_OBJECTS) $(BUILD)/libtiltrotor.a src/firmware/board.ld
+	$(link)
+	$(Q)$(CC) $(ARCH_FLAGS) -nostartfiles -T src/firmware/board.ld -Wl,--gc-sections -Wl,-Map=$@.map \
+	  -Wl,--defsym=RAM_SIZE=$(FIRMWARE_RAM),--defsym=STACK_SIZE=$(FIRMWARE_STACK) \
+	  $(filter %.o %.a,$^) -lm -lc -lgcc -o $@
+endif
+
+# $(call image_make,TARGET,PRECISION): make for another target, whatever this make was told
+image_make = $(MAKE) --no-print-directory CROSS_COMPILE=$(FIRMWARE_PREFIX) CXX=$(FIRMWARE_PREFIX)g++ \
+  CC=$(FIRMWARE_PREFIX)gcc AR=$(FIRMWARE_PREFIX)ar HOST_CXX='$(HOST_CXX)' TARGET=$(1) PRECISION=$(2) ARCH= RUNNER= \
+  CXXFLAGS='-O2 -fcallgraph-info=su -fstack-usage' LDFLAGS= BUILD=$(BUILD)/$(1)
+IMAGES := $(BUILD)/cortex-m7/flight.elf $(BUILD)/cortex-m4f/flight.elf
+
+firmware: ## images of the reference flight for Cortex-M7 and Cortex-M4F
+	+$(Q)if command -v $(FIRMWARE_PREFIX)g++ >/dev/null; then \
+	  $(call image_make,cortex-m7,double) $(BUILD)/cortex-m7/flight.elf $(BUILD)/cortex-m7/measure.elf && \
+	  $(call image_make,cortex-m4f,single) $(BUILD)/cortex-m4f/flight.elf $(BUILD)/cortex-m4f/measure.elf && \
+	  $(FIRMWARE_PREFIX)size $(IMAGES); \
+	else echo "firmware: $(FIRMWARE_PREFIX)g++ is not installed, nothing built"; fi
+
+# The host's own flights, without -march: the hashes must be equal all the same.
+test-firmware: firmware ## fly the images in an emulator and compare with the flight on this machine
+	+$(Q)if ! command -v $(FIRMWARE_PREFIX)g++ >/dev/null || ! command -v qemu-system-arm >/dev/null; then \
+	  echo "test-firmware: $(FIRMWARE_PREFIX)g++ or qemu-system-arm is not installed, nothing tested"; exit 0; fi; set -e; \
+	$(MAKE) --no-print-directory $(BUILD)/reference_flight; \
+	$(MAKE) --no-print-directory PRECISION=single BUILD=$(BUILD)/single $(BUILD)/single/reference_flight; \
+	src/firmware/compare.sh cortex-m7 mps2-an500 $(BUILD)/cortex-m7/flight.elf \
+	  "$(RUNNER) $(BUILD)/reference_flight" $(FIRMWARE_FRAMES); \
+	src/firmware/compare.sh cortex-m4f mps2-an386 $(BUILD)/cortex-m4f/flight.elf \
+	  "$(RUNNER) $(BUILD)/single/reference_flight" $(FIRMWARE_FRAMES)

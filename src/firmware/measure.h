@@ -1,0 +1,14 @@
+/* Instructions of each call, smallest and largest over random states. */
+#ifndef TILTROTOR_MEASURE_H
+#define TILTROTOR_MEASURE_H
+
+#include "firmware/reference_flight.h"
+
+/* Instructions executed so far, wraps at 2^32. */
+typedef uint32_t (*instruction_counter)(void);
+
+/* Prints name_min and name_max of derivative, step, jacobian, eigenvalues and frame (step, A, B and eigenvalues) over
+ * `states` random states, and of one Newton step of a trim over the speeds of the corridor. */
+int measure(text_sink write, instruction_counter count, int states);
+
+#endif
