@@ -129,7 +129,23 @@ static int measure_trim(text_sink write, instruction_counter count) {
   return failures > 0;
 }
 
+static void write_sizes(text_sink write) {
+  write_count(write, "sizeof_tr_sim", sizeof(tr_sim));
+  write_count(write, "sizeof_tr_work", sizeof(tr_work));
+  write_count(write, "used_of_tr_sim", tr_sim_size());
+  write_count(write, "used_of_tr_work", tr_work_size());
+  write_count(write, "sizeof_tr_setup", sizeof(tr_setup));
+  write_count(write, "sizeof_tr_state", sizeof(tr_state));
+  write_count(write, "sizeof_tr_outputs", sizeof(tr_outputs));
+  write_count(write, "sizeof_tr_flight", sizeof(tr_flight));
+  write_count(write, "sizeof_tr_trim_result", sizeof(tr_trim_result));
+  write_count(write, "sizeof_tr_linear_shape", sizeof(tr_linear_shape));
+  write_count(write, "sizeof_tr_mode", sizeof(tr_mode));
+}
+
 int measure(text_sink write, instruction_counter count, int states) {
-  const int flight_failed = measure_flight(write, count, states);
+  int flight_failed;
+  write_sizes(write);
+  flight_failed = measure_flight(write, count, states);
   return measure_trim(write, count) || flight_failed;
 }
