@@ -116,9 +116,6 @@ test-cross: ## test on every other machine whose compiler and emulator are insta
 	    $(MAKE) CROSS_COMPILE=$$prefix BUILD=$(BUILD)/$${prefix%-} CXXFLAGS=-O1 test hash; \
 	  else echo "test-cross: no compiler or emulator for $$prefix, not tested"; fi; done
 
-bench: $(BENCHMARKS) ## build and run every benchmark
-	$(Q)set -e; for benchmark in $(BENCHMARKS); do $$benchmark; done
-
 headers: $(HEADERS:%=alone/%) ## compile every public header alone, warnings are errors
 
 format: ## lay out every source with clang-format
@@ -136,7 +133,7 @@ install: all ## copy headers, libraries, program and pkg-config file to DESTDIR/
 	install -m 755 $(BUILD)/tiltrotor "$$to/bin"; \
 	printf '%s\n' 'prefix=$(abspath $(PREFIX))' 'includedir=$${prefix}/include' 'libdir=$${prefix}/lib' '' \
 	  'Name: tiltrotor' 'Description: Tilt-rotor flight mechanics with exact derivatives' \
-	  'Version: $(VERSION)' 'Cflags: -I$${includedir}$(if $(filter single,$(PRECISION)), -DTR_SINGLE_PRECISION)' 'Libs: -L$${libdir} -ltiltrotor -lm' \
+	  'Version: $(VERSION)' 'Cflags: -I$${includedir} $(strip $(ARCH_FLAGS) $(if $(filter single,$(PRECISION)),-DTR_SINGLE_PRECISION))' 'Libs: -L$${libdir} -ltiltrotor -lm' \
 	  > "$$to/lib/pkgconfig/tiltrotor.pc"
 
 clean: ## remove the build directory
@@ -145,6 +142,8 @@ clean: ## remove the build directory
 help: ## list the goals
 	@sed -n 's/^\([a-z-]*\):.*## \(.*\)/  \1:\2/p' $(filter-out %.d,$(MAKEFILE_LIST)) | \
 	  awk -F: '{ printf "%-15s %s\n", $$1, $$2 }'
+
+include bench/bench.mk
 
 # ---- stamps: files that change when what they record changes, so that a new flag or a removed source rebuilds ----
 
@@ -218,7 +217,7 @@ $(BUILD)/tests/%.o: tests/%.cpp
 	$(call compile,$(TEST_FLAGS))
 
 $(BUILD)/bench/%.o: bench/%.cpp
-	$(call compile)
+	$(call compile,$(BENCH_FLAGS))
 
 $(BUILD)/host/%.o: src/%.cpp $(BUILD)/host.stamp
 	@echo "  compile $< (host)"; mkdir -p $(@D)

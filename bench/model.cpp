@@ -47,8 +47,8 @@ void measure(const Grid& grid, Results& results) {
   results.add("element_ns" + s, contest.time(plain), "ns", 1e9 / elements(c));
   results.add("jacobian_us" + s, contest.time(exact[0]), "us", 1e6);
   for (int k = 0; k < 3; ++k)
-    results.add("jacobian_over_function" + s + kColumns[k].suffix, contest.ratio(exact[k], plain), "-");
-  results.add("jacobian_over_function" + s + "_nd", contest.ratio(numerical, plain), "-");
+    results.add(std::string("jacobian_over_function") + kColumns[k].suffix + s, contest.ratio(exact[k], plain), "-");
+  results.add("jacobian_over_function_nd" + s, contest.ratio(numerical, plain), "-");
 }
 
 }  // namespace

@@ -14,9 +14,9 @@ template <>
 struct bench::PeerRules<adouble> {
   static double value(const adouble& x) { return x.getValue(); }
   // Its own tangent at the point: f + slope (x - x0).
-  static adouble from_slopes(double value, int count, const double* slope, const Traced* x) {
+  static adouble from_slopes(double value, int count, const double* slope, const Traced* const* x) {
     adouble result = value;
-    for (int a = 0; a < count; ++a) result += slope[a] * (x[a].n - x[a].n.getValue());
+    for (int a = 0; a < count; ++a) result += slope[a] * (x[a]->n - x[a]->n.getValue());
     return result;
   }
 };
@@ -24,11 +24,11 @@ struct bench::PeerRules<adouble> {
 template <>
 struct bench::PeerRules<adtl::adouble> {
   static double value(const adtl::adouble& x) { return x.getValue(); }
-  static adtl::adouble from_slopes(double value, int count, const double* slope, const Traceless* x) {
+  static adtl::adouble from_slopes(double value, int count, const double* slope, const Traceless* const* x) {
     adtl::adouble result = value;
     for (int i = 0; i < kPeerInputs; ++i) {
       double sum = 0;
-      for (int a = 0; a < count; ++a) sum += slope[a] * x[a].n.getADValue()[i];
+      for (int a = 0; a < count; ++a) sum += slope[a] * x[a]->n.getADValue()[i];
       result.setADValue(static_cast<unsigned>(i), sum);
     }
     return result;

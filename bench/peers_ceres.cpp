@@ -1,6 +1,7 @@
 // The Jacobian with ceres::Jet.
 #include <ceres/jet.h>
 
+#include "peers_blades.hpp"
 #include "peers_jacobian.hpp"
 
 using Jet = ceres::Jet<double, bench::kPeerDirections>;
@@ -17,11 +18,16 @@ struct ScalarTraits<Jet> {
   static Jet atan2(const Jet& y, const Jet& x) { return ceres::atan2(y, x); }
   static constexpr bool kTakesSlopes = true;
   template <int Arguments>
-  static Jet from_slopes(double value, const double* slope, const Jet* x) {
-    Jet result(value, slope[0] * x[0].v);
-    for (int a = 1; a < Arguments; ++a) result.v += slope[a] * x[a].v;
+  static Jet from_slopes(double value, const double* slope, const Jet* const* x) {
+    Jet result(value, slope[0] * x[0]->v);
+    for (int a = 1; a < Arguments; ++a) result.v += slope[a] * x[a]->v;
     return result;
   }
+};
+
+template <>
+class BladeGroup<Jet> : public bench::SingleBlades<Jet> {
+  using SingleBlades::SingleBlades;
 };
 
 }  // namespace tiltrotor

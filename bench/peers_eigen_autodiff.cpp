@@ -14,9 +14,9 @@ using Scalar = Foreign<Number>;
 template <>
 struct bench::PeerRules<Number> {
   static double value(const Number& x) { return x.value(); }
-  static Number from_slopes(double value, int count, const double* slope, const Scalar* x) {
-    Number result(value, slope[0] * x[0].n.derivatives());
-    for (int a = 1; a < count; ++a) result.derivatives() += slope[a] * x[a].n.derivatives();
+  static Number from_slopes(double value, int count, const double* slope, const Scalar* const* x) {
+    Number result(value, slope[0] * x[0]->n.derivatives());
+    for (int a = 1; a < count; ++a) result.derivatives() += slope[a] * x[a]->n.derivatives();
     return result;
   }
 };

@@ -12,11 +12,11 @@ using Scalar = Foreign<Number>;
 template <>
 struct bench::PeerRules<Number> {
   static double value(const Number& x) { return x.val(); }
-  static Number from_slopes(double value, int count, const double* slope, const Scalar* x) {
+  static Number from_slopes(double value, int count, const double* slope, const Scalar* const* x) {
     Number result(value);
     for (int i = 0; i < kPeerDirections; ++i) {
-      double sum = slope[0] * x[0].n.fastAccessDx(i);
-      for (int a = 1; a < count; ++a) sum += slope[a] * x[a].n.fastAccessDx(i);
+      double sum = slope[0] * x[0]->n.fastAccessDx(i);
+      for (int a = 1; a < count; ++a) sum += slope[a] * x[a]->n.fastAccessDx(i);
       result.fastAccessDx(i) = sum;
     }
     return result;

@@ -7,12 +7,12 @@
 
 #include <cmath>
 
-#include "tiltrotor/math/scalar.hpp"
+#include "peers_blades.hpp"
 
 namespace bench {
 
 // static double value(const Number&);
-// static Number from_slopes(double value, int count, const double* slope, const Foreign<Number>* x);
+// static Number from_slopes(double value, int count, const double* slope, const Foreign<Number>* const* x);
 template <class Number>
 struct PeerRules;
 
@@ -82,9 +82,14 @@ struct ScalarTraits<bench::Foreign<Number>> {
   }
   static constexpr bool kTakesSlopes = true;
   template <int Arguments>
-  static T from_slopes(double value, const double* slope, const T* x) {
+  static T from_slopes(double value, const double* slope, const T* const* x) {
     return T::of(bench::PeerRules<Number>::from_slopes(value, Arguments, slope, x));
   }
+};
+
+template <class Number>
+class BladeGroup<bench::Foreign<Number>> : public bench::SingleBlades<bench::Foreign<Number>> {
+  using bench::SingleBlades<bench::Foreign<Number>>::SingleBlades;
 };
 
 }  // namespace tiltrotor

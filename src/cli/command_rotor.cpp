@@ -88,6 +88,7 @@ std::vector<Case> cases(const Arguments& arguments, double default_rotor_speed) 
   const std::vector<double> axial = arguments.sweep("--speed-axial", "0", speed_range);
   const std::vector<double> in_plane = arguments.sweep("--speed-inplane", "0", speed_range);
   const std::vector<double> collective = arguments.sweep("--collective75", "0:1:16", collective_range);
+  require_few(arguments.command(), {rotor_speeds.size(), axial.size(), in_plane.size(), collective.size()});
   std::vector<Case> all;
   for (const double rotor_speed : rotor_speeds) {
     for (const double a : axial) {

@@ -119,7 +119,9 @@ std::vector<FlightCase> flight_cases(const Arguments& arguments) {
   flight.turn_rate = arguments.number("--turn-rate", 0, turn_rate_range) * radian;
   std::vector<FlightCase> cases;
   const std::vector<double> speeds = arguments.sweep("--speed", "0", kSpeedRange);
-  for (const double mast_deg : arguments.sweep("--mast", "0", kMastRange)) {
+  const std::vector<double> masts = arguments.sweep("--mast", "0", kMastRange);
+  require_few(arguments.command(), {masts.size(), speeds.size()});
+  for (const double mast_deg : masts) {
     for (const double speed : speeds) {
       flight.speed = speed;
       cases.push_back({mast_deg, flight});

@@ -9,6 +9,7 @@ namespace tiltrotor::cli {
 namespace {
 
 constexpr int max_points = 100000;
+constexpr std::size_t max_combinations = 1000000;
 
 // A range ends at `to` also when rounding carries the last step a little past it.
 constexpr double step_tolerance = 1e-9;
@@ -59,8 +60,21 @@ std::vector<double> parse_sweep(std::string_view text, const std::string& where,
     } else {
       throw UsageError(where + ": '" + item + "' is not a range; write from:step:to, for example 0:5:50");
     }
+    if (values.size() > max_points)
+      throw UsageError(where + ": the list has more than " + std::to_string(max_points) + " values");
   }
   return values;
+}
+
+void require_few(const std::string& command, const std::vector<std::size_t>& sizes) {
+  std::size_t combinations = 1;
+  for (const std::size_t size : sizes) {
+    if (size > max_combinations / combinations) {
+      throw UsageError(command + ": more than " + std::to_string(max_combinations) +
+                       " combinations; divide the ranges among several runs");
+    }
+    combinations *= size;
+  }
 }
 
 }  // namespace tiltrotor::cli

@@ -3,6 +3,9 @@
 
 namespace tiltrotor {
 
+template <>
+void library_has_these_lanes<kVectorBytes>() {}
+
 TILTROTOR_INSTANCES(, double)
 
 }  // namespace tiltrotor

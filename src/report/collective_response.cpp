@@ -197,7 +197,8 @@ Picture root_picture(const char* axis, const Table& modes) {
       s.y = branch.numbers("imag");
       for (std::size_t k = 0; k < branch.rows(); ++k) {
         s.tip.push_back(mode + " at " + branch.text(k, "time_s") + " s: " + root_text(s.x[k], s.y[k]));
-        if (k == 0 || k + 1 == branch.rows()) {
+        const bool pair = s.y[k] > 0;
+        if (pair && (k == 0 || k + 1 == branch.rows())) {
           plot.labels.push_back({s.x[k], s.y[k], branch.text(k, "time_s"), s.color, k == 0 ? -6.0 : 6.0, i == 0 ? -6.0 : 14.0});
         }
       }

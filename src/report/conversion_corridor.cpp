@@ -151,7 +151,7 @@ Plot corridor_plot(const char* id, const char* title, const Table& grid, const T
 }
 
 Picture growth_picture(const Table& grid, const Table& edges) {
-  Plot plot = corridor_plot("corridor_growth", "Corridor, filled with the real part of the least stable root", grid, edges,
+  Plot plot = corridor_plot("corridor_growth", "Corridor: real part of the least stable root", grid, edges,
                             "least_stable_real");
   plot.cells.level = {-0.1, -0.05, -0.02, 0, 0.05, 0.15};
   plot.cells.color = {"#2b7bba", "#6fb0d9", "#b0d5ea", "#e3f0f7", "#fde3c8", "#f9b878", "#e8823a"};
@@ -160,7 +160,7 @@ Picture growth_picture(const Table& grid, const Table& edges) {
 }
 
 Picture damping_picture(const Table& grid, const Table& edges) {
-  Plot plot = corridor_plot("corridor_damping", "Corridor, filled with the damping ratio of the least damped oscillation", grid,
+  Plot plot = corridor_plot("corridor_damping", "Corridor: damping ratio of the worst oscillation", grid,
                             edges, "least_damping_ratio");
   plot.cells.level = {-0.2, 0, 0.1, 0.2, 0.3, 0.5};
   plot.cells.color = {"#e8823a", "#fbcfa0", "#e3f0f7", "#b0d5ea", "#6fb0d9", "#2b7bba", "#145a91"};

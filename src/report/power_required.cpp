@@ -66,7 +66,7 @@ Picture power_picture(const Table& table) {
 Picture prediction_picture(const Table& compared) {
   Plot plot;
   plot.id = "power_prediction";
-  plot.title = "Power with flap 40/25, 565 rpm, against the 1975 prediction";
+  plot.title = "Against the 1975 prediction (flap 40/25, 565 rpm)";
   plot.x.label = "Speed, m/s";
   plot.y.label = "Power of both rotors, kW";
   plot.x.low = 0;

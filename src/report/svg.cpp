@@ -42,7 +42,7 @@ std::string open_svg(double width, double height, const std::string& title) {
 }
 
 double text_width(const std::string& text, double font_size) {
-  constexpr double em_per_character = 0.56;
+  constexpr double em_per_character = 0.58;
   std::size_t characters = 0;
   for (const char c : text) characters += (static_cast<unsigned char>(c) & 0xC0) != 0x80;  // UTF-8 first bytes
   return em_per_character * font_size * static_cast<double>(characters);

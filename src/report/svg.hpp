@@ -18,7 +18,7 @@ std::string attribute(const char* name, const std::string& value);
 // Opening tag of a drawing of that size, with its title for screen readers.
 std::string open_svg(double width, double height, const std::string& title);
 
-// Width on paper, estimated: 0.56 em for a character.
+// Width on paper, estimated: 0.58 em for a character.
 double text_width(const std::string& text, double font_size);
 
 }  // namespace tiltrotor::report

@@ -208,6 +208,12 @@ std::string draw_markers(const Series& s, const Layout& at) {
   return out;
 }
 
+double widest_text(const Scale& scale) {
+  double widest = 0;
+  for (const Tick& t : scale.ticks) widest = std::max(widest, text_width(t.text, kFont));
+  return widest;
+}
+
 Layout layout(const Plot& plot, double top) {
   Bounds bx, by;
   for (const Series& s : plot.series) {
@@ -216,10 +222,16 @@ Layout layout(const Plot& plot, double top) {
   }
   bx.add(plot.cells.x_edge, plot.x.logarithmic);
   by.add(plot.cells.y_edge, plot.y.logarithmic);
-  Layout at{scale_of(plot.x, bx, 7), scale_of(plot.y, by, 6), 0, top, plot.width - 16, top + plot.axes_height, 0};
-  double widest = 0;
-  for (const Tick& t : at.y.ticks) widest = std::max(widest, text_width(t.text, kFont));
-  at.left = kMargin + kFont + 10 + widest;
+  Layout at{{}, scale_of(plot.y, by, 6), 0, top, 0, top + plot.axes_height, 0};
+  at.left = kMargin + kFont + 10 + widest_text(at.y);
+  // As many ticks as their numbers leave room for.
+  for (int count = 8; count >= 2; --count) {
+    at.x = scale_of(plot.x, bx, count);
+    const double wide = widest_text(at.x);
+    at.right = plot.width - std::max(16.0, 0.5 * wide + 4);
+    const double gap = 10;
+    if (at.x.logarithmic || static_cast<double>(at.x.ticks.size()) * (wide + gap) < at.right - at.left) break;
+  }
   at.height = at.bottom + 47;
   return at;
 }
@@ -233,11 +245,14 @@ std::string svg(const Plot& plot) {
   const std::string box = attribute("x", at.left) + attribute("y", at.top) + attribute("width", at.right - at.left) +
                           attribute("height", at.bottom - at.top);
 
+  const double bold = 1.06;
+  const double title_font =
+      std::min(kTitleFont, kTitleFont * (plot.width - 2 * kMargin) / (bold * text_width(plot.title, kTitleFont) + 1));
   std::string out = open_svg(plot.width, at.height, plot.title);
   out += "<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n<g" + attribute("font-size", kFont) + ">\n";
   out += "<clipPath" + attribute("id", plot.id + "_clip") + "><rect" + box + "/></clipPath>\n";
   out += text_at(kMargin, kMargin + kTitleFont, plot.title, "start", "#111111",
-                 attribute("font-size", kTitleFont) + " font-weight=\"600\"");
+                 attribute("font-size", title_font) + " font-weight=\"600\"");
   out += draw_legend(entries) + draw_axes(plot, at);
   out += "<g" + attribute("clip-path", "url(#" + plot.id + "_clip)") + ">\n" + draw_cells(plot.cells, at) +
          draw_zero_lines(plot, at);

@@ -54,7 +54,7 @@ void Entries::read_aircraft(const std::string& file) {
       entry.value = number(csv, row, value);
       const double expected = number(csv, row, si_value);
       const double si = entry.value * from.to_si;
-      if (std::abs(si - expected) > kSiTolerance * std::abs(si))
+      if (!std::isfinite(si) || std::abs(si - expected) > kSiTolerance * std::abs(si))
         throw Fault{csv.file, row.line,
                     entry.text + " " + entry.unit + " is " + std::to_string(si) + " " + from.si +
                         ", the SI value says " + row.cell[si_value]};

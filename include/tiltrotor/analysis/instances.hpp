@@ -35,8 +35,18 @@
   TILTROTOR_POLICY_INSTANCES(PREFIX, R, NumDiff)  \
   TILTROTOR_COMMON_INSTANCES(PREFIX, R)
 
+namespace tiltrotor {
+// The layout of work areas depends on the lanes of the instruction set. The library defines this function for its own
+// lanes alone: a program compiled for others cannot be linked with it.
+template <int VectorBytes>
+void library_has_these_lanes();
+}  // namespace tiltrotor
+
 #ifndef TILTROTOR_DEFINES_INSTANCES
 namespace tiltrotor {
+namespace {
+[[gnu::used]] void (*const lanes_of_the_library)() = &library_has_these_lanes<kVectorBytes>;
+}  // namespace
 TILTROTOR_INSTANCES(extern, double)
 TILTROTOR_INSTANCES(extern, float)
 }  // namespace tiltrotor

@@ -1,0 +1,62 @@
+# Benchmarks: every bench/NAME.cpp becomes $(BUILD)/bench_NAME; results go to $(BUILD)/bench/results.csv.
+
+.PHONY: bench bench-peers bench-instructions
+
+BENCH_FLAGS = '-DTILTROTOR_FLAGS="$(FLAGS)"'
+MEASURED   := $(filter-out %/bench_instructions $(BUILD)/bench_peers_%,$(BENCHMARKS))
+
+bench: $(MEASURED) ## measure speed, print the timing tables
+	$(Q)set -e; for benchmark in $(MEASURED); do $$benchmark $(BUILD)/bench; done
+	@echo; echo "$(abspath $(BUILD))/bench/results.csv"
+
+# ---- other libraries, measured side by side when they are installed ----
+
+PEERS := ceres eigen_autodiff sacado adolc eigen lapack
+
+PEER_HEADER_ceres            := ceres/jet.h
+PEER_HEADER_eigen_autodiff   := Eigen/Core
+PEER_HEADER_sacado           := Sacado_No_Kokkos.hpp
+PEER_HEADER_adolc            := adolc/adtl.h
+PEER_HEADER_eigen            := Eigen/Dense
+PEER_HEADER_lapack           := cstddef
+PEER_PACKAGES_ceres          := libceres-dev
+PEER_PACKAGES_eigen_autodiff := libeigen3-dev
+PEER_PACKAGES_sacado         := libtrilinos-sacado-dev libtrilinos-kokkos-dev libtrilinos-teuchos-dev libopenmpi-dev
+PEER_PACKAGES_adolc          := libadolc-dev libboost-dev
+PEER_PACKAGES_eigen          := libeigen3-dev
+PEER_PACKAGES_lapack         := liblapack-dev
+PEER_FLAGS_ceres             := -isystem/usr/include/eigen3
+PEER_FLAGS_eigen_autodiff    := -isystem/usr/include/eigen3
+PEER_FLAGS_eigen             := -isystem/usr/include/eigen3
+PEER_FLAGS_sacado            := -isystem/usr/include/trilinos -DOMPI_SKIP_MPICXX \
+                                -isystem/usr/lib/$(shell uname -m)-linux-gnu/openmpi/include
+PEER_LIBS_adolc              := -ladolc
+PEER_LIBS_lapack             := -llapack
+PEER_LIBS_sacado             := -ltrilinos_teuchoscomm -ltrilinos_teuchosparameterlist -ltrilinos_teuchoscore -lmpi
+
+$(foreach peer,$(PEERS),$(eval $(BUILD)/bench/peers_$(peer).o: BENCH_FLAGS += $(PEER_FLAGS_$(peer)) -w))
+$(foreach peer,$(PEERS),$(eval $(BUILD)/bench_peers_$(peer): LDLIBS += $(PEER_LIBS_$(peer))))
+
+bench-peers: ## measure other differentiation and linear algebra libraries beside it
+	$(foreach peer,$(PEERS),$(call measure_peer,$(peer)))
+
+# One after another, whatever -j says. A peer is there when a program of one line compiles.
+define measure_peer
+	$(Q)if printf '#include <$(PEER_HEADER_$(1))>\nint main() {}\n' | \
+	    $(CXX) -std=c++17 $(PEER_FLAGS_$(1)) -x c++ - -o /dev/null $(PEER_LIBS_$(1)) 2>/dev/null; then \
+	  $(MAKE) --no-print-directory $(BUILD)/bench_peers_$(1) && $(BUILD)/bench_peers_$(1) $(BUILD)/bench; \
+	else echo "bench-peers: $(1) is not installed (Debian: $(PEER_PACKAGES_$(1)))"; fi
+
+endef
+
+# ---- instructions: independent of load and clock, hence a check for every change ----
+
+# One instruction set and one compiler (g++ 12) make the counts comparable; valgrind knows no AVX-512.
+# After a change that is meant: cp build/bench/instructions.csv bench/limits.csv
+COUNTED := $(BUILD)/instructions
+
+bench-instructions: ## count instructions and compare with bench/limits.csv
+	$(Q)if ! command -v valgrind >/dev/null; then echo "bench-instructions: valgrind is not installed, nothing counted"; \
+	elif [ "$$(uname -m)" != x86_64 ]; then echo "bench-instructions: the limits are for x86-64, nothing counted"; \
+	else $(MAKE) --no-print-directory BUILD=$(COUNTED) ARCH=x86-64-v3 CXXFLAGS=-O3 $(COUNTED)/bench_instructions && \
+	  bench/count_instructions.sh $(COUNTED)/bench_instructions bench/limits.csv $(BUILD)/bench; fi

@@ -1,0 +1,25 @@
+// Blades for the scalars of other libraries: one after the other, every operation on the library's own numbers.
+//
+// Our own scalars compute several blades at once on plain numbers and chain their slopes (model/blade_group.hpp). With
+// that the peers would differentiate next to nothing themselves.
+#pragma once
+
+#include "tiltrotor/model/blade_group.hpp"
+
+namespace bench {
+
+template <class T>
+class SingleBlades {
+ public:
+  static constexpr int kBlades = 1;
+  SingleBlades(const tiltrotor::Configuration<double>& c, const tiltrotor::RotorInput<T>&) : c_(c) {}
+  void compute(const tiltrotor::AzimuthStations<double>&, int) {}
+  tiltrotor::BladeLoads<T> loads(int, const tiltrotor::BladeFlow<T>& flow) const {
+    return tiltrotor::blade_loads(c_, flow);
+  }
+
+ private:
+  const tiltrotor::Configuration<double>& c_;
+};
+
+}  // namespace bench

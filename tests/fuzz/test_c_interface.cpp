@@ -1,0 +1,207 @@
+// Any calls of the C interface, in any order, with any numbers. Two aircraft share a work area; a third stands by and
+// must never change. A call that fails leaves its aircraft and its outputs alone; one that succeeds returns numbers.
+#include <cmath>
+
+#include "fuzz/target.hpp"
+#include "tiltrotor/tiltrotor.h"
+
+namespace {
+
+constexpr int kCalls = 40;
+constexpr std::size_t kSquare = TR_MAX_LINEAR_STATES * TR_MAX_LINEAR_STATES;
+constexpr tr_real kUntouched = 12345.678;
+
+struct Room {
+  tr_sim sim[2];
+  tr_sim bystander;
+  tr_work work;
+  tr_real a[kSquare + 1];
+  tr_real b[TR_MAX_LINEAR_STATES * TR_CONTROLS + 1];
+  tr_linear_shape shape;
+  tr_mode modes[TR_MAX_LINEAR_STATES];
+  bool linear_model;  // a, b and shape belong together
+};
+
+bool all_finite(const tr_real* x, std::size_t count) {
+  for (std::size_t i = 0; i < count; ++i)
+    if (!std::isfinite(x[i])) return false;
+  return true;
+}
+
+bool known(tr_status status) { return status >= TR_OK && status < TR_STATUS_COUNT; }
+
+tr_setup any_setup(fuzz::Bytes& in) {
+  tr_setup setup;
+  const double masts[] = {0, 30, 90};
+  REQUIRE(tr_default_setup(&setup, TR_API_VERSION, TR_XV15, masts[in.below(3)]) == TR_OK);
+  tr_real* const number[] = {&setup.mast_deg, &setup.flap_deg,    &setup.altitude_m,
+                             &setup.mass_kg,  &setup.rotor_radps, &setup.cg_station_m};
+  std::int32_t* const word[] = {&setup.aircraft, &setup.grid, &setup.tables, &setup.coning_states};
+  for (int changes = in.below(4); changes > 0; --changes) {
+    if (in.below(2) == 0) *number[in.below(6)] = in.number();
+    else *word[in.below(4)] = in.byte() - 2;
+  }
+  return setup;
+}
+
+tr_state any_state(const tr_sim& sim, fuzz::Bytes& in) {
+  tr_state state{};
+  if (tr_get_state(&sim, &state) != TR_OK) state = tr_state{};
+  for (int changes = in.below(8); changes > 0; --changes) {
+    const int place = in.below(TR_STATES + TR_CONTROLS + 1);
+    double* const number = place < TR_STATES                 ? &state.x[place]
+                           : place < TR_STATES + TR_CONTROLS ? &state.u[place - TR_STATES]
+                                                             : &state.time_s;
+    *number = in.number();
+  }
+  return state;
+}
+
+void fly(tr_sim& sim, Room& room, fuzz::Bytes& in) {
+  tr_real controls[TR_CONTROLS + 4] = {};
+  const std::size_t length = in.byte() % (sizeof controls / sizeof *controls);
+  for (std::size_t j = 0; j < length; ++j) controls[j] = in.number();
+  (void)tr_set_controls(&sim, controls, length);
+  tr_state before{};
+  const bool ready = tr_get_state(&sim, &before) == TR_OK;
+  const tr_real dt = in.below(3) == 0 ? in.number() : 0.01;
+  const tr_status status = tr_step(&sim, &room.work, dt);
+  REQUIRE(known(status) && (ready || status == TR_NOT_INITIALIZED));
+  tr_state after{};
+  if (status == TR_OK) REQUIRE(tr_get_state(&sim, &after) == TR_OK && all_finite(after.x, TR_STATES) && after.steps == before.steps + 1);
+}
+
+void read(const tr_sim& sim, fuzz::Bytes& in) {
+  tr_real rates[TR_STATES + 1];
+  for (tr_real& x : rates) x = kUntouched;
+  const std::size_t length = in.below(2) == 0 ? std::size_t{TR_STATES} : in.byte();
+  const tr_status status = tr_derivative(&sim, rates, length);
+  if (status == TR_OK) REQUIRE(all_finite(rates, TR_STATES));
+  if (status != TR_OK && status != TR_NOT_FINITE) REQUIRE(rates[0] == kUntouched);
+  REQUIRE(rates[TR_STATES] == kUntouched);
+  tr_outputs outputs;
+  if (tr_get_outputs(&sim, &outputs) == TR_OK)
+    REQUIRE(std::isfinite(outputs.load_factor) && all_finite(outputs.power_w, 2) && std::isfinite(outputs.airspeed_mps));
+}
+
+void trim(tr_sim& sim, Room& room, fuzz::Bytes& in) {
+  const double speeds[] = {0, 40, 80};
+  tr_flight flight = {speeds[in.below(3)], 0, 0, 0};
+  tr_real* const number[] = {&flight.speed_mps, &flight.climb_rad, &flight.turn_rate_radps, &flight.sideslip_rad};
+  for (int changes = in.below(3); changes > 0; --changes) *number[in.below(4)] = in.number();
+  tr_trim_result result{};
+  const tr_status status = tr_trim(&sim, &room.work, &flight, in.below(2) == 0 ? &result : nullptr);
+  REQUIRE(known(status) && std::memchr(result.text, 0, sizeof result.text) != nullptr);
+  const bool trimmed = status == TR_OK || status == TR_WING_STALL || status == TR_CONTROL_LIMIT || status == TR_FLAP_LIMIT;
+  if (!trimmed) return;
+  tr_real rates[TR_STATES];
+  REQUIRE(tr_derivative(&sim, rates, TR_STATES) == TR_OK);
+  for (int i = TR_U; i <= TR_R; ++i) REQUIRE(std::fabs(rates[i]) < 1e-6);
+}
+
+void linearize(const tr_sim& sim, Room& room, fuzz::Bytes& in) {
+  const std::size_t a_length = in.below(3) > 0 ? kSquare : 4 * in.byte();
+  const std::size_t b_length = in.below(3) > 0 ? sizeof room.b / sizeof *room.b - 1 : in.byte();
+  room.a[kSquare] = room.b[sizeof room.b / sizeof *room.b - 1] = kUntouched;
+  const tr_status status = tr_linearize(&sim, &room.work, in.below(5), &room.shape, room.a, a_length, room.b, b_length);
+  REQUIRE(known(status));
+  room.linear_model = status == TR_OK;
+  if (status == TR_OK) {
+    const auto n = static_cast<std::size_t>(room.shape.states);
+    REQUIRE(all_finite(room.a, n * n) && all_finite(room.b, n * static_cast<std::size_t>(room.shape.controls)));
+  }
+  REQUIRE(room.a[kSquare] == kUntouched);
+}
+
+void find_modes(Room& room, fuzz::Bytes& in) {
+  if (!room.linear_model) {  // a shape and a matrix of anything
+    room.shape.states = in.byte();
+    for (int& state : room.shape.state) state = in.byte() % 32 - 1;
+    for (tr_real& x : room.a) x = in.number();
+  }
+  for (int changes = in.below(3); changes > 0; --changes) room.a[in.byte()] = in.number();
+  const std::size_t capacity = in.below(2) == 0 ? TR_MAX_LINEAR_STATES : in.byte() % TR_MAX_LINEAR_STATES;
+  std::size_t count = 0;
+  const tr_status status = tr_modes(&room.work, &room.shape, room.a, kSquare, room.modes, capacity, &count);
+  REQUIRE(known(status) && count <= TR_MAX_LINEAR_STATES);
+  if (status != TR_OK) return;
+  REQUIRE(count <= capacity);
+  for (std::size_t k = 0; k < count; ++k)
+    REQUIRE(std::isfinite(room.modes[k].real) && room.modes[k].imag >= 0 &&
+            std::memchr(room.modes[k].name, 0, sizeof room.modes[k].name) != nullptr);
+}
+
+void find_eigenvalues(Room& room, fuzz::Bytes& in) {
+  const std::size_t n = in.byte() % (TR_MAX_LINEAR_STATES + 3u);
+  tr_real matrix[kSquare];
+  for (std::size_t i = 0; i < kSquare; ++i) matrix[i] = i < n * n ? in.number() : 0;
+  tr_real real[TR_MAX_LINEAR_STATES];
+  tr_real imag[TR_MAX_LINEAR_STATES];
+  const tr_status status = tr_eigenvalues(&room.work, matrix, n, real, imag, in.below(4) == 0 ? in.byte() % 28u : 27u);
+  REQUIRE(known(status));
+  if (status == TR_OK) REQUIRE(all_finite(real, n) && all_finite(imag, n));
+}
+
+void call_with_nothing(Room& room, fuzz::Bytes& in) {
+  tr_sim* const sim = in.below(2) == 0 ? nullptr : &room.sim[0];
+  REQUIRE(tr_init(nullptr, in.raw<std::uint32_t>(), nullptr) != TR_OK);
+  REQUIRE(tr_set_controls(sim, nullptr, in.byte()) != TR_OK && tr_step(sim, nullptr, 0.01) != TR_OK);
+  REQUIRE(tr_get_state(sim, nullptr) != TR_OK && tr_set_state(sim, nullptr) != TR_OK);
+  REQUIRE(tr_derivative(sim, nullptr, in.byte()) != TR_OK && tr_get_outputs(sim, nullptr) != TR_OK);
+  REQUIRE(tr_trim(sim, nullptr, nullptr, nullptr) != TR_OK);
+  REQUIRE(tr_linearize(sim, nullptr, 1, nullptr, nullptr, 0, nullptr, 0) != TR_OK);
+  REQUIRE(tr_eigenvalues(nullptr, nullptr, in.byte(), nullptr, nullptr, 0) != TR_OK);
+  REQUIRE(tr_modes(nullptr, nullptr, nullptr, 0, nullptr, 0, nullptr) != TR_OK);
+  const auto number = in.raw<std::int32_t>();
+  REQUIRE(tr_status_word(number) != nullptr && tr_status_text(number) != nullptr && tr_state_name(number) != nullptr &&
+          tr_state_unit(number) != nullptr && tr_control_name(number) != nullptr && tr_control_unit(number) != nullptr);
+}
+
+}  // namespace
+
+FUZZ_TARGET(c_interface) {
+  static Room room;
+  fuzz::Bytes in(data, size);
+  std::memset(&room, in.byte(), sizeof room);
+  room.linear_model = false;
+  std::memset(room.sim, 0, sizeof room.sim);
+  tr_setup setup;
+  REQUIRE(tr_default_setup(&setup, TR_API_VERSION, TR_XV15, 60) == TR_OK);
+  REQUIRE(tr_init(&room.bystander, TR_API_VERSION, &setup) == TR_OK);
+  const tr_sim bystander = room.bystander;
+
+  int trims = 0;
+  for (int call = 0; call < kCalls && !in.empty(); ++call) {
+    tr_sim& sim = room.sim[in.below(2)];
+    const tr_sim other = room.sim[&sim == room.sim ? 1 : 0];
+    const tr_sim before = sim;
+    switch (in.below(10)) {
+      case 0: {
+        setup = any_setup(in);
+        const std::uint32_t version = in.below(8) == 0 ? in.raw<std::uint32_t>() : TR_API_VERSION;
+        const tr_status status = tr_init(&sim, version, &setup);
+        if (status == TR_WRONG_VERSION) REQUIRE(std::memcmp(&sim, &before, sizeof sim) == 0);
+        tr_state state;
+        if (status == TR_BAD_ARGUMENT || status == TR_OUT_OF_RANGE) REQUIRE(tr_get_state(&sim, &state) == TR_NOT_INITIALIZED);
+        break;
+      }
+      case 1:
+      case 2: fly(sim, room, in); break;
+      case 3: {
+        const tr_state state = any_state(sim, in);
+        if (tr_set_state(&sim, &state) != TR_OK) REQUIRE(std::memcmp(&sim, &before, sizeof sim) == 0);
+        break;
+      }
+      case 4: read(sim, in); break;
+      case 5:
+        if (++trims <= 2) trim(sim, room, in);
+        break;
+      case 6: linearize(sim, room, in); break;
+      case 7: find_modes(room, in); break;
+      case 8: find_eigenvalues(room, in); break;
+      default: call_with_nothing(room, in);
+    }
+    REQUIRE(std::memcmp(&other, &room.sim[&sim == room.sim ? 1 : 0], sizeof other) == 0);
+    REQUIRE(std::memcmp(&bystander, &room.bystander, sizeof bystander) == 0);
+  }
+}
