@@ -35,8 +35,15 @@ void board_start_counter(void) {
   TIMER_CONTROL = 1;
 }
 
-/* 40 ns a tick over 32 ns an instruction. */
-uint32_t board_instructions(void) { return (uint32_t)((uint64_t)(0xffffffffu - TIMER_VALUE) * 5 / 4); }
+/* 40 ns a tick over 32 ns an instruction. Ticks are summed in 64 bits: the timer itself wraps every 172 s. */
+uint32_t board_instructions(void) {
+  static uint64_t ticks;
+  static uint32_t last = 0xffffffffu;
+  const uint32_t now = TIMER_VALUE;
+  ticks += last - now;
+  last = now;
+  return (uint32_t)(ticks * 5 / 4);
+}
 
 uint32_t board_deepest_stack(void) {
   const uint32_t *word = stack_bottom;
