@@ -20,7 +20,7 @@ inline void require(bool fulfilled, const char* what) {
 }
 
 struct Grid {
-  const char* name;    // as in the names of results
+  const char* name;  // as in the names of results
   const char* suffix;
   BladeGrid grid;
 };
@@ -59,7 +59,8 @@ inline constexpr double kMiddleMast = 30, kMiddleSpeed = 50;
 struct SpeedRange {
   double mast_deg, from_mps, to_mps, step_mps;
 };
-inline constexpr SpeedRange kPaperSet[] = {{0, 0, 50, 5}, {30, 25, 70, 5}, {60, 50, 85, 5}, {90, 60, 140, 10}};
+inline constexpr SpeedRange kPaperSet[] = {
+    {0, 0, 50, 5}, {30, 25, 70, 5}, {60, 50, 85, 5}, {90, 60, 140, 10}};
 
 struct FlightPoint {
   Configuration<double> c;
@@ -71,7 +72,8 @@ inline std::vector<FlightPoint> paper_set(const Options& options = {}) {
   std::vector<FlightPoint> points;
   for (const SpeedRange& range : kPaperSet) {
     const Configuration<double> c = configuration(range.mast_deg, options);
-    for (double v = range.from_mps; v <= range.to_mps; v += range.step_mps) points.push_back({c, v, trimmed(c, v)});
+    for (double v = range.from_mps; v <= range.to_mps; v += range.step_mps)
+      points.push_back({c, v, trimmed(c, v)});
   }
   return points;
 }

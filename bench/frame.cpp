@@ -1,5 +1,5 @@
-// How long one real-time frame can take: 100,000 frames of a 5 ms step, A, B and the eigenvalues of A, each timed,
-// then flown again from the same state.
+// How long one real-time frame can take: 100,000 frames of a 5 ms step, A, B and the eigenvalues of A, each
+// timed, then flown again from the same state.
 #include <memory>
 
 #include "frame.hpp"
@@ -11,14 +11,16 @@ using namespace bench;
 namespace {
 
 constexpr int kFrames = 100000;
-constexpr int kFramesOfFlight = 400;  // 2 s, then again from the next trim point: nothing stabilises the aircraft
+constexpr int kFramesOfFlight =
+    400;  // 2 s, then again from the next trim point: nothing stabilises the aircraft
 constexpr double kInput = 0.5 * kRadian<double>;
 
 }  // namespace
 
 int main(int argc, char** argv) {
   require(argc == 2, "usage: bench_frame DIRECTORY");
-  introduce("Real-time frame: a 5 ms step, A, B and the eigenvalues of A; real-time grid, the paper's trim set");
+  introduce(
+      "Real-time frame: a 5 ms step, A, B and the eigenvalues of A; real-time grid, the paper's trim set");
   Results results(argv[1]);
   const std::vector<FlightPoint> points = paper_set(with_grid(BladeGrid::realtime));
   const auto work = std::make_unique<FrameWork<AutoDiff>>();
@@ -31,7 +33,8 @@ int main(int argc, char** argv) {
 
   Simulation<double> flight;
   for (int k = -kFramesOfFlight; k < kFrames; ++k) {  // the first flight is the warm-up
-    const FlightPoint& p = points[static_cast<std::size_t>((k + kFramesOfFlight) / kFramesOfFlight) % points.size()];
+    const FlightPoint& p =
+        points[static_cast<std::size_t>((k + kFramesOfFlight) / kFramesOfFlight) % points.size()];
     if (k % kFramesOfFlight == 0) flight = flight_with_input(p.c, p.trim, InputShape::doublet, kInput);
     const Simulation<double> before = flight;
     const double wall_begin = wall_seconds();
@@ -58,7 +61,8 @@ int main(int argc, char** argv) {
   results.add("frame_max_over_median", quantile(processor, 1) / median, "-");
   // Every frame flown twice, bit for bit the same: what interrupts only one of the two is not the program's.
   results.add("frame_replayed_max_over_median", quantile(replayed, 1) / quantile(replayed, 0.5), "-");
-  std::printf("  by the wall clock, whatever else runs on the core: median %.0f us, 99.9 %% %.0f us, worst %.0f us\n",
-              1e6 * quantile(wall, 0.5), 1e6 * quantile(wall, 0.999), 1e6 * quantile(wall, 1));
+  std::printf(
+      "  by the wall clock, whatever else runs on the core: median %.0f us, 99.9 %% %.0f us, worst %.0f us\n",
+      1e6 * quantile(wall, 0.5), 1e6 * quantile(wall, 0.999), 1e6 * quantile(wall, 1));
   results.save();
 }

@@ -1,4 +1,5 @@
-// One frame of a simulation that knows its own dynamics: a step of the flight, then A, B and the eigenvalues of A.
+// One frame of a simulation that knows its own dynamics: a step of the flight, then A, B and the eigenvalues
+// of A.
 #pragma once
 
 #include "flights.hpp"
@@ -34,10 +35,11 @@ void step(const Configuration<double>& c, FrameWork<Policy>& work, Simulation<do
 template <class Policy>
 void frame(const Configuration<double>& c, FrameWork<Policy>& work, Simulation<double>& flight) {
   step(c, work, flight);
-  require(linearize(c, flight.state, current_controls(flight), kBladeControls, work.linearization, work.model) ==
-              Status::ok,
+  require(linearize(c, flight.state, current_controls(flight), kBladeControls, work.linearization,
+                    work.model) == Status::ok,
           "no linear model");
-  require(eigenvalues(work.model.a, work.model.states, work.eigen, work.values) == Status::ok, "no eigenvalues");
+  require(eigenvalues(work.model.a, work.model.states, work.eigen, work.values) == Status::ok,
+          "no eigenvalues");
 }
 
 }  // namespace bench

@@ -6,8 +6,8 @@
 //   contest.run();
 //   contest.time(plain).median, contest.ratio(exact, plain).median
 //
-// Times are processor time of this thread: a neighbour that takes the core away costs nothing, only what it does to
-// the caches is left. Ratios are taken round by round.
+// Times are processor time of this thread: a neighbour that takes the core away costs nothing, only what it
+// does to the caches is left. Ratios are taken round by round.
 #pragma once
 
 #include <time.h>

@@ -1,5 +1,5 @@
-// One derivative, one Jacobian, one trim, one frame: what `make bench-instructions` counts, each in a function of its
-// own that callgrind can find. Instructions do not depend on the machine's load or clock.
+// One derivative, one Jacobian, one trim, one frame: what `make bench-instructions` counts, each in a
+// function of its own that callgrind can find. Instructions do not depend on the machine's load or clock.
 #include <cstring>
 #include <memory>
 
@@ -27,7 +27,8 @@ __attribute__((noinline)) void counted_derivative(Rooms& r) {
   derivative(r.c, r.flight.state, r.flight.controls, r.rates);
 }
 __attribute__((noinline)) void counted_jacobian(Rooms& r) {
-  require(linearize(r.c, r.flight.state, r.flight.controls, kBladeControls, r.work.linearization, r.model) == Status::ok,
+  require(linearize(r.c, r.flight.state, r.flight.controls, kBladeControls, r.work.linearization, r.model) ==
+              Status::ok,
           "A, B");
 }
 __attribute__((noinline)) void counted_trim(Rooms& r) {
@@ -36,7 +37,8 @@ __attribute__((noinline)) void counted_trim(Rooms& r) {
 __attribute__((noinline)) void counted_frame(Rooms& r) { frame(r.c, r.work, r.simulation); }
 }
 
-// Argument: the name of the function to call, without counted_; a second argument chooses the specification grid.
+// Argument: the name of the function to call, without counted_; a second argument chooses the specification
+// grid.
 int main(int argc, char** argv) {
   require(argc == 2 || argc == 3, "usage: bench_instructions derivative|jacobian|trim|frame [specification]");
   const auto rooms = std::make_unique<Rooms>();

@@ -31,7 +31,8 @@ void measure(Results& results) {
 
 int main(int argc, char** argv) {
   require(argc == 2, "usage: bench_linear_algebra DIRECTORY");
-  introduce("Linear algebra: eigenvalues; with right and left vectors and conditions; LU factors and one solution");
+  introduce(
+      "Linear algebra: eigenvalues; with right and left vectors and conditions; LU factors and one solution");
   Results results(argv[1]);
   measure<9>(results);
   measure<12>(results);

@@ -48,7 +48,8 @@ inline void introduce(const char* title) {
   }
   std::printf("; %d-byte vectors\n  %s %s\n", tiltrotor::kVectorBytes, compiler_name(), TILTROTOR_FLAGS);
   if (known && load[0] > 0.5 * cores) {
-    std::printf("  load %.1f on %d cores: the machine is busy, trust ratios more than times\n", load[0], cores);
+    std::printf("  load %.1f on %d cores: the machine is busy, trust ratios more than times\n", load[0],
+                cores);
   }
   std::fflush(stdout);
 }

@@ -16,8 +16,10 @@ struct Columns {
   const char* suffix;
   const ControlSet* set;
 };
-// Pass of 32 directions: blade controls (7) and inceptors (4) beside 23 states fit, all 14 inputs need a second pass.
-constexpr Columns kColumns[] = {{"", &kBladeControls}, {"_inceptors", &kInceptors}, {"_all_inputs", &kAllControls}};
+// Pass of 32 directions: blade controls (7) and inceptors (4) beside 23 states fit, all 14 inputs need a
+// second pass.
+constexpr Columns kColumns[] = {
+    {"", &kBladeControls}, {"_inceptors", &kInceptors}, {"_all_inputs", &kAllControls}};
 
 void measure(const Grid& grid, Results& results) {
   const Configuration<double> c = configuration(kMiddleMast, with_grid(grid.grid));
@@ -32,11 +34,13 @@ void measure(const Grid& grid, Results& results) {
   int exact[3];
   for (int k = 0; k < 3; ++k) {
     exact[k] = contest.enter("A, B", [&, k] {
-      require(linearize(c, flight.state, flight.controls, *kColumns[k].set, *auto_work, model) == Status::ok, "A, B");
+      require(linearize(c, flight.state, flight.controls, *kColumns[k].set, *auto_work, model) == Status::ok,
+              "A, B");
     });
   }
   const int numerical = contest.enter("A, B by differences", [&] {
-    require(linearize(c, flight.state, flight.controls, kBladeControls, *num_work, model) == Status::ok, "A, B");
+    require(linearize(c, flight.state, flight.controls, kBladeControls, *num_work, model) == Status::ok,
+            "A, B");
   });
   contest.run();
 
@@ -47,7 +51,8 @@ void measure(const Grid& grid, Results& results) {
   results.add("element_ns" + s, contest.time(plain), "ns", 1e9 / elements(c));
   results.add("jacobian_us" + s, contest.time(exact[0]), "us", 1e6);
   for (int k = 0; k < 3; ++k)
-    results.add(std::string("jacobian_over_function") + kColumns[k].suffix + s, contest.ratio(exact[k], plain), "-");
+    results.add(std::string("jacobian_over_function") + kColumns[k].suffix + s,
+                contest.ratio(exact[k], plain), "-");
   results.add("jacobian_over_function_nd" + s, contest.ratio(numerical, plain), "-");
 }
 
@@ -55,7 +60,9 @@ void measure(const Grid& grid, Results& results) {
 
 int main(int argc, char** argv) {
   require(argc == 2, "usage: bench_model DIRECTORY");
-  introduce("Model: f(x, u), and A (23 x 23) with B (23 x 7) over it; element_ns is f over its elements, airframe included");
+  introduce(
+      "Model: f(x, u), and A (23 x 23) with B (23 x 7) over it; element_ns is f over its elements, airframe "
+      "included");
   Results results(argv[1]);
   for (const Grid& grid : kGrids) measure(grid, results);
   results.save();

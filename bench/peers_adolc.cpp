@@ -1,4 +1,5 @@
-// The Jacobian with ADOL-C: by trace, recorded anew each time because the table cells depend on the state, and without.
+// The Jacobian with ADOL-C: by trace, recorded anew each time because the table cells depend on the state,
+// and without.
 #include <adolc/adolc.h>
 #include <adolc/adtl.h>
 
@@ -67,15 +68,15 @@ int main(int argc, char** argv) {
   const auto p = peer_case();
   compare_jacobian(*p, "adolc_traced", traced_jacobian(*p), results);
   adtl::setNumDir(kPeerInputs);
-  compare_jacobian(
-      *p, "adolc",
-      forward_pass<Traceless>(
-          *p,
-          [](Traceless& x, double value, int direction) {
-            x.n = value;
-            for (int i = 0; i < kPeerInputs; ++i) x.n.setADValue(static_cast<unsigned>(i), i == direction ? 1 : 0);
-          },
-          [](const Traceless& y, int direction) { return y.n.getADValue()[direction]; }),
-      results);
+  compare_jacobian(*p, "adolc",
+                   forward_pass<Traceless>(
+                       *p,
+                       [](Traceless& x, double value, int direction) {
+                         x.n = value;
+                         for (int i = 0; i < kPeerInputs; ++i)
+                           x.n.setADValue(static_cast<unsigned>(i), i == direction ? 1 : 0);
+                       },
+                       [](const Traceless& y, int direction) { return y.n.getADValue()[direction]; }),
+                   results);
   results.save();
 }

@@ -1,7 +1,8 @@
-// Blades for the scalars of other libraries: one after the other, every operation on the library's own numbers.
+// Blades for the scalars of other libraries: one after the other, every operation on the library's own
+// numbers.
 //
-// Our own scalars compute several blades at once on plain numbers and chain their slopes (model/blade_group.hpp). With
-// that the peers would differentiate next to nothing themselves.
+// Our own scalars compute several blades at once on plain numbers and chain their slopes
+// (model/blade_group.hpp). With that the peers would differentiate next to nothing themselves.
 #pragma once
 
 #include "tiltrotor/model/blade_group.hpp"

@@ -32,7 +32,8 @@ struct EigenAlgebra {
 
 int main(int argc, char** argv) {
   require(argc == 2, "usage: bench_peers_eigen DIRECTORY");
-  introduce("Peer: Eigen, fixed size (it does not balance; its eigensystem has right vectors alone, ours both)");
+  introduce(
+      "Peer: Eigen, fixed size (it does not balance; its eigensystem has right vectors alone, ours both)");
   Results results(argv[1]);
   compare_algebra<EigenAlgebra>("eigen", results);
   results.save();

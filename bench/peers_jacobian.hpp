@@ -1,4 +1,5 @@
-// The Jacobian of the model (23 states and 7 controls) by another library, beside our own and one plain evaluation.
+// The Jacobian of the model (23 states and 7 controls) by another library, beside our own and one plain
+// evaluation.
 #pragma once
 
 #include <cmath>
@@ -46,7 +47,8 @@ inline std::unique_ptr<PeerCase> peer_case() {
   p->c = configuration(kMiddleMast);
   p->flight = trimmed(p->c, kMiddleSpeed);
   const auto work = std::make_unique<LinearizationWorkspace<double, AutoDiff>>();
-  require(linearize(p->c, p->flight.state, p->flight.controls, kBladeControls, *work, p->exact) == Status::ok, "A, B");
+  require(linearize(p->c, p->flight.state, p->flight.controls, kBladeControls, *work, p->exact) == Status::ok,
+          "A, B");
   require(p->exact.states + p->exact.controls == kPeerInputs, "the number of states has changed");
   for (int i = 0; i < p->exact.states; ++i) p->input[i] = p->exact.x[i];
   for (int j = 0; j < p->exact.controls; ++j) p->input[p->exact.states + j] = p->exact.u[j];
@@ -95,12 +97,14 @@ void compare_jacobian(const PeerCase& p, const std::string& name, Method jacobia
   Contest contest;
   const int plain = contest.enter("f", [&] { derivative(p.c, p.flight.state, p.flight.controls, rates); });
   const int ours = contest.enter("ours", [&] {
-    require(linearize(p.c, p.flight.state, p.flight.controls, kBladeControls, *work, model) == Status::ok, "A, B");
+    require(linearize(p.c, p.flight.state, p.flight.controls, kBladeControls, *work, model) == Status::ok,
+            "A, B");
   });
   const int peer = contest.enter(name, [&] { jacobian(theirs); });
   contest.run();
-  std::printf("\n %s: differs from ours by %.1e of the largest entry of the row; our own ratio in this run %.2f\n",
-              name.c_str(), difference(p, theirs), contest.ratio(ours, plain).median);
+  std::printf(
+      "\n %s: differs from ours by %.1e of the largest entry of the row; our own ratio in this run %.2f\n",
+      name.c_str(), difference(p, theirs), contest.ratio(ours, plain).median);
   results.add("jacobian_over_function_" + name, contest.ratio(peer, plain), "-");
   results.add("jacobian_" + name + "_over_ours", contest.ratio(peer, ours), "-");
   require(difference(p, theirs) < 1e-9, "the peer's Jacobian differs");

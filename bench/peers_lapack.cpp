@@ -7,11 +7,11 @@
 #include "peers_algebra.hpp"
 
 extern "C" {
-void dgeev_(const char* left, const char* right, const int* n, double* a, const int* stride, double* real, double* imag,
-            double* vl, const int* stride_l, double* vr, const int* stride_r, double* work, const int* work_size,
-            int* info, std::size_t, std::size_t);
-void dgesv_(const int* n, const int* columns, double* a, const int* stride, int* pivot, double* b, const int* stride_b,
-            int* info);
+void dgeev_(const char* left, const char* right, const int* n, double* a, const int* stride, double* real,
+            double* imag, double* vl, const int* stride_l, double* vr, const int* stride_r, double* work,
+            const int* work_size, int* info, std::size_t, std::size_t);
+void dgesv_(const int* n, const int* columns, double* a, const int* stride, int* pivot, double* b,
+            const int* stride_b, int* info);
 }
 
 using namespace bench;
@@ -71,7 +71,8 @@ double largest_difference() {
     for (int i = 0; i < N; ++i) {
       double nearest = norm;
       for (int j = 0; j < N; ++j) {
-        const std::complex<double> d(ours->values.real[i] - peer->real[j], ours->values.imag[i] - peer->imag[j]);
+        const std::complex<double> d(ours->values.real[i] - peer->real[j],
+                                     ours->values.imag[i] - peer->imag[j]);
         nearest = std::min(nearest, std::abs(d));
       }
       worst = std::max(worst, nearest / std::sqrt(norm));

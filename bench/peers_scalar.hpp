@@ -1,8 +1,9 @@
 // A differentiating number type of another library as scalar of the model.
 //
-// Libraries with expression templates return unevaluated expressions, which a model written for any scalar T cannot
-// hold; Foreign evaluates every operation at once. PeerRules says how to read the type and how to build the result of
-// a table look-up from its value and slopes: the peers get the same one-pass look-up as our own dual numbers.
+// Libraries with expression templates return unevaluated expressions, which a model written for any scalar T
+// cannot hold; Foreign evaluates every operation at once. PeerRules says how to read the type and how to
+// build the result of a table look-up from its value and slopes: the peers get the same one-pass look-up as
+// our own dual numbers.
 #pragma once
 
 #include <cmath>

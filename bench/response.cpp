@@ -1,4 +1,5 @@
-// Table 2 of the reference paper: computing time of a response, with and without A, B and the eigenvalues at every step.
+// Table 2 of the reference paper: computing time of a response, with and without A, B and the eigenvalues at
+// every step.
 #include <memory>
 
 #include "frame.hpp"
@@ -45,9 +46,11 @@ void measure(const Grid& grid, Results& results) {
   for (int s = 1; s <= kLongest; ++s)
     results.add("response_" + std::to_string(s) + "s_ms" + suffix, contest.time(plain[s]), "ms", 1e3);
   for (int s = 1; s <= kLongest; ++s)
-    results.add("response_" + std::to_string(s) + "s_with_modes_ms" + suffix, contest.time(with_modes[s]), "ms", 1e3);
+    results.add("response_" + std::to_string(s) + "s_with_modes_ms" + suffix, contest.time(with_modes[s]),
+                "ms", 1e3);
   results.add("realtime_factor" + suffix, kLongest / contest.time(plain[kLongest]).median, "-");
-  results.add("realtime_factor_with_modes" + suffix, kLongest / contest.time(with_modes[kLongest]).median, "-");
+  results.add("realtime_factor_with_modes" + suffix, kLongest / contest.time(with_modes[kLongest]).median,
+              "-");
   results.add("realtime_factor_with_modes_nd" + suffix, 1 / contest.time(numerical).median, "-");
 }
 
@@ -55,7 +58,9 @@ void measure(const Grid& grid, Results& results) {
 
 int main(int argc, char** argv) {
   require(argc == 2, "usage: bench_response DIRECTORY");
-  introduce("Table 2: response to 1 deg of collective at 40 m/s, steps of 5 ms; with A, B and the eigenvalues at each");
+  introduce(
+      "Table 2: response to 1 deg of collective at 40 m/s, steps of 5 ms; with A, B and the eigenvalues at "
+      "each");
   std::printf("  the paper (i7-8700K): 1 s of flight with derivatives at every step in 0.66 s\n");
   Results results(argv[1]);
   for (const Grid& grid : kGrids) measure(grid, results);

@@ -40,15 +40,18 @@ class Results {
   // The median, with the quartiles beside it on paper.
   void add(const std::string& name, const Spread& value, const std::string& unit, double factor = 1) {
     rows_.emplace_back(name, number(factor * value.median) + "," + unit);
-    std::printf("  %-44s %12s %-4s (%s .. %s)\n", name.c_str(), number(factor * value.median).c_str(), unit.c_str(),
-                number(factor * value.low).c_str(), number(factor * value.high).c_str());
+    std::printf("  %-44s %12s %-4s (%s .. %s)\n", name.c_str(), number(factor * value.median).c_str(),
+                unit.c_str(), number(factor * value.low).c_str(), number(factor * value.high).c_str());
     std::fflush(stdout);
   }
 
   // A table of its own.
-  void write(const std::string& file, const std::string& text) const { write_whole(directory_ + "/" + file, text); }
+  void write(const std::string& file, const std::string& text) const {
+    write_whole(directory_ + "/" + file, text);
+  }
 
-  // Merges with what other benchmarks have left: rows of the same name are replaced in place, others are appended.
+  // Merges with what other benchmarks have left: rows of the same name are replaced in place, others are
+  // appended.
   void save() const {
     const std::string path = directory_ + "/results.csv";
     std::vector<std::pair<std::string, std::string>> all;

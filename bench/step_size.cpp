@@ -1,4 +1,5 @@
-// Error of numerical differences against exact derivatives over the step: the V-shaped curve, and its lowest point.
+// Error of numerical differences against exact derivatives over the step: the V-shaped curve, and its lowest
+// point.
 #include <cmath>
 #include <limits>
 #include <memory>
@@ -12,9 +13,7 @@ using namespace bench;
 
 namespace {
 
-constexpr struct {
-  double mast_deg, speed_mps;
-} kPoints[] = {{0, 0}, {0, 30}, {30, 50}, {60, 65}, {90, 100}};
+constexpr struct { double mast_deg, speed_mps; } kPoints[] = {{0, 0}, {0, 30}, {30, 50}, {60, 65}, {90, 100}};
 constexpr int kStepsPerDecade = 4;
 constexpr int kSmallest = -13 * kStepsPerDecade;
 constexpr int kLargest = -1 * kStepsPerDecade;
@@ -27,8 +26,8 @@ struct Jacobian {
   int rows;
 };
 
-// f over 23 states and 7 controls, as linearize() sees it, differentiated with step `relative` times the scale of each
-// input; exactly when `relative` is zero.
+// f over 23 states and 7 controls, as linearize() sees it, differentiated with step `relative` times the
+// scale of each input; exactly when `relative` is zero.
 void jacobian(const FlightPoint& p, double relative, Jacobian& out) {
   static LinearizationWorkspace<double, AutoDiff> exact;
   static LinearModel<double> model;
@@ -106,7 +105,8 @@ int main(int argc, char** argv) {
   const double own_step = std::cbrt(std::numeric_limits<double>::epsilon());
   double best = 1, best_step = 0, at_own_step = 0, at_own_step_typical = 0;
   std::vector<double> steps = {own_step};
-  for (int k = kSmallest; k <= kLargest; ++k) steps.push_back(std::pow(10.0, static_cast<double>(k) / kStepsPerDecade));
+  for (int k = kSmallest; k <= kLargest; ++k)
+    steps.push_back(std::pow(10.0, static_cast<double>(k) / kStepsPerDecade));
   std::sort(steps.begin(), steps.end());
   for (double relative : steps) {
     double worst = 0;
@@ -130,9 +130,11 @@ int main(int argc, char** argv) {
     }
   }
   results.write("step_size.csv", csv.str());
-  std::printf("  central differences agree with exact derivatives to %.1e at best (relative step %.1e) and to %.1e with\n"
-              "  the step of the numerical build, cbrt(eps) = %.1e\n",
-              best, best_step, at_own_step, own_step);
+  std::printf(
+      "  central differences agree with exact derivatives to %.1e at best (relative step %.1e) and to %.1e "
+      "with\n"
+      "  the step of the numerical build, cbrt(eps) = %.1e\n",
+      best, best_step, at_own_step, own_step);
   results.add("nd_best_error", best, "-");
   results.add("nd_best_step", best_step, "-");
   results.add("nd_error", at_own_step, "-");

@@ -1,5 +1,6 @@
-// Table 1 of the reference paper: trim, and the stability and control derivatives on top of it, by automatic and by
-// numerical differentiation. The same Newton, the same tolerance, the same sources; only the policy differs.
+// Table 1 of the reference paper: trim, and the stability and control derivatives on top of it, by automatic
+// and by numerical differentiation. The same Newton, the same tolerance, the same sources; only the policy
+// differs.
 #include <memory>
 
 #include "flights.hpp"
@@ -30,7 +31,8 @@ void trim_once(const FlightPoint& p, Work<Policy>& work) {
 
 template <class Policy>
 void linearize_once(const FlightPoint& p, Work<Policy>& work) {
-  require(linearize(p.c, p.trim.state, p.trim.controls, kBladeControls, work.linearization, work.model) == Status::ok,
+  require(linearize(p.c, p.trim.state, p.trim.controls, kBladeControls, work.linearization, work.model) ==
+              Status::ok,
           "no linear model");
 }
 
@@ -67,7 +69,8 @@ void add_row(Results& results, const std::string& name, const Range& r, const st
 }
 
 // Ratio of the means, as the paper's table gives it, and the range of the ratios of single points on paper.
-void add_ratio(Results& results, const std::string& name, const Range& above, const Range& below, const Range& single) {
+void add_ratio(Results& results, const std::string& name, const Range& above, const Range& below,
+               const Range& single) {
   results.add(name, Spread{above.mean / below.mean, single.least, single.most}, "-");
 }
 

@@ -1,5 +1,5 @@
-// The build with numerical differences: the same trim points, A and B to the accuracy differences allow, and the program
-// itself beside the automatic one.
+// The build with numerical differences: the same trim points, A and B to the accuracy differences allow, and
+// the program itself beside the automatic one.
 #include <algorithm>
 #include <cstdlib>
 
@@ -14,7 +14,8 @@ namespace {
 struct Level {
   double mast_deg, speed_mps;
 };
-constexpr Level kFlights[] = {{0, 0}, {0, 25}, {0, 50}, {30, 25}, {30, 50}, {60, 50}, {60, 85}, {90, 60}, {90, 140}};
+constexpr Level kFlights[] = {{0, 0},   {0, 25},  {0, 50},  {30, 25}, {30, 50},
+                              {60, 50}, {60, 85}, {90, 60}, {90, 140}};
 
 TrimResult<double> numerically_trimmed(const Configuration<double>& c, const SteadyFlight<double>& flight) {
   static TrimWorkspace<double, NumDiff> work;
@@ -57,19 +58,22 @@ TEST(numdiff_trims_to_the_same_point) {
     double x[state_count], y[state_count];
     pack(a.state, x);
     pack(n.state, y);
-    for (int i = 0; i < state_count; ++i) worst = std::max(worst, std::abs(x[i] - y[i]) / state_scale<double>(i));
+    for (int i = 0; i < state_count; ++i)
+      worst = std::max(worst, std::abs(x[i] - y[i]) / state_scale<double>(i));
     double u[control_count], w[control_count];
     pack(a.controls, u);
     pack(n.controls, w);
-    for (int j = 0; j < control_count; ++j) worst = std::max(worst, std::abs(u[j] - w[j]) / control_scale<double>(j));
+    for (int j = 0; j < control_count; ++j)
+      worst = std::max(worst, std::abs(u[j] - w[j]) / control_scale<double>(j));
   }
   CHECK_LT(worst, 1e-8);
   NOTE("largest scaled difference of a state or control " << worst);
 }
 
-// A step h = cbrt(eps) leaves h^2 times a third derivative. Smoothing widths bend over a hundredth of the scale, which
-// makes some 1e4 h^2 = 4e-7; and where a table's second derivative jumps under the point (sideslip zero), h itself
-// times the jump. The rest is rounding, eps / h = 4e-11. `make bench` draws the curve (step_size.csv).
+// A step h = cbrt(eps) leaves h^2 times a third derivative. Smoothing widths bend over a hundredth of the
+// scale, which makes some 1e4 h^2 = 4e-7; and where a table's second derivative jumps under the point
+// (sideslip zero), h itself times the jump. The rest is rounding, eps / h = 4e-11. `make bench` draws the
+// curve (step_size.csv).
 TEST(numdiff_linear_models_agree) {
   static LinearizationWorkspace<double, NumDiff> numerical_work;
   static LinearModel<double> exact, numerical;
@@ -79,7 +83,8 @@ TEST(numdiff_linear_models_agree) {
     const TrimResult<double> t = trimmed(c, level(at.speed_mps));
     linear_model(c, t.state, t.controls, kBladeControls, exact);
     CHECK(linearize(c, t.state, t.controls, kBladeControls, numerical_work, numerical) == Status::ok);
-    for (int i = 0; i < exact.states; ++i) CHECK_EQ(exact.rates[i], numerical.rates[i]);  // the same plain evaluation
+    for (int i = 0; i < exact.states; ++i)
+      CHECK_EQ(exact.rates[i], numerical.rates[i]);  // the same plain evaluation
     worst = std::max(worst, largest_difference(exact, numerical));
   }
   CHECK_LT(worst, 2e-6);
@@ -110,6 +115,8 @@ TEST(numdiff_program_prints_the_same_trims) {
 }
 
 TEST(numdiff_program_names_its_differentiation) {
-  CHECK(check::run_program(check::built("tiltrotor-nd") + " version").out.find("numerical") != std::string::npos);
-  CHECK(check::run_program(check::built("tiltrotor") + " version").out.find("automatic") != std::string::npos);
+  CHECK(check::run_program(check::built("tiltrotor-nd") + " version").out.find("numerical") !=
+        std::string::npos);
+  CHECK(check::run_program(check::built("tiltrotor") + " version").out.find("automatic") !=
+        std::string::npos);
 }
