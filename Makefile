@@ -110,11 +110,15 @@ run: all ## run the whole study; figures and numbers go to build/report
 test: all $(BUILD)/run_tests ## build and run every test, or TESTS="name ..."
 	$(Q)$(RUNNER) $(BUILD)/run_tests $(TESTS)
 
-test-cross: ## test on every other machine whose compiler and emulator are installed
-	$(Q)set -e; for prefix in aarch64-linux-gnu- riscv64-linux-gnu- arm-linux-gnueabihf-; do \
-	  if command -v $${prefix}g++ && command -v qemu-$${prefix%%-*}; then \
-	    $(MAKE) CROSS_COMPILE=$$prefix BUILD=$(BUILD)/$${prefix%-} CXXFLAGS=-O1 test hash; \
-	  else echo "test-cross: no compiler or emulator for $$prefix, not tested"; fi; done
+test-cross: $(BUILD)/reference_flight ## test on other machines, emulated: the same tests, and the reference flight bit for bit
+	$(Q)$(BUILD)/reference_flight >$(BUILD)/reference_flight.txt
+	+$(Q)set -e; for tools in $(CROSS_TOOLS); do \
+	  if ! command -v $$tools-g++ >/dev/null || ! command -v qemu-$${tools%%-*} >/dev/null; then \
+	    echo "test-cross: no compiler or emulator for $$tools, not tested"; continue; fi; \
+	  $(MAKE) CROSS_COMPILE=$$tools- BUILD=$(BUILD)/$$tools CXXFLAGS=-O1 $(BUILD)/$$tools/reference_flight test; \
+	  qemu-$${tools%%-*} -L /usr/$$tools $(BUILD)/$$tools/reference_flight | cmp - $(BUILD)/reference_flight.txt; \
+	  echo "$$tools: the reference flight is that of this machine, bit for bit"; done
+CROSS_TOOLS ?= aarch64-linux-gnu riscv64-linux-gnu arm-linux-gnueabihf
 
 headers: $(HEADERS:%=alone/%) ## compile every public header alone, warnings are errors
 
@@ -223,7 +227,7 @@ $(BUILD)/host/%.o: src/%.cpp $(BUILD)/host.stamp
 	@echo "  compile $< (host)"; mkdir -p $(@D)
 	$(Q)$(HOST_CXX) $(HOST_FLAGS) $(DEPENDENCIES) -c $< -o $@
 
-include src/firmware/firmware.mk src/examples/examples.mk tests/budget/budget.mk
+include src/firmware/firmware.mk src/examples/examples.mk tests/budget/budget.mk tests/verification.mk
 
 # A header that needs another one included first is broken; C headers must also please a C99 compiler.
 .PHONY: $(HEADERS:%=alone/%)

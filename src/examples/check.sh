@@ -20,9 +20,11 @@ fi
 strict="-Wall -Wextra -Wpedantic -Werror -O1"
 ${CC:-cc} -std=c99 $strict trim_and_fly.c $flags -o trim_and_fly
 ${CC:-cc} -std=c99 $strict rig.c $flags -o rig
+${CC:-cc} -std=c99 $strict autopilot.c $flags -o autopilot
 ${CXX:-c++} -std=c++17 $strict trim_curve.cpp $flags -o trim_curve
 ${RUNNER:-} ./trim_and_fly
 ${RUNNER:-} ./trim_curve
+${RUNNER:-} ./autopilot 2
 
 # One second in real time with controls that change, recorded; then three replays as fast as possible.
 { echo "0.17 1.0 0.0 0.0"; sleep 0.3; echo "0.175 1.2 0.1 0.0"; sleep 0.3; echo "0.175 nonsense"; echo "0.17 1 0 9"; } |
