@@ -2,9 +2,12 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
+#include <csignal>
 #include <cstring>
 #include <filesystem>
+#include <vector>
 
 #include "cli/errors.hpp"
 
@@ -17,7 +20,66 @@ std::string reason() { return std::strerror(errno); }
 // The process number keeps two programs that write the same file apart.
 std::string temporary_name(const std::string& path) { return path + ".part" + std::to_string(getpid()); }
 
+constexpr int kInterruptions[] = {SIGINT, SIGTERM, SIGHUP};
+
+// The handler may look at the list at any moment, so it changes only while these signals wait.
+std::vector<std::string> unfinished_files;
+
+class SignalsWait {
+ public:
+  SignalsWait() {
+    sigset_t waiting;
+    sigemptyset(&waiting);
+    for (const int signal : kInterruptions) sigaddset(&waiting, signal);
+    sigprocmask(SIG_BLOCK, &waiting, &before_);
+  }
+  ~SignalsWait() { sigprocmask(SIG_SETMASK, &before_, nullptr); }
+  SignalsWait(const SignalsWait&) = delete;
+  SignalsWait& operator=(const SignalsWait&) = delete;
+
+ private:
+  sigset_t before_;
+};
+
+std::FILE* open_unfinished(const std::string& path) {
+  const SignalsWait wait;
+  std::FILE* const file = std::fopen(path.c_str(), "wb");
+  if (file != nullptr) unfinished_files.push_back(path);
+  return file;
+}
+
+// Gives the file its name, or removes it when `name` is empty or cannot be given; errno tells why.
+bool settle(const std::string& path, const std::string& name) {
+  const SignalsWait wait;
+  unfinished_files.erase(std::remove(unfinished_files.begin(), unfinished_files.end(), path), unfinished_files.end());
+  if (!name.empty() && std::rename(path.c_str(), name.c_str()) == 0) return true;
+  const int why = errno;
+  std::remove(path.c_str());
+  errno = why;
+  return false;
+}
+
+// Calls nothing that is not allowed in a signal handler.
+extern "C" void on_interruption(int signal) {
+  for (const std::string& path : unfinished_files) unlink(path.c_str());
+  constexpr char message[] = "tiltrotor: interrupted; nothing was written under its final name\n";
+  (void)!write(STDERR_FILENO, message, sizeof message - 1);
+  std::signal(signal, SIG_DFL);
+  std::raise(signal);
+}
+
 }  // namespace
+
+void clean_up_when_interrupted() {
+  for (const int signal : kInterruptions) {
+    struct sigaction action = {};
+    sigaction(signal, nullptr, &action);
+    if (action.sa_handler == SIG_IGN) continue;  // under nohup
+    action = {};
+    action.sa_handler = on_interruption;
+    sigaction(signal, &action, nullptr);
+  }
+}
 
 Sink::Sink(const std::string& path, const std::string& where) : path_(path), file_(stdout) {
   if (path == "-") return;
@@ -27,14 +89,14 @@ Sink::Sink(const std::string& path, const std::string& where) : path_(path), fil
   if (std::filesystem::is_regular_file(existing))
     path_ = std::filesystem::canonical(path).string();  // behind links
   if (!std::filesystem::is_other(existing)) temporary_path_ = temporary_name(path_);
-  file_ = std::fopen(temporary_path_.empty() ? path_.c_str() : temporary_path_.c_str(), "wb");
+  file_ = temporary_path_.empty() ? std::fopen(path_.c_str(), "wb") : open_unfinished(temporary_path_);
   if (file_ == nullptr) throw UsageError(where + ": cannot write " + path + ": " + reason());
 }
 
 Sink::~Sink() {
   if (file_ == nullptr || file_ == stdout) return;
   std::fclose(file_);
-  if (!temporary_path_.empty()) std::remove(temporary_path_.c_str());
+  if (!temporary_path_.empty()) settle(temporary_path_, "");
 }
 
 void Sink::write(const std::string& text) {
@@ -46,9 +108,14 @@ void Sink::finish() {
   if (file_ == stdout) return;
   const bool closed = std::fclose(file_) == 0;
   file_ = nullptr;
-  if (closed && (temporary_path_.empty() || std::rename(temporary_path_.c_str(), path_.c_str()) == 0)) return;
-  const std::string why = reason();
-  if (!temporary_path_.empty()) std::remove(temporary_path_.c_str());
+  std::string why = reason();
+  if (!temporary_path_.empty()) {
+    const bool named = settle(temporary_path_, closed ? path_ : "");
+    if (named) return;
+    if (closed) why = reason();
+  } else if (closed) {
+    return;
+  }
   throw OutputError("cannot write " + path_ + ": " + why);
 }
 

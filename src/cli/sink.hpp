@@ -31,6 +31,9 @@ class Sink {
   std::FILE* file_;             // null: finished
 };
 
+// From here on SIGINT, SIGTERM and SIGHUP remove unfinished files and say so before they end the program.
+void clean_up_when_interrupted();
+
 // Creates the folder, with its parents, and tries to write in it. Throws UsageError "<where>: ...".
 void require_writable_folder(const std::string& folder, const std::string& where);
 

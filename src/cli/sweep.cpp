@@ -69,6 +69,7 @@ std::vector<double> parse_sweep(std::string_view text, const std::string& where,
 void require_few(const std::string& command, const std::vector<std::size_t>& sizes) {
   std::size_t combinations = 1;
   for (const std::size_t size : sizes) {
+    if (size == 0) return;
     if (size > max_combinations / combinations) {
       throw UsageError(command + ": more than " + std::to_string(max_combinations) +
                        " combinations; divide the ranges among several runs");

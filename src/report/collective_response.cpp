@@ -17,10 +17,10 @@ namespace tiltrotor::report {
 
 namespace {
 
-constexpr double kSpeed = 40;         // m/s
-constexpr double kStep = 0.005;       // s
-constexpr double kDuration = 3;       // s
-constexpr double kRecordEvery = 0.05; // s
+constexpr double kSpeed = 40;          // m/s
+constexpr double kStep = 0.005;        // s
+constexpr double kDuration = 3;        // s
+constexpr double kRecordEvery = 0.05;  // s
 
 struct Case {
   const char* name;
@@ -32,14 +32,16 @@ constexpr Case kCases[] = {
 constexpr Line kCaseLine[] = {Line::solid, Line::dashed, Line::dotted};
 constexpr Marker kCaseMarker[] = {Marker::circle, Marker::square, Marker::triangle};
 
-// The aircraft with its table of rotor wash at the tail, whose sideslip factor multiplies all of it, set to zero.
+// The aircraft with its table of rotor wash at the tail, whose sideslip factor multiplies all of it, set to
+// zero.
 struct WithoutTailWash {
   Aircraft<double> aircraft = aircraft_data<double>();
   std::vector<double> zeros;
   WithoutTailWash() {
     auto& factor = aircraft.htail.rotor_wash_beta;
     constexpr int numbers_per_knot = 2;  // value and slope
-    zeros.assign(static_cast<std::size_t>(numbers_per_knot * factor.smooth[0].count * factor.linear[0].count), 0.0);
+    zeros.assign(static_cast<std::size_t>(numbers_per_knot * factor.smooth[0].count * factor.linear[0].count),
+                 0.0);
     factor.node = zeros.data();
   }
 };
@@ -56,18 +58,19 @@ void record_motion(const std::string& name, const Simulation<double>& s, Table& 
   const double cp = std::cos(x.pitch);
   const double forward = x.velocity.x * cp + x.velocity.z * sp;
   const double climb = x.velocity.x * sp - x.velocity.z * cp;
-  table.add({name, current_time(s), x.velocity.x, x.velocity.z, climb, forward, degrees(x.rates.y), degrees(x.pitch)});
+  table.add({name, current_time(s), x.velocity.x, x.velocity.z, climb, forward, degrees(x.rates.y),
+             degrees(x.pitch)});
 }
 
-void record_modes(const std::string& name, const Configured& c, const Simulation<double>& s, Modes& modes, bool follows,
-                  Table& table) {
+void record_modes(const std::string& name, const Configured& c, const Simulation<double>& s, Modes& modes,
+                  bool follows, Table& table) {
   auto now = std::make_unique<Modes>(modes_of(linear_model(c, s.state, current_controls(s), kInceptors)));
   if (follows) continue_names(modes, *now);
   for (int k = 0; k < now->count; ++k) {
     const Mode<double>& m = now->mode[k];
     if (!is_body_mode(m)) continue;
-    table.add({name, current_time(s), std::string(axis_word(m.axis)), std::string(m.name), m.real, m.imag, m.frequency,
-               m.damping_ratio});
+    table.add({name, current_time(s), std::string(axis_word(m.axis)), std::string(m.name), m.real, m.imag,
+               m.frequency, m.damping_ratio});
   }
   modes = *now;
 }
@@ -78,14 +81,16 @@ void fly(const Case& which, Records& records) {
   const auto changed = std::make_unique<WithoutTailWash>();
   const Configured c = configured(setup, which.tail_wash ? aircraft_data<double>() : changed->aircraft);
   const Trimmed trim = trimmed_persistently(c, kSpeed);
-  if (!is_trimmed(trim.status)) throw std::runtime_error("no trim at 40 m/s, mast 0, " + std::string(which.name));
+  if (!is_trimmed(trim.status))
+    throw std::runtime_error("no trim at 40 m/s, mast 0, " + std::string(which.name));
 
   Simulation<double> flight;
   const auto work = std::make_unique<SimulationWorkspace<double>>();
   const auto modes = std::make_unique<Modes>();
   const double one_degree = kRadian<double>;
   Status status = start(c, trim.state, trim.controls, kStep, Integrator::rk4, flight);
-  if (status == Status::ok) status = add_input(flight, {InputShape::step, iu_collective, one_degree, 0.0, 0.0});
+  if (status == Status::ok)
+    status = add_input(flight, {InputShape::step, iu_collective, one_degree, 0.0, 0.0});
   const int steps = static_cast<int>(kDuration / kStep + 0.5);
   const int record_steps = static_cast<int>(kRecordEvery / kStep + 0.5);
   const int second = static_cast<int>(1 / kStep + 0.5);
@@ -94,10 +99,12 @@ void fly(const Case& which, Records& records) {
     if (k % second == 0) record_modes(which.name, c, flight, *modes, k > 0, records.modes);
     if (k < steps) status = advance(c, *work, flight);
   }
-  if (status != Status::ok) throw std::runtime_error(std::string("response to collective: ") + status_text(status));
+  if (status != Status::ok)
+    throw std::runtime_error(std::string("response to collective: ") + status_text(status));
 }
 
-Picture motion_picture(const char* id, const char* title, const char* axis, const char* column, const Table& motion) {
+Picture motion_picture(const char* id, const char* title, const char* axis, const char* column,
+                       const Table& motion) {
   Plot plot;
   plot.id = id;
   plot.title = title;
@@ -142,16 +149,19 @@ std::vector<Finding> statements(const Records& records) {
     const double slower = rows.number(last, "ground_speed_mps") - rows.number(0, "ground_speed_mps");
     const double nose = rows.number(last, "pitch_deg") - rows.number(0, "pitch_deg");
     const int held = (climb > 0) + (slower < 0) + (nose > 0);
-    std::string found = capitalized(which.name) + ", after 3 s: climb " + with_sign(climb, 2) + " m/s, speed " +
-                        with_sign(slower, 2) + " m/s, pitch " + with_sign(nose, 2) + " deg.";
+    std::string found = capitalized(which.name) + ", after 3 s: climb " + with_sign(climb, 2) +
+                        " m/s, speed " + with_sign(slower, 2) + " m/s, pitch " + with_sign(nose, 2) + " deg.";
     if (held < 3) {
       found +=
-          " Cause: more collective strengthens the rotor wash; the wash tables at the horizontal tail turn that into "
-          "upwash, and the tail pushes the nose down harder than the disks tilt back. The third case, without that wash, "
+          " Cause: more collective strengthens the rotor wash; the wash tables at the horizontal tail turn "
+          "that into "
+          "upwash, and the tail pushes the nose down harder than the disks tilt back. The third case, "
+          "without that wash, "
           "shows it. The paper does not state its flap setting.";
     }
     findings.push_back({held == 3 ? Finding::holds : Finding::partly,
-                        "After +1 deg collective at 40 m/s the aircraft climbs, slows and pitches up.", found});
+                        "After +1 deg collective at 40 m/s the aircraft climbs, slows and pitches up.",
+                        found});
   }
   for (const Case& which : kCases) {
     std::string found = capitalized(which.name) + ":";
@@ -165,9 +175,13 @@ std::vector<Finding> statements(const Records& records) {
     }
     found.back() = '.';
     if (held < 2) {
-      found += " Here the aircraft slows and pitches up, towards a state in which the slow oscillation is better damped.";
+      found +=
+          " Here the aircraft slows and pitches up, towards a state in which the slow oscillation is better "
+          "damped.";
     }
-    findings.push_back({held == 2 ? Finding::holds : held == 1 ? Finding::partly : Finding::differs,
+    findings.push_back({held == 2   ? Finding::holds
+                        : held == 1 ? Finding::partly
+                                    : Finding::differs,
                         "The slow modes are less stable 3 s after the step than before it.", found});
   }
   return findings;
@@ -199,7 +213,8 @@ Picture root_picture(const char* axis, const Table& modes) {
         s.tip.push_back(mode + " at " + branch.text(k, "time_s") + " s: " + root_text(s.x[k], s.y[k]));
         const bool pair = s.y[k] > 0;
         if (pair && (k == 0 || k + 1 == branch.rows())) {
-          plot.labels.push_back({s.x[k], s.y[k], branch.text(k, "time_s"), s.color, k == 0 ? -6.0 : 6.0, i == 0 ? -6.0 : 14.0});
+          plot.labels.push_back(
+              {s.x[k], s.y[k], branch.text(k, "time_s"), s.color, k == 0 ? -6.0 : 6.0, i == 0 ? -6.0 : 14.0});
         }
       }
       plot.series.push_back(s);
@@ -213,7 +228,8 @@ Picture root_picture(const char* axis, const Table& modes) {
 Section collective_response() {
   Section section{"response", "Response to +1 deg collective at 40 m/s", "", {}, {}, {}};
   section.reading =
-      "Helicopter mode, level flight, then one degree more collective and nothing else; nonlinear model, Runge-Kutta, 5 ms. "
+      "Helicopter mode, level flight, then one degree more collective and nothing else; nonlinear model, "
+      "Runge-Kutta, 5 ms. "
       "The roots are those of the linear model at the state reached, which is no equilibrium.";
   Records records;
   for (const Case& which : kCases) fly(which, records);
@@ -223,7 +239,8 @@ Section collective_response() {
       motion_picture("response_speed", "Speed over ground", "Speed, m/s", "ground_speed_mps", motion),
       motion_picture("response_pitch", "Pitch attitude", "Pitch, deg", "pitch_deg", motion),
       motion_picture("response_rate", "Pitch rate", "Pitch rate, deg/s", "q_degps", motion),
-      root_picture("longitudinal", records.modes), root_picture("lateral", records.modes)};
+      root_picture("longitudinal", records.modes),
+      root_picture("lateral", records.modes)};
   section.findings = statements(records);
   section.tables.push_back({"response", "motion every 0.05 s", records.motion});
   section.tables.push_back({"response_modes", "eigenvalues at 0, 1, 2, 3 s", records.modes});

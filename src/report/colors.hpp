@@ -1,5 +1,6 @@
-// Colours of the figures. The line colours are those of Okabe and Ito, told apart with any colour vision; the fill
-// colours run from orange (unstable) over white to blue (stable) and stay ordered in grey print on each side.
+// Colours of the figures. The line colours are those of Okabe and Ito, told apart with any colour vision; the
+// fill colours run from orange (unstable) over white to blue (stable) and stay ordered in grey print on each
+// side.
 #pragma once
 
 namespace tiltrotor::report {
@@ -14,7 +15,7 @@ inline constexpr const char* kBlack = "#222222";
 inline constexpr const char* kGrey = "#777777";
 
 inline constexpr int kLineColors = 8;
-inline constexpr const char* kLineColor[kLineColors] = {kBlue,   kOrange, kGreen, kPurple,
+inline constexpr const char* kLineColor[kLineColors] = {kBlue,  kOrange, kGreen, kPurple,
                                                         kAmber, kSky,    kBlack, kGrey};
 
 }  // namespace tiltrotor::report

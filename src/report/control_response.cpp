@@ -30,11 +30,14 @@ constexpr AxisOfControl kAxes[] = {
 };
 
 Table response_table(const Sweeps& sweeps) {
-  Table table({"mast_deg", "speed_mps", "axis", "sensitivity_rad_s2_per_in", "control_power_rad_s2", "damping_1_per_s"});
-  table.comment("Quasi-steady derivatives. sensitivity: angular acceleration for one inch (pitch: nose down for stick");
+  Table table({"mast_deg", "speed_mps", "axis", "sensitivity_rad_s2_per_in", "control_power_rad_s2",
+               "damping_1_per_s"});
+  table.comment(
+      "Quasi-steady derivatives. sensitivity: angular acceleration for one inch (pitch: nose down for stick");
   table.comment("forward); control power: for full travel to one side; damping: minus the rate derivative.");
   for (const SpeedSweep& sweep : sweeps) {
-    if (std::find(std::begin(kShownMasts), std::end(kShownMasts), sweep.mast_deg) == std::end(kShownMasts)) continue;
+    if (std::find(std::begin(kShownMasts), std::end(kShownMasts), sweep.mast_deg) == std::end(kShownMasts))
+      continue;
     for (const LevelFlight& f : sweep.flights) {
       const Linear model = quasi_steady(linear_model(sweep.c, f.trim.state, f.trim.controls, kInceptors));
       for (const AxisOfControl& axis : kAxes) {
@@ -48,11 +51,12 @@ Table response_table(const Sweeps& sweeps) {
   return table;
 }
 
-Picture picture(const Table& table, const AxisOfControl& axis, const char* column, const char* what, const char* unit,
-                const Table& estimate) {
+Picture picture(const Table& table, const AxisOfControl& axis, const char* column, const char* what,
+                const char* unit, const Table& estimate) {
   Plot plot;
   plot.id = std::string("control_") + axis.name + "_" + what;
-  plot.title = capitalized(axis.name) + " " + what + (column[0] == 's' ? std::string(", ") + axis.inceptor : "");
+  plot.title =
+      capitalized(axis.name) + " " + what + (column[0] == 's' ? std::string(", ") + axis.inceptor : "");
   plot.x.label = "Speed, m/s";
   plot.y.label = unit;
   plot.x.low = 0;
@@ -88,13 +92,14 @@ Picture picture(const Table& table, const AxisOfControl& axis, const char* colum
 Section control_response(const Sweeps& sweeps) {
   Section section{"control", "Control sensitivity and damping", "", {}, {}, {}};
   section.reading =
-      "Angular acceleration for one inch of stick or pedal, and the damping that opposes the rate it builds up; rotors and "
+      "Angular acceleration for one inch of stick or pedal, and the damping that opposes the rate it builds "
+      "up; rotors and "
       "inflow in quasi-steady balance.";
   const Table table = response_table(sweeps);
   const Table estimate = reference_points("hover_control_response");
   for (const AxisOfControl& axis : kAxes) {
-    section.pictures.push_back(
-        picture(table, axis, "sensitivity_rad_s2_per_in", "sensitivity", "Acceleration per inch, rad/s²/in", estimate));
+    section.pictures.push_back(picture(table, axis, "sensitivity_rad_s2_per_in", "sensitivity",
+                                       "Acceleration per inch, rad/s²/in", estimate));
     section.pictures.push_back(picture(table, axis, "damping_1_per_s", "damping", "Damping, 1/s", estimate));
   }
   const Table hover = table.where("mast_deg", 0.0).where("speed_mps", 0.0);
@@ -107,14 +112,18 @@ Section control_response(const Sweeps& sweeps) {
     const auto close = [&](const char* column) {
       return std::fabs(here.number(0, column) / estimate.number(i, column) - 1) <= tolerance;
     };
-    const int held = close("sensitivity_rad_s2_per_in") + close("control_power_rad_s2") + close("damping_1_per_s");
-    section.findings.push_back(
-        {held == 3 ? Finding::holds : held > 0 ? Finding::partly : Finding::differs,
-         "Hover, " + estimate.text(i, "axis") + ": the 1975 design estimate (30 %).",
-         "Sensitivity " + compare("sensitivity_rad_s2_per_in") + " rad/s² per inch, control power " +
-             compare("control_power_rad_s2") + " rad/s², damping " + compare("damping_1_per_s") +
-             " 1/s. The printed trims are met, so what is missing in damping is dynamic: at low speed the wake moves over "
-             "wing and tail, which the tables do not know."});
+    const int held =
+        close("sensitivity_rad_s2_per_in") + close("control_power_rad_s2") + close("damping_1_per_s");
+    section.findings.push_back({held == 3  ? Finding::holds
+                                : held > 0 ? Finding::partly
+                                           : Finding::differs,
+                                "Hover, " + estimate.text(i, "axis") + ": the 1975 design estimate (30 %).",
+                                "Sensitivity " + compare("sensitivity_rad_s2_per_in") +
+                                    " rad/s² per inch, control power " + compare("control_power_rad_s2") +
+                                    " rad/s², damping " + compare("damping_1_per_s") +
+                                    " 1/s. The printed trims are met, so what is missing in damping is "
+                                    "dynamic: at low speed the wake moves over "
+                                    "wing and tail, which the tables do not know."});
   }
   section.tables.push_back({"control_response", "sensitivity, control power, damping", table});
   return section;

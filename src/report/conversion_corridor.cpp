@@ -53,17 +53,27 @@ std::vector<Table::Cell> grid_row(const Configured& c, double mast, double speed
   const Slowest s = state == "ok" ? slowest(modes_of(c, t)) : Slowest{NAN, "", NAN, ""};
   const double missing = NAN;
   const bool has_trim = is_trimmed(t.status);
-  return {mast, speed, state, static_cast<double>(t.iterations), has_trim ? total_power_kw(t) : missing,
-          has_trim ? degrees(t.state.pitch) : missing, has_trim ? degrees(t.wing_angle_of_attack) : missing, s.real, s.mode,
-          s.damping_ratio, s.oscillation};
+  return {mast,
+          speed,
+          state,
+          static_cast<double>(t.iterations),
+          has_trim ? total_power_kw(t) : missing,
+          has_trim ? degrees(t.state.pitch) : missing,
+          has_trim ? degrees(t.wing_angle_of_attack) : missing,
+          s.real,
+          s.mode,
+          s.damping_ratio,
+          s.oscillation};
 }
 
-// From cold starts: outwards from the middle of the corridor and up from hover, in each run to the second point in a row
-// that does not fly. What lies beyond is not tried.
+// From cold starts: outwards from the middle of the corridor and up from hover, in each run to the second
+// point in a row that does not fly. What lies beyond is not tried.
 Table grid_table() {
-  Table table({"mast_deg", "speed_mps", "state", "iterations", "power_kw", "pitch_deg", "wing_alpha_deg", "least_stable_real",
-               "least_stable_mode", "least_damping_ratio", "least_damped_mode"});
-  table.comment("state: ok, power (needs more than the transmission takes), why there is no trim, or beyond (not tried).");
+  Table table({"mast_deg", "speed_mps", "state", "iterations", "power_kw", "pitch_deg", "wing_alpha_deg",
+               "least_stable_real", "least_stable_mode", "least_damping_ratio", "least_damped_mode"});
+  table.comment(
+      "state: ok, power (needs more than the transmission takes), why there is no trim, or beyond (not "
+      "tried).");
   const int last = static_cast<int>(kHighestSpeed / kSpeedStep);
   for (double mast = 0; mast <= 90; mast += kMastStep) {
     const Configured c = configured(mast);
@@ -86,7 +96,8 @@ Table grid_table() {
       std::vector<Table::Cell>& row = rows[static_cast<std::size_t>(k)];
       if (row.empty()) {
         const double none = NAN;
-        row = {mast, k * kSpeedStep, std::string("beyond"), none, none, none, none, none, std::string(), none, std::string()};
+        row = {mast, k * kSpeedStep, std::string("beyond"), none, none,         none,
+               none, none,           std::string(),         none, std::string()};
       }
       table.add(row);
     }
@@ -116,11 +127,13 @@ Series line_of(const char* name, const char* color, Line line, Marker marker, co
 
 Series published(const char* name, const char* boundary, const char* color, Marker marker) {
   const Table rows = reference_points("conversion_corridor").where("boundary", std::string(boundary));
-  const Table part = std::string(boundary) == "design_minimum" ? rows.where("mass_lb", std::string("13000")) : rows;
+  const Table part =
+      std::string(boundary) == "design_minimum" ? rows.where("mass_lb", std::string("13000")) : rows;
   return line_of(name, color, Line::dashed, marker, part.numbers("speed_mps"), part.numbers("mast_deg"));
 }
 
-Plot corridor_plot(const char* id, const char* title, const Table& grid, const Table& edges, const char* column) {
+Plot corridor_plot(const char* id, const char* title, const Table& grid, const Table& edges,
+                   const char* column) {
   Plot plot;
   plot.id = id;
   plot.title = title;
@@ -141,12 +154,13 @@ Plot corridor_plot(const char* id, const char* title, const Table& grid, const T
     for (std::size_t i = 0; i < columns; ++i) plot.cells.value[i * rows + j] = values[j * columns + i];
   }
   const std::vector<double> mast = edges.numbers("mast_deg");
-  plot.series = {line_of("wing stall", kBlack, Line::solid, Marker::none, edges.numbers("stall_mps"), mast),
-                 line_of("power, torque", kBlack, Line::dotted, Marker::none, edges.numbers("power_mps"), mast),
-                 published("1975 minimum", "design_minimum", kPurple, Marker::circle),
-                 published("1975 Vc", "design_vc", kPurple, Marker::square),
-                 published("1980 minimum", "corridor_minimum", kGreen, Marker::triangle),
-                 published("1980 maximum", "corridor_maximum", kGreen, Marker::diamond)};
+  plot.series = {
+      line_of("wing stall", kBlack, Line::solid, Marker::none, edges.numbers("stall_mps"), mast),
+      line_of("power, torque", kBlack, Line::dotted, Marker::none, edges.numbers("power_mps"), mast),
+      published("1975 minimum", "design_minimum", kPurple, Marker::circle),
+      published("1975 Vc", "design_vc", kPurple, Marker::square),
+      published("1980 minimum", "corridor_minimum", kGreen, Marker::triangle),
+      published("1980 maximum", "corridor_maximum", kGreen, Marker::diamond)};
   return plot;
 }
 
@@ -175,12 +189,16 @@ Finding minimum_speeds(const Table& compared) {
   for (std::size_t i = 0; i < compared.rows(); ++i) {
     const double difference = compared.number(i, "difference_mps");
     good = good && std::fabs(difference) <= tolerance;
-    found += (i ? "; " : "") + std::string("mast ") + compared.text(i, "mast_deg") + ", " + compared.text(i, "mass_lb") +
-             " lb: " + fixed(compared.number(i, "here_mps"), 1) + " against " + fixed(compared.number(i, "design_mps"), 1);
+    found += (i ? "; " : "") + std::string("mast ") + compared.text(i, "mast_deg") + ", " +
+             compared.text(i, "mass_lb") + " lb: " + fixed(compared.number(i, "here_mps"), 1) + " against " +
+             fixed(compared.number(i, "design_mps"), 1);
   }
-  return {good ? Finding::holds : Finding::partly, "Minimum speeds of the 1975 design, same flap and rotor speed (8 kt).",
-          found + " m/s. Here stall is a wing angle of attack of 16 deg; the design adds what the rotors can carry, which depends "
-                  "on mass."};
+  return {good ? Finding::holds : Finding::partly,
+          "Minimum speeds of the 1975 design, same flap and rotor speed (8 kt).",
+          found +
+              " m/s. Here stall is a wing angle of attack of 16 deg; the design adds what the rotors can "
+              "carry, which depends "
+              "on mass."};
 }
 
 Finding convergence(const Table& grid) {
@@ -188,7 +206,8 @@ Finding convergence(const Table& grid) {
   std::string reasons;
   for (const std::string& state : grid.different("state")) {
     if (state == "ok" || state == "beyond") continue;
-    reasons += (reasons.empty() ? "" : ", ") + state + " " + std::to_string(grid.where("state", state).rows());
+    reasons +=
+        (reasons.empty() ? "" : ", ") + state + " " + std::to_string(grid.where("state", state).rows());
   }
   const std::vector<double> iterations = inside.numbers("iterations");
   const double most = *std::max_element(iterations.begin(), iterations.end());
@@ -199,7 +218,8 @@ Finding convergence(const Table& grid) {
     const bool same_mast = grid.text(i - 1, "mast_deg") == grid.text(i + 1, "mast_deg");
     holes += same_mast && flies(i - 1) && flies(i + 1) && grid.text(i, "state") == "not_converged";
   }
-  return {holes == 0 ? Finding::holds : Finding::differs, "Trim converges from a cold start everywhere in the corridor.",
+  return {holes == 0 ? Finding::holds : Finding::differs,
+          "Trim converges from a cold start everywhere in the corridor.",
           std::to_string(inside.rows()) + " grid points inside, at most " + fixed(most, 0) +
               " Newton steps, no hole. Points tried outside, by reason: " + reasons + "."};
 }
@@ -209,8 +229,10 @@ Finding stops(const Table& edges) {
   for (const std::string& name : edges.different("stop_name")) {
     if (!name.empty()) names += (names.empty() ? "" : ", ") + name;
   }
-  return {Finding::remark, "On the slow side it is the wing that ends level flight at every mast angle from 25 deg on.",
-          names.empty() ? "No control reaches its stop before." : "Controls that reach their stop before: " + names + "."};
+  return {Finding::remark,
+          "On the slow side it is the wing that ends level flight at every mast angle from 25 deg on.",
+          names.empty() ? "No control reaches its stop before."
+                        : "Controls that reach their stop before: " + names + "."};
 }
 
 }  // namespace
@@ -218,9 +240,12 @@ Finding stops(const Table& edges) {
 Section conversion_corridor() {
   Section section{"corridor", "Conversion corridor", "", {}, {}, {}};
   section.reading =
-      "Level flight is possible where the picture is filled: too slow on the left, the wing stalls; too fast on the right, "
-      "the transmission has no more power (at mast 90, with its lower rotor speed, torque). Blue is stable. At low mast "
-      "angles flight below the stall of the wing is possible, nose high. Flap and rotor speed change at mast 0 and 90.";
+      "Level flight is possible where the picture is filled: too slow on the left, the wing stalls; too fast "
+      "on the right, "
+      "the transmission has no more power (at mast 90, with its lower rotor speed, torque). Blue is stable. "
+      "At low mast "
+      "angles flight below the stall of the wing is possible, nose high. Flap and rotor speed change at mast "
+      "0 and 90.";
   const Table grid = grid_table();
   const Table edges = corridor_edges(kEdgeStep);
   const Table compared = compared_minimum_speeds();

@@ -1,8 +1,8 @@
 #include "report/corridor_edges.hpp"
 
 #include <cmath>
-#include <limits>
 #include <functional>
+#include <limits>
 #include <string>
 
 #include "report/reference_points.hpp"
@@ -21,11 +21,14 @@ struct Edge {
   Trimmed beyond;    // the trim just outside
 };
 
-const char* limit_word(TrimLimit limit) { return trim_detail::kLimitNames[static_cast<unsigned>(limit)].name; }
+const char* limit_word(TrimLimit limit) {
+  return trim_detail::kLimitNames[static_cast<unsigned>(limit)].name;
+}
 
-// From a speed at which `flies` holds towards one at which it may not: in coarse steps to the first failure, then by
-// halving.
-Edge edge_towards(const Configured& c, double from, double end, const std::function<bool(const Trimmed&)>& flies) {
+// From a speed at which `flies` holds towards one at which it may not: in coarse steps to the first failure,
+// then by halving.
+Edge edge_towards(const Configured& c, double from, double end,
+                  const std::function<bool(const Trimmed&)>& flies) {
   const double coarse = end > from ? 4 : -4;
   double good = from;
   Trimmed failed{};
@@ -59,8 +62,9 @@ Edge edge_towards(const Configured& c, double from, double end, const std::funct
 }
 
 Edge stall_side(const Configured& c, double from) {
-  return edge_towards(c, from, 0,
-                      [](const Trimmed& t) { return is_trimmed(t.status) && t.status != TrimStatus::wing_stall; });
+  return edge_towards(c, from, 0, [](const Trimmed& t) {
+    return is_trimmed(t.status) && t.status != TrimStatus::wing_stall;
+  });
 }
 
 Edge stop_side(const Configured& c, double from) {
@@ -69,8 +73,9 @@ Edge stop_side(const Configured& c, double from) {
 
 Edge power_side(const Configured& c, double from) {
   const double limit = kWatt * transmission_power(c);
-  return edge_towards(c, from, kHighest,
-                      [limit](const Trimmed& t) { return t.status == TrimStatus::ok && total_power_kw(t) <= limit; });
+  return edge_towards(c, from, kHighest, [limit](const Trimmed& t) {
+    return t.status == TrimStatus::ok && total_power_kw(t) <= limit;
+  });
 }
 
 }  // namespace
@@ -111,8 +116,8 @@ Table compared_minimum_speeds() {
     const Configured c = configured(setup);
     const Edge edge = stall_side(c, middle_speed(mast));
     const double design = rows.number(i, "speed_mps");
-    table.add({mast, rows.number(i, "mass_lb"), edge.speed_mps, std::string(trim_status_word(edge.beyond.status)), design,
-               edge.speed_mps - design});
+    table.add({mast, rows.number(i, "mass_lb"), edge.speed_mps,
+               std::string(trim_status_word(edge.beyond.status)), design, edge.speed_mps - design});
   }
   return table;
 }

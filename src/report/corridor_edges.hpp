@@ -6,11 +6,12 @@
 
 namespace tiltrotor::report {
 
-// mast_deg; on the slow side stall_mps (wing) and stop_mps with stop_name (control at its stop), empty where there is none
-// down to hover; on the fast side power_mps and power_reason.
+// mast_deg; on the slow side stall_mps (wing) and stop_mps with stop_name (control at its stop), empty where
+// there is none down to hover; on the fast side power_mps and power_reason.
 Table corridor_edges(double mast_step_deg);
 
-// The stall side in the conditions of the 1975 design (its flap, rotor speed and masses) against the published points.
+// The stall side in the conditions of the 1975 design (its flap, rotor speed and masses) against the
+// published points.
 Table compared_minimum_speeds();
 
 }  // namespace tiltrotor::report

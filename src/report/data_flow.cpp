@@ -80,7 +80,8 @@ Table arrow_table() {
   return table;
 }
 
-std::string text_at(double x, double y, const std::string& text, double size, const char* anchor, const char* more = "") {
+std::string text_at(double x, double y, const std::string& text, double size, const char* anchor,
+                    const char* more = "") {
   return "<text" + attribute("x", x) + attribute("y", y) + attribute("font-size", size) +
          attribute("text-anchor", std::string(anchor)) + more + ">" + escaped(text) + "</text>\n";
 }
@@ -103,7 +104,8 @@ Picture picture(const Table& blocks, const Table& arrows) {
     out += "<rect" + attribute("x", x) + attribute("y", y) + attribute("width", w) +
            attribute("height", blocks.number(i, "height")) + attribute("fill", blocks.text(i, "color")) +
            " stroke=\"#888888\" rx=\"5\"/>\n";
-    out += text_at(x + w / 2, y + (text.empty() ? 28 : 20), blocks.text(i, "name"), 13, "middle", " font-weight=\"600\"");
+    out += text_at(x + w / 2, y + (text.empty() ? 28 : 20), blocks.text(i, "name"), 13, "middle",
+                   " font-weight=\"600\"");
     if (!text.empty()) out += text_at(x + w / 2, y + 37, text, 11.5, "middle");
   }
   for (std::size_t i = 0; i < arrows.rows(); ++i) {
@@ -117,7 +119,8 @@ Picture picture(const Table& blocks, const Table& arrows) {
     const bool has_room = y2 - y1 > 20;
     // Beside the line, on the side it leaves free.
     const double drop = x2 < x1 - 40 ? 13 : x2 > x1 + 20 ? 0 : 4;
-    if (has_room && !carries.empty()) out += text_at((x1 + x2) / 2 + 8, (y1 + y2) / 2 + drop, carries, 11.5, "start");
+    if (has_room && !carries.empty())
+      out += text_at((x1 + x2) / 2 + 8, (y1 + y2) / 2 + drop, carries, 11.5, "start");
   }
   return {"data_flow", out + "</svg>\n"};
 }
@@ -127,8 +130,10 @@ Picture picture(const Table& blocks, const Table& arrows) {
 Section data_flow() {
   Section section{"flow", "How the model works", "", {}, {}, {}};
   section.reading =
-      "One evaluation runs from top to bottom; nothing is iterated, because flapping, inflow and the wing's downwash are "
-      "states. The same code runs on plain numbers and on numbers that carry their derivatives, which makes trim, linear "
+      "One evaluation runs from top to bottom; nothing is iterated, because flapping, inflow and the wing's "
+      "downwash are "
+      "states. The same code runs on plain numbers and on numbers that carry their derivatives, which makes "
+      "trim, linear "
       "models and responses exact.";
   const Table blocks = block_table();
   const Table arrows = arrow_table();

@@ -68,7 +68,8 @@ Evaluation<double> evaluated(const Configured& c, const State<double>& x, const 
 
 double transmission_power(const Configured& c) {
   const Aircraft<double>& aircraft = *c.aircraft;
-  return 2 * aircraft.controls.power_limit * std::min(1.0, c.setup.rotor_speed / aircraft.rotor.speed_helicopter);
+  return 2 * aircraft.controls.power_limit *
+         std::min(1.0, c.setup.rotor_speed / aircraft.rotor.speed_helicopter);
 }
 
 double middle_speed(double mast_deg) {
@@ -85,7 +86,8 @@ SpeedSweep speed_sweep(double mast_deg, double step_mps, double highest_mps) {
   const auto add = [&](int k) {
     const double speed = k * step_mps;
     Trimmed trim = trimmed(sweep.c, speed);
-    if (!is_trimmed(trim.status) && !flights.empty()) trim = trimmed_near(sweep.c, speed, flights.back().trim);
+    if (!is_trimmed(trim.status) && !flights.empty())
+      trim = trimmed_near(sweep.c, speed, flights.back().trim);
     const bool has_power = total_power_kw(trim) <= kWatt * 2 * sweep.c.aircraft->controls.power_limit;
     if (trim.status != TrimStatus::ok || !has_power) return false;
     flights.push_back({speed, trim});

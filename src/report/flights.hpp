@@ -9,9 +9,9 @@
 namespace tiltrotor::report {
 
 inline double degrees(double radians) { return radians * tiltrotor::kDegree<double>; }
-inline constexpr double kStickNeutral = 4.8;      // in, where the pilot's scale 0..9.6 has its middle
-inline constexpr double kStickTravel = 9.6;       // in
-inline constexpr double kWatt = 1e-3;             // kW
+inline constexpr double kStickNeutral = 4.8;  // in, where the pilot's scale 0..9.6 has its middle
+inline constexpr double kStickTravel = 9.6;   // in
+inline constexpr double kWatt = 1e-3;         // kW
 
 using Setup = FlightSetup<double>;
 using Configured = Configuration<double>;
@@ -34,8 +34,8 @@ Trimmed trimmed_near(const Configured& c, double speed_mps, const Trimmed& neigh
 // Loads, rotors and rates at a state.
 Evaluation<double> evaluated(const Configured& c, const State<double>& x, const Controls<double>& u);
 
-// Power both rotors may take, W: the transmission's limit of power at helicopter rotor speed. At a lower rotor speed
-// its limit of torque comes first.
+// Power both rotors may take, W: the transmission's limit of power at helicopter rotor speed. At a lower
+// rotor speed its limit of torque comes first.
 double transmission_power(const Configured& c);
 
 struct LevelFlight {
@@ -43,8 +43,8 @@ struct LevelFlight {
   Trimmed trim;
 };
 
-// Level flights at one mast angle in steps of speed: all that have a trim inside every limit, the transmission's power
-// included, without a gap around the middle of the conversion corridor.
+// Level flights at one mast angle in steps of speed: all that have a trim inside every limit, the
+// transmission's power included, without a gap around the middle of the conversion corridor.
 struct SpeedSweep {
   double mast_deg;
   Configured c;

@@ -22,13 +22,17 @@ constexpr double kGainTolerance = 2;    // dB
 constexpr double kPhaseTolerance = 15;  // deg
 
 // Row `rate` of x(s) / u(s) at s = i omega, or of its derivative, by elimination with row pivoting.
-Complex response_of(const Linear& model, StateIndex output, ControlIndex input, double omega, bool derivative) {
+Complex response_of(const Linear& model, StateIndex output, ControlIndex input, double omega,
+                    bool derivative) {
   const int n = model.states;
   const Complex s(0, omega);
-  std::vector<std::vector<Complex>> m(static_cast<std::size_t>(n), std::vector<Complex>(static_cast<std::size_t>(n + 1)));
+  std::vector<std::vector<Complex>> m(static_cast<std::size_t>(n),
+                                      std::vector<Complex>(static_cast<std::size_t>(n + 1)));
   int column = 0;
   while (model.control[column] != input) ++column;
-  const auto at = [&m](int i, int j) -> Complex& { return m[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)]; };
+  const auto at = [&m](int i, int j) -> Complex& {
+    return m[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)];
+  };
   for (int i = 0; i < n; ++i) {
     for (int j = 0; j < n; ++j) at(i, j) = (i == j ? s : Complex(0)) - model.a(i, j);
     at(i, n) = model.b(i, column);
@@ -53,22 +57,25 @@ Complex response_of(const Linear& model, StateIndex output, ControlIndex input, 
 
 Complex polynomial(const std::string& coefficients, Complex s) {
   Complex value = 0;
-  for (const std::string& c : cli::split(coefficients, ' ')) value = value * s + cli::parse_number(c, "transfer function");
+  for (const std::string& c : cli::split(coefficients, ' '))
+    value = value * s + cli::parse_number(c, "transfer function");
   return value;
 }
 
 struct Case {
-  const char* name;       // of the transfer function
+  const char* name;  // of the transfer function
   const char* title;
   double mast_deg, speed_mps, altitude_m;
   StateIndex output;
   ControlIndex input;
-  bool derivative;        // the output is the rate of a state
-  bool shape_only;        // the gain of the input is not published: both curves meet at 1 rad/s
+  bool derivative;  // the output is the rate of a state
+  bool shape_only;  // the gain of the input is not published: both curves meet at 1 rad/s
 };
 constexpr Case kCases[] = {
-    {"cruise_q_elevator", "Pitch rate to elevator, mast 90, 104 m/s, 2438 m", 90, 104.4, 2438, ix_q, iu_elevator, false, false},
-    {"hover_az_power", "Vertical acceleration to power lever, hover", 0, 0, 0, ix_w, iu_collective, true, true},
+    {"cruise_q_elevator", "Pitch rate to elevator, mast 90, 104 m/s, 2438 m", 90, 104.4, 2438, ix_q,
+     iu_elevator, false, false},
+    {"hover_az_power", "Vertical acceleration to power lever, hover", 0, 0, 0, ix_w, iu_collective, true,
+     true},
 };
 
 double decibel(Complex value) { return 20 * std::log10(std::abs(value)); }
@@ -83,9 +90,12 @@ Table frequency_table(const Case& which, const Linear& model) {
   const double delay = set.number(0, "delay_s");
   const auto identified = [&](double omega) {
     const Complex s(0, omega);
-    return polynomial(set.text(0, "numerator"), s) / polynomial(set.text(0, "denominator"), s) * std::exp(-s * delay);
+    return polynomial(set.text(0, "numerator"), s) / polynomial(set.text(0, "denominator"), s) *
+           std::exp(-s * delay);
   };
-  const auto here = [&](double omega) { return response_of(model, which.output, which.input, omega, which.derivative); };
+  const auto here = [&](double omega) {
+    return response_of(model, which.output, which.input, omega, which.derivative);
+  };
   const double meeting = 1;  // rad/s
   const double factor = which.shape_only ? std::abs(identified(meeting)) / std::abs(here(meeting)) : 1;
 
@@ -97,8 +107,8 @@ Table frequency_table(const Case& which, const Linear& model) {
     const Complex value = factor * here(omega);
     const double phase_there = nearest_turn(std::arg(there) * kDegreesPerRadian, previous);
     previous = phase_there;
-    table.add({omega, decibel(value), nearest_turn(std::arg(value) * kDegreesPerRadian, phase_there), decibel(there),
-               phase_there});
+    table.add({omega, decibel(value), nearest_turn(std::arg(value) * kDegreesPerRadian, phase_there),
+               decibel(there), phase_there});
   }
   return table;
 }
@@ -136,7 +146,8 @@ Misfit misfit(const Table& table, double from) {
   for (std::size_t i = 0; i < table.rows(); ++i) {
     if (table.number(i, "omega_rad_s") < from) continue;
     m.gain = std::max(m.gain, std::fabs(table.number(i, "gain_db") - table.number(i, "identified_gain_db")));
-    m.phase = std::max(m.phase, std::fabs(table.number(i, "phase_deg") - table.number(i, "identified_phase_deg")));
+    m.phase =
+        std::max(m.phase, std::fabs(table.number(i, "phase_deg") - table.number(i, "identified_phase_deg")));
   }
   return m;
 }
@@ -146,13 +157,15 @@ Finding judge(const Case& which, const Table& table) {
   constexpr double above_phugoid = 1;  // rad/s
   const Misfit fast = misfit(table, above_phugoid);
   const bool good = gain <= kGainTolerance && phase <= kPhaseTolerance;
-  return {good ? Finding::holds : Finding::partly,
-          std::string(which.title) + (which.shape_only ? ", shape" : "") + ": within 2 dB and 15 deg of flight.",
-          "Largest differences over the identified band: " + fixed(gain, 1) + " dB, " + fixed(phase, 0) + " deg; from 1 rad/s on " +
-              fixed(fast.gain, 1) + " dB, " + fixed(fast.phase, 0) + " deg." +
-              (which.shape_only ? " The gain of the power lever is not published; both curves meet at 1 rad/s."
-                                : " The identified form has no phugoid, which bends the model's curve below 1 rad/s; the gain "
-                                  "is high throughout: the elevator is too effective.")};
+  return {
+      good ? Finding::holds : Finding::partly,
+      std::string(which.title) + (which.shape_only ? ", shape" : "") + ": within 2 dB and 15 deg of flight.",
+      "Largest differences over the identified band: " + fixed(gain, 1) + " dB, " + fixed(phase, 0) +
+          " deg; from 1 rad/s on " + fixed(fast.gain, 1) + " dB, " + fixed(fast.phase, 0) + " deg." +
+          (which.shape_only
+               ? " The gain of the power lever is not published; both curves meet at 1 rad/s."
+               : " The identified form has no phugoid, which bends the model's curve below 1 rad/s; the gain "
+                 "is high throughout: the elevator is too effective.")};
 }
 
 Finding short_period(const Modes& modes) {
@@ -162,11 +175,13 @@ Finding short_period(const Modes& modes) {
     if (m.label.kind != ModeKind::short_period) continue;
     const double frequency = identified.number(0, "frequency_rad_s");
     const double damping = identified.number(0, "damping_ratio");
-    const bool good = std::fabs(m.frequency / frequency - 1) <= 0.15 && std::fabs(m.damping_ratio - damping) <= 0.12;
+    const bool good =
+        std::fabs(m.frequency / frequency - 1) <= 0.15 && std::fabs(m.damping_ratio - damping) <= 0.12;
     return {good ? Finding::holds : Finding::differs,
             "Short period in cruise: frequency within 15 %, damping ratio within 0.12 of flight.",
-            fixed(m.frequency, 2) + " rad/s, " + fixed(m.damping_ratio, 3) + " against " + fixed(frequency, 2) + ", " +
-                fixed(damping, 3) + ". The centre of gravity of the record is not published."};
+            fixed(m.frequency, 2) + " rad/s, " + fixed(m.damping_ratio, 3) + " against " +
+                fixed(frequency, 2) + ", " + fixed(damping, 3) +
+                ". The centre of gravity of the record is not published."};
   }
   return {Finding::differs, "Short period in cruise.", "No such mode was found."};
 }
@@ -181,7 +196,8 @@ Finding heave(const Modes& modes) {
     return {std::fabs(m.real / there - 1) <= tolerance ? Finding::holds : Finding::differs,
             "Heave root in hover within 30 % of flight.",
             fixed(m.real, 3) + " against " + fixed(there, 3) +
-                " 1/s. The root is slow and the identification weak there; the flight's weight is not published."};
+                " 1/s. The root is slow and the identification weak there; the flight's weight is not "
+                "published."};
   }
   return {Finding::differs, "Heave root in hover.", "No such mode was found."};
 }
@@ -191,7 +207,8 @@ Finding heave(const Modes& modes) {
 Section frequency_responses() {
   Section section{"frequency", "Frequency responses against flight", "", {}, {}, {}};
   section.reading =
-      "The complete linear model, rotors and inflow included, against transfer functions identified from flight "
+      "The complete linear model, rotors and inflow included, against transfer functions identified from "
+      "flight "
       "(NASA TM-89428), each over the band for which it was identified.";
   for (const Case& which : kCases) {
     Setup setup = default_setup(which.mast_deg);
@@ -201,7 +218,8 @@ Section frequency_responses() {
     const Linear model = linear_model(c, t.state, t.controls, kBladeControls);
     const Table table = frequency_table(which, model);
     section.pictures.push_back(picture(which, table, "gain", "Gain, dB", "gain_db", "identified_gain_db"));
-    section.pictures.push_back(picture(which, table, "phase", "Phase, deg", "phase_deg", "identified_phase_deg"));
+    section.pictures.push_back(
+        picture(which, table, "phase", "Phase, deg", "phase_deg", "identified_phase_deg"));
     section.findings.push_back(judge(which, table));
     section.findings.push_back(which.mast_deg > 0 ? short_period(modes_of(model)) : heave(modes_of(model)));
     section.tables.push_back({std::string("frequency_") + which.name, which.title, table});

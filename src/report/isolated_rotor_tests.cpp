@@ -15,13 +15,13 @@ namespace tiltrotor::report {
 
 namespace {
 
-constexpr double kSolidity = 0.0891;          // of the published coefficients: 3 blades, 14 in, R 150 in
-constexpr double kCollectiveStep = 0.5;       // deg
-constexpr double kStallFrom = 0.005;          // CT
-constexpr double kSpeedOfSound = 340.3;       // m/s
-constexpr double kHoverTipSpeed = 234.2;      // m/s, of the OARF runs
-constexpr double kHoverTolerance = 7;         // % of CP
-constexpr double kForwardTolerance = 6e-4;    // CQ/sigma
+constexpr double kSolidity = 0.0891;        // of the published coefficients: 3 blades, 14 in, R 150 in
+constexpr double kCollectiveStep = 0.5;     // deg
+constexpr double kStallFrom = 0.005;        // CT
+constexpr double kSpeedOfSound = 340.3;     // m/s
+constexpr double kHoverTipSpeed = 234.2;    // m/s, of the OARF runs
+constexpr double kHoverTolerance = 7;       // % of CP
+constexpr double kForwardTolerance = 6e-4;  // CQ/sigma
 constexpr double kEfficiencyTolerance = 0.03;
 
 struct Sample {
@@ -29,14 +29,14 @@ struct Sample {
 };
 
 // Rising collective until the thrust no longer rises.
-std::vector<Sample> collective_sweep(double tip_speed, double axial, double in_plane, CyclicUse cyclic, double from_deg,
-                                     double to_deg) {
+std::vector<Sample> collective_sweep(double tip_speed, double axial, double in_plane, CyclicUse cyclic,
+                                     double from_deg, double to_deg, double step_deg = kCollectiveStep) {
   Setup setup = default_setup(0);
   setup.rotor_speed = tip_speed / aircraft_data<double>().rotor.radius;
   const Configured c = configured(setup);
   const auto work = std::make_unique<IsolatedRotorWorkspace<double>>();
   std::vector<Sample> samples;
-  for (double deg = from_deg; deg <= to_deg; deg += kCollectiveStep) {
+  for (double deg = from_deg; deg <= to_deg; deg += step_deg) {
     RotorFlow<double> flow{};
     flow.axial = axial;
     flow.in_plane = in_plane;
@@ -45,7 +45,8 @@ std::vector<Sample> collective_sweep(double tip_speed, double axial, double in_p
     IsolatedRotor<double> rotor;
     if (isolated_rotor(c, flow, *work, rotor) != Status::ok) continue;
     const RotorFigures<double>& f = rotor.figures;
-    const bool stalls = !samples.empty() && f.thrust_coefficient <= samples.back().ct && f.thrust_coefficient > kStallFrom;
+    const bool stalls =
+        !samples.empty() && f.thrust_coefficient <= samples.back().ct && f.thrust_coefficient > kStallFrom;
     if (stalls) break;
     samples.push_back({deg, f.thrust_coefficient, f.power_coefficient, f.figure_of_merit, f.efficiency});
   }
@@ -62,7 +63,8 @@ double at_thrust(const std::vector<Sample>& samples, double ct, double Sample::*
   return NAN;
 }
 
-Series marks(const char* name, const char* color, Marker marker, const std::vector<double>& x, const std::vector<double>& y) {
+Series marks(const char* name, const char* color, Marker marker, const std::vector<double>& x,
+             const std::vector<double>& y) {
   Series s;
   s.name = name;
   s.color = color;
@@ -95,9 +97,10 @@ void hover(Section& section) {
   plot.x.high = 0.018;
   plot.y.low = 0;
   plot.y.high = 0.9;
-  plot.series = {marks("OARF", kOrange, Marker::circle, oarf.numbers("ct"), oarf.numbers("figure_of_merit")),
-                 marks("80x120 tunnel", kGreen, Marker::square, tunnel.numbers("ct"), tunnel.numbers("figure_of_merit")),
-                 marks("WADC", kGrey, Marker::triangle, wadc.numbers("ct"), wadc.numbers("figure_of_merit"))};
+  plot.series = {
+      marks("OARF", kOrange, Marker::circle, oarf.numbers("ct"), oarf.numbers("figure_of_merit")),
+      marks("80x120 tunnel", kGreen, Marker::square, tunnel.numbers("ct"), tunnel.numbers("figure_of_merit")),
+      marks("WADC", kGrey, Marker::triangle, wadc.numbers("ct"), wadc.numbers("figure_of_merit"))};
   Series here;
   here.name = "this program";
   here.x = table.numbers("ct");
@@ -120,9 +123,11 @@ void hover(Section& section) {
     worst = std::fabs(difference) > std::fabs(worst) ? difference : worst;
   }
   section.findings.push_back(
-      {within == compared.rows() ? Finding::holds : Finding::partly, "Hover power at given thrust within 7 % of OARF.",
+      {within == compared.rows() ? Finding::holds : Finding::partly,
+       "Hover power at given thrust within 7 % of OARF.",
        std::to_string(within) + " of " + std::to_string(compared.rows()) + " points, largest difference " +
-           with_sign(worst, 1) + " %. Mean inflow is uniform over the disk, which flatters the rotor at moderate thrust; "
+           with_sign(worst, 1) +
+           " %. Mean inflow is uniform over the disk, which flatters the rotor at moderate thrust; "
            "the sections stall early above CT/sigma 0.16."});
   section.tables.push_back({"rotor_hover", "hover", table});
   section.tables.push_back({"rotor_hover_compared", "hover against OARF", compared});
@@ -131,22 +136,25 @@ void hover(Section& section) {
 // Forward flight in the wind tunnel; the shaft is tilted, cyclic holds the disk to the shaft.
 void forward_flight(Section& section) {
   const Table set = reference_points("rotor_forward_flight");
-  Table table({"figure", "shaft_angle_deg", "advance_ratio", "ct_over_sigma", "cq_over_sigma", "measured_cq_over_sigma",
-               "difference"});
-  table.comment("Measured: Betzina 2002. cq_over_sigma: this program at the same thrust, sea level, 589 rpm.");
-  const double tip_speed = aircraft_data<double>().rotor.speed_helicopter * aircraft_data<double>().rotor.radius;
+  Table table({"figure", "shaft_angle_deg", "advance_ratio", "ct_over_sigma", "cq_over_sigma",
+               "measured_cq_over_sigma", "difference"});
+  table.comment(
+      "Measured: Betzina 2002. cq_over_sigma: this program at the same thrust, sea level, 589 rpm.");
+  const double tip_speed =
+      aircraft_data<double>().rotor.speed_helicopter * aircraft_data<double>().rotor.radius;
   std::size_t within = 0;
   double worst = 0;
   for (std::size_t i = 0; i < set.rows(); ++i) {
     const double shaft = set.number(i, "shaft_angle_deg") * kRadian<double>;
     const double in_plane = set.number(i, "advance_ratio") * tip_speed;
     const double axial = -in_plane * std::tan(shaft);  // forward tilt: flow down through the disk
-    const std::vector<Sample> sweep = collective_sweep(tip_speed, axial, in_plane, CyclicUse::cancels_tilt, -6, 20);
+    const std::vector<Sample> sweep =
+        collective_sweep(tip_speed, axial, in_plane, CyclicUse::cancels_tilt, -6, 20);
     const double load = set.number(i, "ct_over_sigma");
     const double here = at_thrust(sweep, load * kSolidity, &Sample::cq) / kSolidity;
     const double there = set.number(i, "cq_over_sigma");
-    table.add({set.text(i, "figure"), set.number(i, "shaft_angle_deg"), set.number(i, "advance_ratio"), load, here, there,
-               here - there});
+    table.add({set.text(i, "figure"), set.number(i, "shaft_angle_deg"), set.number(i, "advance_ratio"), load,
+               here, there, here - there});
     within += std::fabs(here - there) <= kForwardTolerance;
     if (std::isfinite(here) && std::fabs(here - there) > std::fabs(worst)) worst = here - there;
   }
@@ -176,7 +184,8 @@ void forward_flight(Section& section) {
   int k = 0;
   for (const std::string& angle : table.different("shaft_angle_deg")) {
     const Table rows = table.where("shaft_angle_deg", angle);
-    Series s = marks("", kLineColor[k], kinds[k % 4], rows.numbers("measured_cq_over_sigma"), rows.numbers("cq_over_sigma"));
+    Series s = marks("", kLineColor[k], kinds[k % 4], rows.numbers("measured_cq_over_sigma"),
+                     rows.numbers("cq_over_sigma"));
     s.name = "shaft " + angle + " deg";
     plot.series.push_back(s);
     ++k;
@@ -194,7 +203,7 @@ void airplane_mode(Section& section) {
   const Table set = reference_points("rotor_airplane_mode");
   const double tip_speed = set.number(0, "tip_mach") * kSpeedOfSound;
   const double axial = set.number(0, "speed_over_tip") * tip_speed;
-  const std::vector<Sample> sweep = collective_sweep(tip_speed, axial, 0, CyclicUse::given, 20, 40);
+  const std::vector<Sample> sweep = collective_sweep(tip_speed, axial, 0, CyclicUse::given, 20, 36, 0.2);
   Table table({"collective75_deg", "ct", "cq", "efficiency"});
   table.comment("Isolated rotor in axial flight at V/Vtip and tip Mach number of the test.");
   for (const Sample& s : sweep) {
@@ -209,7 +218,8 @@ void airplane_mode(Section& section) {
   plot.x.high = 0.008;
   plot.y.low = 0;
   plot.y.high = 1;
-  plot.series = {marks("measured, 1971", kOrange, Marker::circle, set.numbers("ct"), set.numbers("efficiency"))};
+  plot.series = {
+      marks("measured, 1971", kOrange, Marker::circle, set.numbers("ct"), set.numbers("efficiency"))};
   Series here;
   here.name = "this program";
   here.x = table.numbers("ct");
@@ -228,7 +238,8 @@ void airplane_mode(Section& section) {
   const double here_at_highest = at_thrust(sweep, set.number(highest, "ct"), &Sample::efficiency);
   const bool good = std::fabs(here_at_highest - set.number(highest, "efficiency")) <= kEfficiencyTolerance;
   section.findings.push_back({good ? Finding::holds : Finding::differs,
-                              "Efficiency in airplane mode within 0.03 at the highest measured thrust.", found});
+                              "Efficiency in airplane mode within 0.03 at the highest measured thrust.",
+                              found});
   section.tables.push_back({"rotor_airplane_mode", "airplane mode", table});
 }
 
@@ -237,7 +248,8 @@ void airplane_mode(Section& section) {
 Section isolated_rotor_tests() {
   Section section{"rotor", "The rotor alone, against test stands and tunnels", "", {}, {}, {}};
   section.reading =
-      "Measured points and this program's rotor at the same thrust; no constant was adjusted to them. The spread between the "
+      "Measured points and this program's rotor at the same thrust; no constant was adjusted to them. The "
+      "spread between the "
       "test stands shows what a hover measurement is worth.";
   hover(section);
   forward_flight(section);

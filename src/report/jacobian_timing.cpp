@@ -22,10 +22,12 @@ struct Case {
   const char* mode;
   double mast_deg, speed_mps;
 };
-constexpr Case kCases[] = {{"helicopter mode", 0, 30}, {"conversion mode", 60, 65}, {"airplane mode", 90, 100}};
+constexpr Case kCases[] = {
+    {"helicopter mode", 0, 30}, {"conversion mode", 60, 65}, {"airplane mode", 90, 100}};
 
 struct Times {
-  double plain, automatic, numerical, difference;  // s; largest entry-wise difference of both A, over its row's largest
+  double plain, automatic, numerical,
+      difference;  // s; largest entry-wise difference of both A, over its row's largest
 };
 
 // Time of the processor, not of the wall: other programs do not count.
@@ -63,7 +65,7 @@ Times measure(const Case& which) {
   std::vector<double> times[3];
   constexpr int evaluations = 10;  // one is too short for the clock
   constexpr int exact_passes = 4;
-  volatile double kept = 0;       // results are used
+  volatile double kept = 0;  // results are used
   for (int k = 0; k < kRepeats; ++k) {
     const double start = now();
     for (int i = 0; i < evaluations; ++i) {
@@ -117,10 +119,12 @@ Picture picture(const Table& table) {
 Section jacobian_timing() {
   Section section{"timing", "Cost of exact derivatives", "", {}, {}, {}};
   section.reading =
-      "All 23 x 27 entries of A and B by one pass on numbers that carry 32 partials, over the time of one plain evaluation; "
-      "processor time, medians of 31, the kinds taking turns. Ratios travel between machines, seconds do not.";
-  Table table({"mode", "mast_deg", "speed_mps", "evaluation_us", "automatic_us", "numerical_us", "automatic_ratio",
-               "numerical_ratio", "largest_difference"});
+      "All 23 x 27 entries of A and B by one pass on numbers that carry 32 partials, over the time of one "
+      "plain evaluation; "
+      "processor time, medians of 31, the kinds taking turns. Ratios travel between machines, seconds do "
+      "not.";
+  Table table({"mode", "mast_deg", "speed_mps", "evaluation_us", "automatic_us", "numerical_us",
+               "automatic_ratio", "numerical_ratio", "largest_difference"});
   table.comment("largest_difference: of A by the two ways, over the largest entry of its row.");
   double least = 1e9;
   double most = 0;
@@ -137,9 +141,11 @@ Section jacobian_timing() {
     difference = std::max(difference, t.difference);
   }
   section.findings.push_back(
-      {Finding::remark, "Exact A and B cost " + fixed(least, 1) + " to " + fixed(most, 1) + " evaluations of the model.",
-       "Central differences, as well written, cost at least " + fixed(gain, 1) + " times as much and differ by up to " +
-           fixed(1e9 * difference, 1) + " billionths of a row's largest entry."});
+      {Finding::remark,
+       "Exact A and B cost " + fixed(least, 1) + " to " + fixed(most, 1) + " evaluations of the model.",
+       "Central differences, as well written, cost at least " + fixed(gain, 1) +
+           " times as much and differ by up to " + fixed(1e9 * difference, 1) +
+           " billionths of a row's largest entry."});
   const Table paper = reference_points("paper_timing");
   double low = 1e9;
   double high = 0;
@@ -149,11 +155,12 @@ Section jacobian_timing() {
     low = std::min(low, ratio);
     high = std::max(high, ratio);
   }
-  section.findings.push_back({Finding::remark,
-                              "The paper reports a gain of " + fixed(low, 0) + " to " + fixed(high, 0) +
-                                  " times for the derivatives after trim.",
-                              "There the exact derivatives were left over from the trim, and each difference trimmed inflow "
-                              "and flapping anew; here both ways evaluate the same function, once for each entry they need."});
+  section.findings.push_back(
+      {Finding::remark,
+       "The paper reports a gain of " + fixed(low, 0) + " to " + fixed(high, 0) +
+           " times for the derivatives after trim.",
+       "There the exact derivatives were left over from the trim, and each difference trimmed inflow "
+       "and flapping anew; here both ways evaluate the same function, once for each entry they need."});
   section.pictures = {picture(table)};
   section.tables.push_back({"jacobian_timing", "times and ratios", table});
   return section;

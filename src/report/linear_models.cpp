@@ -32,7 +32,8 @@ int row_of(const Linear& model, StateIndex state) {
 
 }  // namespace
 
-Linear linear_model(const Configured& c, const State<double>& x, const Controls<double>& u, const ControlSet& columns) {
+Linear linear_model(const Configured& c, const State<double>& x, const Controls<double>& u,
+                    const ControlSet& columns) {
   Linear model;
   require(linearize(c, x, u, columns, work().linear, model), "linear model");
   return model;
@@ -54,7 +55,9 @@ Modes modes_of(const Configured& c, const Trimmed& trim) {
   return modes_of(linear_model(c, trim.state, trim.controls, kInceptors));
 }
 
-void continue_names(const Modes& previous, Modes& current) { require(follow(previous, current), "modes of a sweep"); }
+void continue_names(const Modes& previous, Modes& current) {
+  require(follow(previous, current), "modes of a sweep");
+}
 
 double state_derivative(const Linear& model, StateIndex rate, StateIndex state) {
   return model.a(row_of(model, rate), row_of(model, state));

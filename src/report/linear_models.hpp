@@ -14,7 +14,8 @@ using Linear = LinearModel<double>;
 using Modes = ModeSet<double>;
 
 // Throw when a number is not finite or an eigenvalue is not found.
-Linear linear_model(const Configured& c, const State<double>& x, const Controls<double>& u, const ControlSet& columns);
+Linear linear_model(const Configured& c, const State<double>& x, const Controls<double>& u,
+                    const ControlSet& columns);
 Linear quasi_steady(const Linear& full);  // rotors, inflow and downwash in balance
 Modes modes_of(const Linear& model);
 Modes modes_of(const Configured& c, const Trimmed& trim);

@@ -24,8 +24,8 @@ Share share_of(const Configured& c, const Trimmed& t) {
     const Vec3<double>& f = e.loads.component[component].force;
     return (f.x * sp - f.z * cp) / weight;  // level wings
   };
-  return {up(rotor_right) + up(rotor_left), up(wing_free), up(wing_wake_right) + up(wing_wake_left), up(htail),
-          up(pylon) + up(spinners) + up(pylon_side) + up(fuselage) + up(fin_right) + up(fin_left)};
+  return {up(rotor_right) + up(rotor_left), up(wing_free), up(wing_wake_right) + up(wing_wake_left),
+          up(htail), up(pylon) + up(spinners) + up(pylon_side) + up(fuselage) + up(fin_right) + up(fin_left)};
 }
 
 Series curve(const char* name, const char* color, const Table& rows, const char* x, const char* y) {
@@ -46,16 +46,19 @@ Picture shares_picture(const Table& table, double mast) {
   plot.y.zero_line = true;
   plot.axes_height = 200;
   const Table rows = table.where("mast_deg", mast);
-  plot.series = {curve("rotors", kBlue, rows, "speed_mps", "rotors"), curve("free wing", kGreen, rows, "speed_mps", "wing"),
+  plot.series = {curve("rotors", kBlue, rows, "speed_mps", "rotors"),
+                 curve("free wing", kGreen, rows, "speed_mps", "wing"),
                  curve("wing in the wake", kPurple, rows, "speed_mps", "wake_on_wing"),
-                 curve("tail", kOrange, rows, "speed_mps", "tail"), curve("rest", kGrey, rows, "speed_mps", "rest")};
+                 curve("tail", kOrange, rows, "speed_mps", "tail"),
+                 curve("rest", kGrey, rows, "speed_mps", "rest")};
   return {plot.id, svg(plot)};
 }
 
 // One way through conversion: mast angle and speed together, along the middle of the corridor.
 Table conversion_table() {
   Table table({"mast_deg", "speed_mps", "rotors", "wing", "wake_on_wing", "tail", "rest", "power_kw"});
-  table.comment("Steady flights along the middle of the conversion corridor; flap 20/12.5 and 589 rpm between.");
+  table.comment(
+      "Steady flights along the middle of the conversion corridor; flap 20/12.5 and 589 rpm between.");
   constexpr double step = 5;
   for (double mast = 0; mast <= 90; mast += step) {
     const Configured c = configured(mast);
@@ -78,9 +81,11 @@ Picture conversion_picture(const Table& table) {
   plot.x.low = 0;
   plot.x.high = 90;
   plot.y.zero_line = true;
-  plot.series = {curve("rotors", kBlue, table, "mast_deg", "rotors"), curve("free wing", kGreen, table, "mast_deg", "wing"),
+  plot.series = {curve("rotors", kBlue, table, "mast_deg", "rotors"),
+                 curve("free wing", kGreen, table, "mast_deg", "wing"),
                  curve("wing in the wake", kPurple, table, "mast_deg", "wake_on_wing"),
-                 curve("tail", kOrange, table, "mast_deg", "tail"), curve("rest", kGrey, table, "mast_deg", "rest")};
+                 curve("tail", kOrange, table, "mast_deg", "tail"),
+                 curve("rest", kGrey, table, "mast_deg", "rest")};
   return {plot.id, svg(plot)};
 }
 
@@ -89,10 +94,12 @@ Picture conversion_picture(const Table& table) {
 Section load_sharing(const Sweeps& sweeps) {
   Section section{"sharing", "Load sharing between rotors and wing", "", {}, {}, {}};
   section.reading =
-      "In hover the rotors carry the weight and the download of their wake on the wing; through conversion the wing takes "
+      "In hover the rotors carry the weight and the download of their wake on the wing; through conversion "
+      "the wing takes "
       "over until the rotors only pull.";
   Table table({"mast_deg", "speed_mps", "rotors", "wing", "wake_on_wing", "tail", "rest"});
-  table.comment("Upward forces over weight. wing: outside the rotor wake; wake_on_wing: the part in the wake.");
+  table.comment(
+      "Upward forces over weight. wing: outside the rotor wake; wake_on_wing: the part in the wake.");
   for (const SpeedSweep& sweep : sweeps) {
     for (const LevelFlight& f : sweep.flights) {
       const Share s = share_of(sweep.c, f.trim);
@@ -111,11 +118,13 @@ Section load_sharing(const Sweeps& sweeps) {
       handover = a + (conversion.number(i, "mast_deg") - a) * before / (before - after);
     }
   }
-  section.findings.push_back({Finding::remark, "Along the middle of the corridor rotors and wing carry equal parts at mast " +
-                                                   fixed(handover, 0) + " deg.",
-                              "The rotors lift " + fixed(conversion.number(0, "rotors"), 2) + " of the weight at mast 0, " +
-                                  fixed(conversion.number(0, "speed_mps"), 0) + " m/s and " +
-                                  fixed(table.number(0, "rotors"), 3) + " in hover, where the wing in the wake takes " +
+  section.findings.push_back({Finding::remark,
+                              "Along the middle of the corridor rotors and wing carry equal parts at mast " +
+                                  fixed(handover, 0) + " deg.",
+                              "The rotors lift " + fixed(conversion.number(0, "rotors"), 2) +
+                                  " of the weight at mast 0, " + fixed(conversion.number(0, "speed_mps"), 0) +
+                                  " m/s and " + fixed(table.number(0, "rotors"), 3) +
+                                  " in hover, where the wing in the wake takes " +
                                   fixed(-table.number(0, "wake_on_wing"), 3) + "."});
   section.tables.push_back({"load_sharing", "along speed at each mast angle", table});
   section.tables.push_back({"load_sharing_conversion", "through conversion", conversion});

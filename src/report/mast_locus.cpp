@@ -46,7 +46,8 @@ Table locus_table() {
 Section mast_locus() {
   Section section{"locus", "Roots over mast angle at constant speed", "", {}, {}, {}};
   section.reading =
-      "The masts tilt, the speed stays: numbers along each branch are mast angles in deg. Flap 20/12.5 and 589 rpm "
+      "The masts tilt, the speed stays: numbers along each branch are mast angles in deg. Flap 20/12.5 and "
+      "589 rpm "
       "throughout, so that only the masts move.";
   const Table table = locus_table();
   for (const char* axis : {"longitudinal", "lateral"}) {
@@ -57,7 +58,8 @@ Section mast_locus() {
       plot.parameter = "mast_deg";
       plot.unit = "deg";
       plot.label_step = 10;
-      section.pictures.push_back(mode_picture(plot, table.where("speed_mps", speed).where("axis", std::string(axis))));
+      section.pictures.push_back(
+          mode_picture(plot, table.where("speed_mps", speed).where("axis", std::string(axis))));
     }
   }
   section.tables.push_back({"mast_locus", "eigenvalues along mast angle", table});

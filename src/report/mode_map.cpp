@@ -18,7 +18,8 @@ constexpr double kShownMasts[] = {0, 30, 60, 90};
 Table sweep_table(const Sweeps& sweeps) {
   Table table = mode_table({"mast_deg", "speed_mps"});
   for (const SpeedSweep& sweep : sweeps) {
-    if (std::find(std::begin(kShownMasts), std::end(kShownMasts), sweep.mast_deg) == std::end(kShownMasts)) continue;
+    if (std::find(std::begin(kShownMasts), std::end(kShownMasts), sweep.mast_deg) == std::end(kShownMasts))
+      continue;
     auto previous = std::make_unique<Modes>();
     auto current = std::make_unique<Modes>();
     for (std::size_t i = 0; i < sweep.flights.size(); ++i) {
@@ -32,7 +33,7 @@ Table sweep_table(const Sweeps& sweeps) {
   return table;
 }
 
-constexpr double kLowSpeed = 30;     // m/s
+constexpr double kLowSpeed = 30;  // m/s
 
 // The fastest growth from a speed on, 1/s.
 double fastest_growth(const Table& table, double from_speed) {
@@ -43,7 +44,9 @@ double fastest_growth(const Table& table, double from_speed) {
   return worst;
 }
 
-bool has_mode(const Table& rows, const char* mode) { return rows.where("mode", std::string(mode)).rows() > 0; }
+bool has_mode(const Table& rows, const char* mode) {
+  return rows.where("mode", std::string(mode)).rows() > 0;
+}
 
 // Where each mode grows from a speed on.
 std::string unstable_ranges(const Table& table, double from_speed) {
@@ -62,8 +65,8 @@ std::string unstable_ranges(const Table& table, double from_speed) {
         worst = std::max(worst, branch.number(i, "real"));
       }
       if (worst > 0) {
-        text += (text.empty() ? "" : "; ") + mast_text(mast) + " " + mode + " " + fixed(low, 0) + ".." + fixed(high, 0) +
-                " m/s (up to " + with_sign(worst, 3) + "/s)";
+        text += (text.empty() ? "" : "; ") + mast_text(mast) + " " + mode + " " + fixed(low, 0) + ".." +
+                fixed(high, 0) + " m/s (up to " + with_sign(worst, 3) + "/s)";
       }
     }
   }
@@ -80,25 +83,32 @@ std::vector<Finding> statements(const Table& table) {
     std::string text;
     const Table part = rows.where("axis", std::string(axis));
     for (std::size_t i = 0; i < part.rows(); ++i) {
-      text += (i ? "; " : "") + part.text(i, "mode") + " " + root_text(part.number(i, "real"), part.number(i, "imag"));
+      text += (i ? "; " : "") + part.text(i, "mode") + " " +
+              root_text(part.number(i, "real"), part.number(i, "imag"));
     }
     return text;
   };
-  findings.push_back({hover_set && cruise_set ? Finding::holds : Finding::differs,
-                      "Longitudinal modes: phugoid-like oscillation, pitch subsidence and heave in helicopter mode, which "
-                      "merge into a short period towards airplane mode.",
-                      "Hover: " + list(hover, "longitudinal") + ". Mast 90, 100 m/s: " + list(cruise, "longitudinal") + "."});
-  const bool lateral_set = has_mode(cruise, "dutch_roll") && has_mode(cruise, "roll") && has_mode(cruise, "spiral");
-  findings.push_back({lateral_set ? Finding::holds : Finding::differs, "Lateral modes: spiral, roll subsidence, Dutch roll.",
-                      "Mast 90, 100 m/s: " + list(cruise, "lateral") + ". Hover: " + list(hover, "lateral") + "."});
-  const double fast = fastest_growth(table, kLowSpeed);
   findings.push_back(
-      {fast <= 0 ? Finding::holds : Finding::partly, "Unstable only in hover and at low speed.",
-       "Fastest growth over all speeds " + with_sign(fastest_growth(table, 0), 2) + "/s, from " + fixed(kLowSpeed, 0) +
-           " m/s on " + with_sign(fast, 2) + "/s. Growing from there: " + unstable_ranges(table, kLowSpeed) +
-           ". Cause: the lateral growth in helicopter mode comes from the rotors' sidewash "
-           "at the fins, the growing oscillation near 50 m/s from the rotor wash at the tail, which takes away more tail "
-           "lift with speed."});
+      {hover_set && cruise_set ? Finding::holds : Finding::differs,
+       "Longitudinal modes: phugoid-like oscillation, pitch subsidence and heave in helicopter mode, which "
+       "merge into a short period towards airplane mode.",
+       "Hover: " + list(hover, "longitudinal") + ". Mast 90, 100 m/s: " + list(cruise, "longitudinal") +
+           "."});
+  const bool lateral_set =
+      has_mode(cruise, "dutch_roll") && has_mode(cruise, "roll") && has_mode(cruise, "spiral");
+  findings.push_back(
+      {lateral_set ? Finding::holds : Finding::differs, "Lateral modes: spiral, roll subsidence, Dutch roll.",
+       "Mast 90, 100 m/s: " + list(cruise, "lateral") + ". Hover: " + list(hover, "lateral") + "."});
+  const double fast = fastest_growth(table, kLowSpeed);
+  findings.push_back({fast <= 0 ? Finding::holds : Finding::partly,
+                      "Unstable only in hover and at low speed.",
+                      "Fastest growth over all speeds " + with_sign(fastest_growth(table, 0), 2) +
+                          "/s, from " + fixed(kLowSpeed, 0) + " m/s on " + with_sign(fast, 2) +
+                          "/s. Growing from there: " + unstable_ranges(table, kLowSpeed) +
+                          ". Cause: the lateral growth in helicopter mode comes from the rotors' sidewash "
+                          "at the fins, the growing oscillation near 50 m/s from the rotor wash at the tail, "
+                          "which takes away more tail "
+                          "lift with speed."});
   return findings;
 }
 
@@ -107,7 +117,8 @@ std::vector<Finding> statements(const Table& table) {
 Section mode_map(const Sweeps& sweeps) {
   Section section{"modes", "Modes in the complex plane", "", {}, {}, {}};
   section.reading =
-      "Each line is one mode followed through speed (numbers in m/s); stable to the left of the grey line. Of a conjugate "
+      "Each line is one mode followed through speed (numbers in m/s); stable to the left of the grey line. "
+      "Of a conjugate "
       "pair the upper root is drawn. Rotor modes lie far to the left and are left out.";
   const Table table = sweep_table(sweeps);
   for (const char* axis : {"longitudinal", "lateral"}) {
@@ -118,7 +129,8 @@ Section mode_map(const Sweeps& sweeps) {
       plot.parameter = "speed_mps";
       plot.unit = "m/s";
       plot.label_step = 10;
-      section.pictures.push_back(mode_picture(plot, table.where("mast_deg", mast).where("axis", std::string(axis))));
+      section.pictures.push_back(
+          mode_picture(plot, table.where("mast_deg", mast).where("axis", std::string(axis))));
     }
   }
   section.findings = statements(table);

@@ -16,10 +16,10 @@ constexpr struct {
   const char* color;
   Marker marker;
 } kModeStyle[] = {
-    {"phugoid", kBlue, Marker::circle},        {"short_period", kOrange, Marker::square},
-    {"heave", kGreen, Marker::triangle},       {"pitch_subsidence", kPurple, Marker::diamond},
-    {"dutch_roll", kBlue, Marker::circle},     {"roll", kOrange, Marker::square},
-    {"spiral", kGreen, Marker::triangle},      {"roll_spiral", kPurple, Marker::diamond},
+    {"phugoid", kBlue, Marker::circle},    {"short_period", kOrange, Marker::square},
+    {"heave", kGreen, Marker::triangle},   {"pitch_subsidence", kPurple, Marker::diamond},
+    {"dutch_roll", kBlue, Marker::circle}, {"roll", kOrange, Marker::square},
+    {"spiral", kGreen, Marker::triangle},  {"roll_spiral", kPurple, Marker::diamond},
 };
 
 void set_style(const std::string& mode, Series& s) {
@@ -34,7 +34,9 @@ void set_style(const std::string& mode, Series& s) {
   }
 }
 
-bool is_multiple(double value, double step) { return std::fabs(value / step - std::round(value / step)) < 1e-6; }
+bool is_multiple(double value, double step) {
+  return std::fabs(value / step - std::round(value / step)) < 1e-6;
+}
 
 // Words for a name: "short_period" reads "short period".
 std::string spaced(std::string name) {
@@ -45,11 +47,13 @@ std::string spaced(std::string name) {
 }  // namespace
 
 Table mode_table(std::vector<std::string> leading_columns) {
-  for (const char* column : {"axis", "mode", "real", "imag", "frequency_rad_s", "damping_ratio", "time_to_half_s"}) {
+  for (const char* column :
+       {"axis", "mode", "real", "imag", "frequency_rad_s", "damping_ratio", "time_to_half_s"}) {
     leading_columns.emplace_back(column);
   }
   Table table(std::move(leading_columns));
-  table.comment("Eigenvalues real +- imag i in 1/s of the complete linear model; modes of the airframe alone.");
+  table.comment(
+      "Eigenvalues real +- imag i in 1/s of the complete linear model; modes of the airframe alone.");
   return table;
 }
 

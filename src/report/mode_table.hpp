@@ -9,7 +9,8 @@
 
 namespace tiltrotor::report {
 
-// Empty table: the given columns, then axis, mode, real, imag, frequency_rad_s, damping_ratio, time_to_half_s.
+// Empty table: the given columns, then axis, mode, real, imag, frequency_rad_s, damping_ratio,
+// time_to_half_s.
 Table mode_table(std::vector<std::string> leading_columns);
 
 // One row for each body mode.
@@ -17,7 +18,7 @@ void add_modes(Table& table, const std::vector<double>& leading, const Modes& mo
 
 struct ModePlot {
   std::string id, title;
-  std::string parameter;   // column that runs along each branch
+  std::string parameter;  // column that runs along each branch
   const char* unit = "";
   double label_step = 10;  // markers stand at multiples of it, numbers where there is room
   double left = -3;        // roots further left are clipped

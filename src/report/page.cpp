@@ -52,8 +52,8 @@ std::string percent_encoded(const std::string& text) {
   out.reserve(text.size() * 5 / 4);
   for (const char c : text) {
     const auto byte = static_cast<unsigned char>(c);
-    const bool plain = (byte >= '0' && byte <= '9') || (byte >= 'A' && byte <= 'Z') || (byte >= 'a' && byte <= 'z') ||
-                       c == '-' || c == '_' || c == '.' || c == ',';
+    const bool plain = (byte >= '0' && byte <= '9') || (byte >= 'A' && byte <= 'Z') ||
+                       (byte >= 'a' && byte <= 'z') || c == '-' || c == '_' || c == '.' || c == ',';
     if (plain) {
       out += c;
     } else {
@@ -93,8 +93,9 @@ std::string html_table(const Table& table) {
 std::string html_tables(const std::vector<NumberedTable>& tables) {
   std::string out;
   for (const NumberedTable& t : tables) {
-    const std::string link = "<a class=\"download\" download=\"" + t.name + ".csv\" href=\"data:text/csv;charset=utf-8," +
-                             percent_encoded(t.table.csv()) + "\">" + t.name + ".csv</a>";
+    const std::string link = "<a class=\"download\" download=\"" + t.name +
+                             ".csv\" href=\"data:text/csv;charset=utf-8," + percent_encoded(t.table.csv()) +
+                             "\">" + t.name + ".csv</a>";
     const std::string what = escaped(t.what) + " (" + std::to_string(t.table.rows()) + " rows)";
     out += "<div class=\"files\">" + link + ": " + what;
     if (t.table.rows() <= kMostRowsShown) {
@@ -110,8 +111,8 @@ std::string html_findings(const std::vector<Finding>& findings) {
   std::string out = "<ul class=\"findings\">\n";
   for (const Finding& f : findings) {
     const std::string word = verdict_word(f.verdict);
-    out += "<li class=\"" + word + "\"><span class=\"verdict\">" + word + ".</span> " + escaped(f.statement) + " " +
-           escaped(f.found) + "</li>\n";
+    out += "<li class=\"" + word + "\"><span class=\"verdict\">" + word + ".</span> " + escaped(f.statement) +
+           " " + escaped(f.found) + "</li>\n";
   }
   return out + "</ul>\n";
 }
@@ -120,10 +121,14 @@ std::string html_findings(const std::vector<Finding>& findings) {
 
 const char* verdict_word(Finding::Verdict verdict) {
   switch (verdict) {
-    case Finding::holds: return "holds";
-    case Finding::partly: return "partly";
-    case Finding::differs: return "differs";
-    default: return "remark";
+    case Finding::holds:
+      return "holds";
+    case Finding::partly:
+      return "partly";
+    case Finding::differs:
+      return "differs";
+    default:
+      return "remark";
   }
 }
 
@@ -131,15 +136,15 @@ std::string page(const PageHead& head, const std::vector<Section>& sections) {
   std::string out =
       "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n"
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n<title>" +
-      escaped(head.title) + "</title>\n<style>" + kStyle + "</style>\n</head>\n<body>\n<h1>" + escaped(head.title) +
-      "</h1>\n<p>" + escaped(head.lead) + "</p>\n<ul>\n";
+      escaped(head.title) + "</title>\n<style>" + kStyle + "</style>\n</head>\n<body>\n<h1>" +
+      escaped(head.title) + "</h1>\n<p>" + escaped(head.lead) + "</p>\n<ul>\n";
   for (const std::string& fact : head.facts) out += "<li>" + escaped(fact) + "</li>\n";
   out += "</ul>\n<nav>\n";
   for (const Section& s : sections) out += "<a href=\"#" + s.id + "\">" + escaped(s.title) + "</a>\n";
   out += "</nav>\n<main>\n";
   for (const Section& s : sections) {
-    out += "<section id=\"" + s.id + "\">\n<h2>" + escaped(s.title) + "</h2>\n<p>" + escaped(s.reading) + "</p>\n" +
-           html_findings(s.findings) + "<div class=\"pictures\">\n";
+    out += "<section id=\"" + s.id + "\">\n<h2>" + escaped(s.title) + "</h2>\n<p>" + escaped(s.reading) +
+           "</p>\n" + html_findings(s.findings) + "<div class=\"pictures\">\n";
     for (const Picture& p : s.pictures) out += p.svg;
     out += "</div>\n" + html_tables(s.tables) + "</section>\n";
   }

@@ -10,8 +10,8 @@ namespace tiltrotor::report {
 
 struct PageHead {
   std::string title;
-  std::string lead;                  // a paragraph
-  std::vector<std::string> facts;    // "name: value" lines
+  std::string lead;                // a paragraph
+  std::vector<std::string> facts;  // "name: value" lines
 };
 
 std::string page(const PageHead& head, const std::vector<Section>& sections);

@@ -12,12 +12,14 @@ namespace tiltrotor::report {
 
 namespace {
 
-constexpr Marker kMarkers[] = {Marker::circle, Marker::plus, Marker::square, Marker::cross, Marker::triangle, Marker::diamond};
+constexpr Marker kMarkers[] = {Marker::circle, Marker::plus,     Marker::square,
+                               Marker::cross,  Marker::triangle, Marker::diamond};
 
 Table power_table(const Sweeps& sweeps) {
   Table table({"mast_deg", "speed_mps", "power_kw"});
   for (const SpeedSweep& sweep : sweeps) {
-    for (const LevelFlight& f : sweep.flights) table.add({sweep.mast_deg, f.speed_mps, total_power_kw(f.trim)});
+    for (const LevelFlight& f : sweep.flights)
+      table.add({sweep.mast_deg, f.speed_mps, total_power_kw(f.trim)});
   }
   return table;
 }
@@ -113,7 +115,8 @@ double torque_limited_speed(double mast_deg, double rotor_rpm) {
 Section power_required(const Sweeps& sweeps) {
   Section section{"power", "Power required", "", {}, {}, {}};
   section.reading =
-      "Tilting the masts moves the bucket to higher speed and lower power: the wing takes over. The curves end at stall on "
+      "Tilting the masts moves the bucket to higher speed and lower power: the wing takes over. The curves "
+      "end at stall on "
       "the left and at the power of the transmission, two times 1160 hp, on the right.";
   const Table table = power_table(sweeps);
   const Table compared = compared_with_prediction();
@@ -133,8 +136,9 @@ Section power_required(const Sweeps& sweeps) {
   section.findings.push_back({std::fabs(worst) <= tolerance ? Finding::holds : Finding::partly,
                               "Agreement with the 1975 prediction of power (12 %).",
                               std::to_string(count) + " of " + std::to_string(compared.rows()) +
-                                  " points trim in those conditions; mean difference " + fixed(mean, 1) + " %, largest " +
-                                  with_sign(worst, 1) + " %. A prediction, not a measurement."});
+                                  " points trim in those conditions; mean difference " + fixed(mean, 1) +
+                                  " %, largest " + with_sign(worst, 1) +
+                                  " %. A prediction, not a measurement."});
   const Table top = reference_points("top_speed");
   Table top_compared({"source", "mast_deg", "rotor_rpm", "here_mps", "reference_mps"});
   std::string found;
@@ -142,7 +146,8 @@ Section power_required(const Sweeps& sweeps) {
   for (std::size_t i = 0; i < top.rows(); ++i) {
     const double here = torque_limited_speed(top.number(i, "mast_deg"), top.number(i, "rotor_rpm"));
     const double there = top.number(i, "speed_mps");
-    top_compared.add({top.text(i, "source"), top.number(i, "mast_deg"), top.number(i, "rotor_rpm"), here, there});
+    top_compared.add(
+        {top.text(i, "source"), top.number(i, "mast_deg"), top.number(i, "rotor_rpm"), here, there});
     constexpr double speed_tolerance = 4.1;  // m/s, 8 kt
     close = close && std::fabs(here - there) <= speed_tolerance;
     found += top.text(i, "rotor_rpm") + " rpm: " + fixed(here, 1) + " m/s against " + fixed(there, 1) + " (" +

@@ -28,12 +28,13 @@ struct File {
   std::string text;
 };
 
-// Every file is complete under a temporary name before the first gets its own, the page last: a run that fails leaves an
-// earlier report as it was.
+// Every file is complete under a temporary name before the first gets its own, the page last: a run that
+// fails leaves an earlier report as it was.
 void write_files(const std::string& folder, const std::vector<File>& files) {
   std::vector<std::unique_ptr<cli::Sink>> sinks;
   for (const File& file : files) {
-    sinks.push_back(std::make_unique<cli::Sink>((std::filesystem::path(folder) / file.name).string(), "report"));
+    sinks.push_back(
+        std::make_unique<cli::Sink>((std::filesystem::path(folder) / file.name).string(), "report"));
     sinks.back()->write(file.text);
   }
   for (const auto& sink : sinks) sink->finish();
@@ -61,15 +62,19 @@ PageHead page_head(const std::vector<Section>& sections, double seconds) {
   PageHead head;
   head.title = "XV-15 flight dynamics: the study";
   head.lead =
-      "Trim, exact linear models, modes and response of the XV-15 tilt rotor, computed from its published tables, in the "
-      "order of Yuan, Thomson and Anderson (Journal of Aircraft, 2020). Every curve was computed in this run; marks without "
+      "Trim, exact linear models, modes and response of the XV-15 tilt rotor, computed from its published "
+      "tables, in the "
+      "order of Yuan, Thomson and Anderson (Journal of Aircraft, 2020). Every curve was computed in this "
+      "run; marks without "
       "a line are published numbers. Each statement is judged on the numbers beside it.";
-  head.facts = {std::to_string(pictures) + " figures, computed in " + fixed(seconds, 1) + " s",
-                "statements: " + std::to_string(counts[Finding::holds]) + " hold, " +
-                    std::to_string(counts[Finding::partly]) + " hold in part, " +
-                    std::to_string(counts[Finding::differs]) + " differ",
-                std::string("aircraft: 13000 lb, centre of gravity at station 301.2 in, sea level, standard day, unless "
-                            "said otherwise")};
+  head.facts = {
+      std::to_string(pictures) + " figures, computed in " + fixed(seconds, 1) + " s",
+      "statements: " + std::to_string(counts[Finding::holds]) + " hold, " +
+          std::to_string(counts[Finding::partly]) + " hold in part, " +
+          std::to_string(counts[Finding::differs]) + " differ",
+      std::string(
+          "aircraft: 13000 lb, centre of gravity at station 301.2 in, sea level, standard day, unless "
+          "said otherwise")};
   return head;
 }
 
@@ -77,7 +82,8 @@ void print_summary(const std::vector<Section>& sections) {
   for (const Section& section : sections) {
     std::printf("\n%s\n", section.title.c_str());
     for (const Finding& f : section.findings) {
-      std::printf("  %-8s %s\n           %s\n", verdict_word(f.verdict), f.statement.c_str(), f.found.c_str());
+      std::printf("  %-8s %s\n           %s\n", verdict_word(f.verdict), f.statement.c_str(),
+                  f.found.c_str());
     }
   }
 }

@@ -28,7 +28,7 @@ struct Finding {
 };
 
 struct Section {
-  std::string id;       // anchor
+  std::string id;  // anchor
   std::string title;
   std::string reading;  // one or two sentences: what to see
   std::vector<Picture> pictures;

@@ -11,11 +11,21 @@ std::string escaped(const std::string& text) {
   result.reserve(text.size());
   for (const char c : text) {
     switch (c) {
-      case '&': result += "&amp;"; break;
-      case '<': result += "&lt;"; break;
-      case '>': result += "&gt;"; break;
-      case '"': result += "&quot;"; break;
-      case '\'': result += "&#39;"; break;
+      case '&':
+        result += "&amp;";
+        break;
+      case '<':
+        result += "&lt;";
+        break;
+      case '>':
+        result += "&gt;";
+        break;
+      case '"':
+        result += "&quot;";
+        break;
+      case '\'':
+        result += "&#39;";
+        break;
       default:
         if (static_cast<unsigned char>(c) >= 0x20 || c == '\n' || c == '\t') result += c;
     }
@@ -44,7 +54,8 @@ std::string open_svg(double width, double height, const std::string& title) {
 double text_width(const std::string& text, double font_size) {
   constexpr double em_per_character = 0.58;
   std::size_t characters = 0;
-  for (const char c : text) characters += (static_cast<unsigned char>(c) & 0xC0) != 0x80;  // UTF-8 first bytes
+  for (const char c : text)
+    characters += (static_cast<unsigned char>(c) & 0xC0) != 0x80;  // UTF-8 first bytes
   return em_per_character * font_size * static_cast<double>(characters);
 }
 

@@ -107,7 +107,7 @@ std::string line_at(double x1, double y1, double x2, double y2, const std::strin
 }
 
 std::string dash_of(Line line) {
-  return line == Line::dashed ? attribute("stroke-dasharray", std::string("7 4"))
+  return line == Line::dashed   ? attribute("stroke-dasharray", std::string("7 4"))
          : line == Line::dotted ? attribute("stroke-dasharray", std::string("2 3"))
                                 : "";
 }
@@ -121,10 +121,13 @@ std::string draw_legend(const std::vector<LegendEntry>& entries) {
              attribute("stroke-width", 0.5) + "/>\n";
     } else {
       if (e.series->line != Line::none) {
-        out += "<path" + attribute("d", "M" + coordinate(e.x) + " " + coordinate(e.y) + "h" + coordinate(kSwatch)) +
-               attribute("stroke", e.color) + attribute("stroke-width", 2.0) + dash_of(e.series->line) + "/>\n";
+        out += "<path" +
+               attribute("d", "M" + coordinate(e.x) + " " + coordinate(e.y) + "h" + coordinate(kSwatch)) +
+               attribute("stroke", e.color) + attribute("stroke-width", 2.0) + dash_of(e.series->line) +
+               "/>\n";
       }
-      out += marker_svg(e.series->marker, e.x + kSwatch / 2, e.y, e.series->marker_size, e.color, e.series->filled, "");
+      out += marker_svg(e.series->marker, e.x + kSwatch / 2, e.y, e.series->marker_size, e.color,
+                        e.series->filled, "");
     }
     out += text_at(e.x + kSwatch + 6, e.y + 0.35 * kFont, e.name, "start", kInk);
   }
@@ -143,14 +146,17 @@ std::string draw_axes(const Plot& plot, const Layout& at) {
   }
   out += text_at((at.left + at.right) / 2, at.bottom + 37, plot.x.label, "middle", kInk);
   const double middle = (at.top + at.bottom) / 2;
-  out += text_at(kMargin + 4, middle, plot.y.label, "middle", kInk,
-                 attribute("transform", "rotate(-90 " + coordinate(kMargin + 4) + " " + coordinate(middle) + ")"));
+  out += text_at(
+      kMargin + 4, middle, plot.y.label, "middle", kInk,
+      attribute("transform", "rotate(-90 " + coordinate(kMargin + 4) + " " + coordinate(middle) + ")"));
   return out;
 }
 
 std::string draw_zero_lines(const Plot& plot, const Layout& at) {
   std::string out;
-  const auto shows_zero = [](const Axis& axis, const Scale& s) { return axis.zero_line && s.low <= 0 && s.high >= 0; };
+  const auto shows_zero = [](const Axis& axis, const Scale& s) {
+    return axis.zero_line && s.low <= 0 && s.high >= 0;
+  };
   if (shows_zero(plot.x, at.x)) out += line_at(at.px(0), at.top, at.px(0), at.bottom, kGrey, 1.2);
   if (shows_zero(plot.y, at.y)) out += line_at(at.left, at.py(0), at.right, at.py(0), kGrey, 1.2);
   return out;
@@ -164,12 +170,13 @@ std::string draw_cells(const Cells& cells, const Layout& at) {
     for (std::size_t j = 0; j < rows; ++j) {
       const double value = cells.value[i * rows + j];
       if (!std::isfinite(value)) continue;
-      const std::size_t color =
-          static_cast<std::size_t>(std::upper_bound(cells.level.begin(), cells.level.end(), value) - cells.level.begin());
+      const std::size_t color = static_cast<std::size_t>(
+          std::upper_bound(cells.level.begin(), cells.level.end(), value) - cells.level.begin());
       const double x = at.px(cells.x_edge[i]);
       const double y = at.py(cells.y_edge[j]);
-      path[color] += "M" + coordinate(x) + " " + coordinate(y) + "H" + coordinate(at.px(cells.x_edge[i + 1])) + "V" +
-                     coordinate(at.py(cells.y_edge[j + 1])) + "H" + coordinate(x) + "z";
+      path[color] += "M" + coordinate(x) + " " + coordinate(y) + "H" +
+                     coordinate(at.px(cells.x_edge[i + 1])) + "V" + coordinate(at.py(cells.y_edge[j + 1])) +
+                     "H" + coordinate(x) + "z";
     }
   }
   std::string out;
@@ -242,14 +249,15 @@ std::string svg(const Plot& plot) {
   double axes_top = 0;
   const std::vector<LegendEntry> entries = legend(plot, kMargin + kTitleFont + 8, axes_top);
   const Layout at = layout(plot, axes_top + 8);
-  const std::string box = attribute("x", at.left) + attribute("y", at.top) + attribute("width", at.right - at.left) +
-                          attribute("height", at.bottom - at.top);
+  const std::string box = attribute("x", at.left) + attribute("y", at.top) +
+                          attribute("width", at.right - at.left) + attribute("height", at.bottom - at.top);
 
   const double bold = 1.06;
-  const double title_font =
-      std::min(kTitleFont, kTitleFont * (plot.width - 2 * kMargin) / (bold * text_width(plot.title, kTitleFont) + 1));
+  const double title_font = std::min(
+      kTitleFont, kTitleFont * (plot.width - 2 * kMargin) / (bold * text_width(plot.title, kTitleFont) + 1));
   std::string out = open_svg(plot.width, at.height, plot.title);
-  out += "<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n<g" + attribute("font-size", kFont) + ">\n";
+  out +=
+      "<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n<g" + attribute("font-size", kFont) + ">\n";
   out += "<clipPath" + attribute("id", plot.id + "_clip") + "><rect" + box + "/></clipPath>\n";
   out += text_at(kMargin, kMargin + kTitleFont, plot.title, "start", "#111111",
                  attribute("font-size", title_font) + " font-weight=\"600\"");

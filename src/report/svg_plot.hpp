@@ -1,5 +1,5 @@
-// A plot as an SVG drawing: axes with units, lines, markers, filled cells, labels, and a legend above the axes, where
-// it covers no data. One plot is one drawing, wide enough to be read on a phone.
+// A plot as an SVG drawing: axes with units, lines, markers, filled cells, labels, and a legend above the
+// axes, where it covers no data. One plot is one drawing, wide enough to be read on a phone.
 #pragma once
 
 #include <cmath>
@@ -18,9 +18,9 @@ struct Series {
   std::string color = kBlue;
   Line line = Line::solid;
   Marker marker = Marker::none;
-  bool filled = true;         // markers
-  double marker_size = 4;     // half their width
-  std::vector<double> x, y;   // a value that is not finite interrupts the line
+  bool filled = true;            // markers
+  double marker_size = 4;        // half their width
+  std::vector<double> x, y;      // a value that is not finite interrupts the line
   std::vector<std::string> tip;  // text shown by a browser over each marker; may be empty
 };
 
@@ -35,10 +35,10 @@ struct Label {
 // Rectangles filled by value: value[i * (y_edge.size() - 1) + j] between x_edge[i..i+1] and y_edge[j..j+1].
 struct Cells {
   std::vector<double> x_edge, y_edge;
-  std::vector<double> value;        // not finite: left empty
-  std::vector<double> level;        // limits between the colours, rising
-  std::vector<std::string> color;   // one more than levels
-  std::vector<std::string> name;    // of the colours, for the legend
+  std::vector<double> value;       // not finite: left empty
+  std::vector<double> level;       // limits between the colours, rising
+  std::vector<std::string> color;  // one more than levels
+  std::vector<std::string> name;   // of the colours, for the legend
 };
 
 struct Axis {

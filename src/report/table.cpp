@@ -103,7 +103,9 @@ std::size_t Table::place(const std::string& column) const {
   return static_cast<std::size_t>(found - columns_.begin());
 }
 
-const std::string& Table::text(std::size_t row, const std::string& column) const { return rows_[row][place(column)]; }
+const std::string& Table::text(std::size_t row, const std::string& column) const {
+  return rows_[row][place(column)];
+}
 
 double Table::number(std::size_t row, const std::string& column) const {
   const std::string& cell = text(row, column);
@@ -138,7 +140,8 @@ Table Table::where(const std::string& column, double value) const {
 std::vector<std::string> Table::different(const std::string& column) const {
   std::vector<std::string> result;
   for (std::size_t i = 0; i < rows(); ++i) {
-    if (std::find(result.begin(), result.end(), text(i, column)) == result.end()) result.push_back(text(i, column));
+    if (std::find(result.begin(), result.end(), text(i, column)) == result.end())
+      result.push_back(text(i, column));
   }
   return result;
 }

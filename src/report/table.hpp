@@ -1,6 +1,7 @@
 // A table of the report: what stands in a CSV file, and what every figure is drawn from.
 //
-// Numbers are rounded to the digits of the file when they enter, so that a figure shows exactly what the file holds.
+// Numbers are rounded to the digits of the file when they enter, so that a figure shows exactly what the file
+// holds.
 #pragma once
 
 #include <string>
@@ -16,7 +17,8 @@ class Table {
 
   explicit Table(std::vector<std::string> columns);
 
-  // CSV with a header; lines that begin with '#' are comments and are kept. Throws std::runtime_error "<name>:<line>".
+  // CSV with a header; lines that begin with '#' are comments and are kept. Throws std::runtime_error
+  // "<name>:<line>".
   static Table parse(std::string_view text, const std::string& name);
 
   void add(const std::vector<Cell>& row);

@@ -18,7 +18,8 @@ double round_step(double rough) {
 std::string tick_text(double value, double step) {
   // Rounded to a digit below the step, so that 0.30000000000000004 reads 0.3.
   const double unit = std::pow(10.0, std::floor(std::log10(step)) - 1);
-  const double rounded = unit < 1 ? std::round(value / unit) / std::round(1 / unit) : std::round(value / unit) * unit;
+  const double rounded =
+      unit < 1 ? std::round(value / unit) / std::round(1 / unit) : std::round(value / unit) * unit;
   std::string text = cli::number_text(rounded == 0 ? 0.0 : rounded, 12);
   if (text[0] == '-') text.replace(0, 1, "\u2212");
   return text;

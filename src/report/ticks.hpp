@@ -17,8 +17,8 @@ struct Scale {
   std::vector<Tick> ticks;
 };
 
-// Steps of 1, 2 or 5 times a power of ten, about `count` of them. With `fixed` the ends stay as given, else they move
-// outwards to the next tick.
+// Steps of 1, 2 or 5 times a power of ten, about `count` of them. With `fixed` the ends stay as given, else
+// they move outwards to the next tick.
 Scale linear_scale(double low, double high, int count, bool fixed);
 
 // Decades, with numbers at 2 and 5 when there are fewer than three; low > 0.

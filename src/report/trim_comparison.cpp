@@ -17,11 +17,11 @@ struct Tolerance {
   double absolute, fraction;
 };
 constexpr Tolerance kTolerances[] = {
-    {"trim_gtrs_printed", "pitch_deg", 0.7, 0},          {"trim_gtrs_printed", "long_stick_in", 0.5, 0},
-    {"trim_gtrs_printed", "thrust_n", 0, 0.025},         {"trim_gtrs_figures", "pitch_deg", 1.8, 0},
-    {"trim_gtrs_figures", "long_stick_in", 0.48, 0},     {"trim_gtrs_figures", "power_kw", 0, 0.10},
+    {"trim_gtrs_printed", "pitch_deg", 0.7, 0},           {"trim_gtrs_printed", "long_stick_in", 0.5, 0},
+    {"trim_gtrs_printed", "thrust_n", 0, 0.025},          {"trim_gtrs_figures", "pitch_deg", 1.8, 0},
+    {"trim_gtrs_figures", "long_stick_in", 0.48, 0},      {"trim_gtrs_figures", "power_kw", 0, 0.10},
     {"trim_gtrs_figures", "collective_root_deg", 1.5, 0}, {"trim_flight", "pitch_deg", 2, 0},
-    {"trim_flight", "long_stick_in", 0.576, 0},          {"trim_flight", "power_kw", 0, 0.12},
+    {"trim_flight", "long_stick_in", 0.576, 0},           {"trim_flight", "power_kw", 0, 0.12},
 };
 
 double value_here(const Trimmed& t, const std::string& quantity) {
@@ -40,8 +40,11 @@ double value_there(const Table& set, std::size_t row, const std::string& quantit
 }  // namespace
 
 Table trim_comparison() {
-  Table table({"set", "mast_deg", "speed_mps", "quantity", "here", "reference", "difference", "tolerance", "within"});
-  table.comment("Sources of the sets: Wang et al. 2025 (figures, flight), NASA CR-166537 and Kleinhesselink 2007 (printed).");
+  Table table(
+      {"set", "mast_deg", "speed_mps", "quantity", "here", "reference", "difference", "tolerance", "within"});
+  table.comment(
+      "Sources of the sets: Wang et al. 2025 (figures, flight), NASA CR-166537 and Kleinhesselink 2007 "
+      "(printed).");
   for (const char* name : {"trim_gtrs_printed", "trim_gtrs_figures", "trim_flight"}) {
     const Table set = reference_points(name);
     for (std::size_t i = 0; i < set.rows(); ++i) {
@@ -56,8 +59,11 @@ Table trim_comparison() {
         const double here = has_trim ? value_here(t, tolerance.quantity) : double(NAN);
         const double allowed = tolerance.absolute + tolerance.fraction * std::fabs(there);
         const bool within = std::fabs(here - there) <= allowed;
-        table.add({std::string(name), mast, speed, std::string(tolerance.quantity), here, there, here - there, allowed,
-                   std::string(within ? "yes" : has_trim ? "no" : trim_status_word(t.status))});
+        table.add({std::string(name), mast, speed, std::string(tolerance.quantity), here, there, here - there,
+                   allowed,
+                   std::string(within     ? "yes"
+                               : has_trim ? "no"
+                                          : trim_status_word(t.status))});
       }
     }
   }
@@ -74,18 +80,21 @@ std::vector<Finding> trim_comparison_findings(const Table& compared) {
         ++within;
         continue;
       }
-      outside += (outside.empty() ? "" : "; ") + rows.text(i, "quantity") + " at mast " + rows.text(i, "mast_deg") + ", " +
-                 fixed(rows.number(i, "speed_mps"), 1) + " m/s: " + with_sign(rows.number(i, "difference"), 2);
+      outside += (outside.empty() ? "" : "; ") + rows.text(i, "quantity") + " at mast " +
+                 rows.text(i, "mast_deg") + ", " + fixed(rows.number(i, "speed_mps"), 1) +
+                 " m/s: " + with_sign(rows.number(i, "difference"), 2);
     }
     const bool all = within == rows.rows();
     return Finding{all ? Finding::holds : Finding::partly, statement,
-                   std::to_string(within) + " of " + std::to_string(rows.rows()) + " numbers within tolerance." +
-                       (all ? "" : " Outside: " + outside + ". " + cause)};
+                   std::to_string(within) + " of " + std::to_string(rows.rows()) +
+                       " numbers within tolerance." + (all ? "" : " Outside: " + outside + ". " + cause)};
   };
   return {
-      judge("trim_gtrs_printed", "Agreement with the printed GTRS trim at mast 0 (0.7 deg, 0.5 in, 2.5 % of force).", ""),
+      judge("trim_gtrs_printed",
+            "Agreement with the printed GTRS trim at mast 0 (0.7 deg, 0.5 in, 2.5 % of force).", ""),
       judge("trim_gtrs_figures",
-            "Agreement with GTRS read off a figure, four modes (1.8 deg, 5 % of travel, 10 % of power, 1.5 deg).",
+            "Agreement with GTRS read off a figure, four modes (1.8 deg, 5 % of travel, 10 % of power, 1.5 "
+            "deg).",
             "The points at mast 30 and 90 are a first reading, known to lie low."),
       judge("trim_flight", "Agreement with flight (2 deg, 6 % of travel, 12 % of power).",
             "GTRS itself stands up to 5 deg, 5 % and 15 % from these flights, whose loading is unknown."),

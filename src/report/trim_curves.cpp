@@ -50,7 +50,8 @@ struct Quantity {
 };
 
 constexpr Quantity kQuantities[] = {
-    {"trim_collective", "Collective at the root", "Root collective, deg", "collective_root_deg", "collective_root_deg", 1},
+    {"trim_collective", "Collective at the root", "Root collective, deg", "collective_root_deg",
+     "collective_root_deg", 1},
     {"trim_stick", "Longitudinal stick (forward up)", "Stick, in of 9.6", "long_stick_in", "long_stick_pct",
      kStickTravel / 100},
     {"trim_pitch", "Pitch attitude", "Pitch, deg", "pitch_deg", "pitch_deg", 1},
@@ -133,7 +134,8 @@ std::vector<Finding> statements(const Table& curves) {
   const std::size_t lowest =
       static_cast<std::size_t>(std::min_element(collective.begin(), collective.end()) - collective.begin());
   const double drop = collective.front() - collective[lowest];
-  const bool bucket = lowest > 0 && lowest + 1 < speed.size() && collective.back() > collective[lowest] + 1 && drop > 1;
+  const bool bucket =
+      lowest > 0 && lowest + 1 < speed.size() && collective.back() > collective[lowest] + 1 && drop > 1;
 
   bool nose_falls = true;
   bool stick_rises = true;
@@ -158,7 +160,9 @@ std::vector<Finding> statements(const Table& curves) {
     const Table rows = curves.where("mast_deg", mast);
     const std::vector<double> s = rows.numbers("long_stick_in");
     const std::vector<double> v = rows.numbers("speed_mps");
-    const auto span = [](auto first, auto last) { return *std::max_element(first, last) - *std::min_element(first, last); };
+    const auto span = [](auto first, auto last) {
+      return *std::max_element(first, last) - *std::min_element(first, last);
+    };
     fast_span.push_back(span(s.begin() + static_cast<std::ptrdiff_t>(s.size() / 2), s.end()));
     const std::string comma = spans.empty() ? "" : ", ";
     spans += comma + fixed(span(s.begin(), s.end()), 1);
@@ -168,26 +172,30 @@ std::vector<Finding> statements(const Table& curves) {
   std::vector<Finding> findings;
   findings.push_back({bucket ? Finding::holds : Finding::differs,
                       "Collective follows a bucket curve with speed in helicopter mode.",
-                      "It falls by " + fixed(drop, 1) + " deg from hover to a minimum at " + fixed(speed[lowest], 0) +
-                          " m/s and ends " + with_sign(collective.back() - collective.front(), 1) +
+                      "It falls by " + fixed(drop, 1) + " deg from hover to a minimum at " +
+                          fixed(speed[lowest], 0) + " m/s and ends " +
+                          with_sign(collective.back() - collective.front(), 1) +
                           " deg from its hover value at " + fixed(speed.back(), 0) + " m/s."});
   findings.push_back({nose_falls && stick_rises ? Finding::holds : Finding::partly,
                       "In helicopter mode the stick goes forward and the nose down with speed.",
-                      "Pitch runs from " + fixed(pitch.front(), 1) + " to " + fixed(pitch.back(), 1) + " deg" +
-                          (nose_falls ? " without turning" : "") + ", stick from " + fixed(stick.front(), 2) + " to " +
-                          fixed(stick.back(), 2) + " in, rising steadily from " + fixed(speed[rises_from], 0) +
+                      "Pitch runs from " + fixed(pitch.front(), 1) + " to " + fixed(pitch.back(), 1) +
+                          " deg" + (nose_falls ? " without turning" : "") + ", stick from " +
+                          fixed(stick.front(), 2) + " to " + fixed(stick.back(), 2) +
+                          " in, rising steadily from " + fixed(speed[rises_from], 0) +
                           " m/s (below, the wing leaves the wake and the stick hardly moves)."});
-  findings.push_back({high.front() > collective.front() && high.back() > high.front() ? Finding::holds : Finding::differs,
-                      "Airplane mode needs high collective.",
-                      "Root collective " + range_text(high, 1) + " deg and rising with speed, against " +
-                          range_text(collective, 1) + " deg in helicopter mode."});
+  findings.push_back(
+      {high.front() > collective.front() && high.back() > high.front() ? Finding::holds : Finding::differs,
+       "Airplane mode needs high collective.",
+       "Root collective " + range_text(high, 1) + " deg and rising with speed, against " +
+           range_text(collective, 1) + " deg in helicopter mode."});
   const bool smaller = std::is_sorted(fast_span.rbegin(), fast_span.rend());
-  findings.push_back({smaller ? Finding::partly : Finding::differs,
-                      "Control variation with speed becomes smaller as the masts tilt forward.",
-                      "Stick range over the faster half of the speeds at mast 0, 30, 60, 90 deg: " + fast_spans +
-                          " in. Over all speeds: " + spans +
-                          " in, because the slow end of each range is close to the wing's stall, where the stick comes far "
-                          "aft."});
+  findings.push_back(
+      {smaller ? Finding::partly : Finding::differs,
+       "Control variation with speed becomes smaller as the masts tilt forward.",
+       "Stick range over the faster half of the speeds at mast 0, 30, 60, 90 deg: " + fast_spans +
+           " in. Over all speeds: " + spans +
+           " in, because the slow end of each range is close to the wing's stall, where the stick comes far "
+           "aft."});
   return findings;
 }
 
@@ -196,15 +204,18 @@ std::vector<Finding> statements(const Table& curves) {
 Section trim_curves(const Sweeps& sweeps) {
   Section section{"trim", "Trim from hover to cruise", "", {}, {}, {}};
   section.reading =
-      "Lines: this program, every level flight inside its limits. Squares: the GTRS simulation as printed; circles: "
-      "GTRS read off a figure; triangles: flight, whose weight, flap and centre of gravity are not published.";
+      "Lines: this program, every level flight inside its limits. Squares: the GTRS simulation as printed; "
+      "circles: "
+      "GTRS read off a figure; triangles: flight, whose weight, flap and centre of gravity are not "
+      "published.";
   const Table curves = curve_table(sweeps);
   for (const Quantity& quantity : kQuantities) section.pictures.push_back(picture(quantity, curves));
   section.findings = statements(curves);
   const Table compared = trim_comparison();
   for (const Finding& f : trim_comparison_findings(compared)) section.findings.push_back(f);
   section.tables.push_back({"trim_curves", "the curves", curves});
-  section.tables.push_back({"trim_compared", "every published point against this program at that speed", compared});
+  section.tables.push_back(
+      {"trim_compared", "every published point against this program at that speed", compared});
   return section;
 }
 

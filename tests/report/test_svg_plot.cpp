@@ -35,8 +35,8 @@ Plot plot_of(const Series& series) {
 
 TEST(report_xml_checker_finds_faults) {
   CHECK_EQ(check::XmlChecker::fault("<a b=\"1\"><c/>x &amp; y</a>"), "");
-  for (const char* bad : {"<a>", "<a></b>", "<a b=1/>", "<a>&</a>", "<a b=\"<\"/>", "<a/><b/>", "x", "<a b=\"1\"c=\"2\"/>",
-                          "<a b=\"1\" b=\"2\"/>", "<a>&nbsp;</a>"}) {
+  for (const char* bad : {"<a>", "<a></b>", "<a b=1/>", "<a>&</a>", "<a b=\"<\"/>", "<a/><b/>", "x",
+                          "<a b=\"1\"c=\"2\"/>", "<a b=\"1\" b=\"2\"/>", "<a>&nbsp;</a>"}) {
     CHECK(!check::XmlChecker::fault(bad).empty());
   }
 }

@@ -96,7 +96,8 @@ class XmlChecker {
     const std::size_t end = text_.find(';', at_);
     const std::string name = end == std::string::npos ? "" : text_.substr(at_ + 1, end - at_ - 1);
     static const char* const known[] = {"amp", "lt", "gt", "quot", "apos"};
-    bool good = name.size() > 1 && name[0] == '#' && name.find_first_not_of("0123456789", 1) == std::string::npos;
+    bool good =
+        name.size() > 1 && name[0] == '#' && name.find_first_not_of("0123456789", 1) == std::string::npos;
     for (const char* k : known) good = good || name == k;
     if (!good) return set("bare & or unknown reference");
     at_ = end + 1;

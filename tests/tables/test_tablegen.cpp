@@ -234,6 +234,8 @@ TEST(tablegen_refuses_unit_of_another_kind) {
 TEST(tablegen_refuses_wrong_si_value) {
   expect_refusal_of_line("aircraft.csv", "wing_span,", "wing_span,32.17,ft,9.805400,m,x,high", "SI value");
   expect_refusal_of_line("aircraft.csv", "wing_span,", "wing_span,32.17,ft,9.805416,kg,x,high", "SI unit");
+  // Finite as written, infinite in SI.
+  expect_refusal_of_line("aircraft.csv", "wing_span,", "wing_span,1e308,slug,1,kg,x,high", "SI value");
 }
 
 TEST(tablegen_refuses_repeated_and_missing_entries) {

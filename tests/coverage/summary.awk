@@ -1,0 +1,85 @@
+# Sums an lcov file: statements (DA) and sides of branches (BRDA) by folder, and lists what is not covered.
+
+function excluded(file, line,    i) {
+  for (i = 1; i <= rules; ++i)
+    if (rule_file[i] == file && index(text(file, line), rule_words[i]) > 0) {
+      used[i] = 1
+      return 1
+    }
+  return 0
+}
+
+function text(file, line,    row, n) {
+  if (!(file in loaded)) {
+    loaded[file] = 1
+    while ((getline row < (root file)) > 0) source[file, ++n] = row
+    close(root file)
+  }
+  return source[file, line]
+}
+
+function room(file) {
+  if (file ~ /^include\//) return "include"
+  split(file, part, "/")
+  return part[1] "/" part[2]
+}
+
+BEGIN {
+  while ((getline row < exclusions) > 0) {
+    if (row ~ /^#/ || split(row, cell, / *\| */) < 3) continue
+    rule_file[++rules] = cell[1]
+    rule_words[rules] = cell[2]
+  }
+}
+
+/^SF:/ {
+  file = substr($0, 4)
+  counted = index(file, root) == 1
+  file = substr(file, length(root) + 1)
+  counted = counted && file ~ /^(include|src)\// && file !~ /^src\/(examples|firmware)\//
+}
+
+/^DA:/ && counted {
+  split(substr($0, 4), field, ",")
+  hits[file, field[1]] += field[2]
+  if (!((file, field[1]) in seen)) {
+    seen[file, field[1]] = 1
+    order[++lines] = file SUBSEP field[1]
+  }
+}
+
+# Instances of a template number their branches alike: the same place is the same side.
+/^BRDA:/ && counted {
+  split(substr($0, 6), field, ",")
+  key = file SUBSEP field[1] SUBSEP field[3] SUBSEP field[2]
+  taken[key] += field[4] == "-" ? 0 : field[4]
+  if (!(key in branch_seen)) {
+    branch_seen[key] = 1
+    branch_order[++branches] = key
+  }
+}
+
+END {
+  for (i = 1; i <= lines; ++i) {
+    split(order[i], at, SUBSEP)
+    if (excluded(at[1], at[2])) continue
+    ++statements[room(at[1])]
+    if (hits[at[1], at[2]] > 0) ++statements_hit[room(at[1])]
+    else missing = missing at[1] ":" at[2] ": not reached: " text(at[1], at[2]) "\n"
+  }
+  for (i = 1; i <= branches; ++i) {
+    split(branch_order[i], at, SUBSEP)
+    if (excluded(at[1], at[2])) continue
+    ++sides[room(at[1])]
+    if (taken[branch_order[i]] > 0) ++sides_hit[room(at[1])]
+    else if (hits[at[1], at[2]] > 0) one_sided = one_sided at[1] ":" at[2] ": one side only: " text(at[1], at[2]) "\n"
+  }
+  printf "%s%s", missing, one_sided
+  printf "%-14s %22s %22s\n", "", "statements", "sides of branches"
+  for (name in statements)
+    printf "%-14s %6d of %6d %6.2f%% %6d of %6d %6.2f%%\n", name, statements_hit[name], statements[name],
+           100 * statements_hit[name] / statements[name], sides_hit[name], sides[name],
+           sides[name] > 0 ? 100 * sides_hit[name] / sides[name] : 100
+  for (i = 1; i <= rules; ++i)
+    if (!(i in used)) print "exclusion without a line: " rule_file[i] " | " rule_words[i]
+}

@@ -1,0 +1,89 @@
+# Goals that try to break the product and count what they tried.
+
+# The readers of the table generator, for the tests that feed them; it runs on this machine, the tests on the target.
+TABLEGEN_PARTS   := $(filter-out %/main.o,$(TABLEGEN_SOURCE:src/%.cpp=$(BUILD)/program/%.o))
+ENVELOPE_OBJECTS := $(BUILD)/tests/properties/envelope.o
+OBJECTS          += $(TABLEGEN_PARTS) $(ENVELOPE_OBJECTS)
+$(TABLEGEN_PARTS) $(ENVELOPE_OBJECTS): $(BUILD)/flags.stamp | $(GENERATED)
+$(BUILD)/run_tests: $(TABLEGEN_PARTS)
+
+.PHONY: envelope fuzz fuzzers coverage coverage-measured trace lint mutate
+optimised = -O1 -g1 -fno-omit-frame-pointer
+sanitized = $(optimised) -fsanitize=address,undefined -fno-sanitize-recover=all
+# Older sanitizers crash at random where the kernel spreads addresses widely.
+fixed_layout = $(shell setarch $$(uname -m) -R true 2>/dev/null && echo setarch $$(uname -m) -R)
+
+# ---- envelope ----
+
+STATES  ?= 1000000
+FLIGHTS ?= 10000
+SHARD   ?= 1/1
+envelope: $(BUILD)/envelope ## STATES=1000000 random states, FLIGHTS=10000 random flights of 60 s; SHARD=k/n does a part
+	$(Q)$(RUNNER) $(BUILD)/envelope $(STATES) $(FLIGHTS) $(SHARD)
+
+$(BUILD)/envelope: $(ENVELOPE_OBJECTS) $(BUILD)/libtiltrotor.a
+	$(link)
+	$(Q)$(CXX) $(FLAGS) $(LDFLAGS) $(filter %.o %.a,$^) $(LDLIBS) -o $@
+
+# ---- fuzzing ----
+
+SECONDS ?= 60
+FUZZ_TARGETS := c_interface solvers command_line state_file tables
+has_fuzzer = echo 'extern "C" int LLVMFuzzerTestOneInput(const char*, long) { return 0; }' | \
+             clang++ -fsanitize=fuzzer,address,undefined -x c++ - -o /dev/null 2>/dev/null
+each = $$(( ($(SECONDS) + $(words $(FUZZ_TARGETS)) - 1) / $(words $(FUZZ_TARGETS)) ))
+fuzz: ## SECONDS=60 of mutated input for every reader, solver and the C interface, under the sanitizers
+	+$(Q)set -e; if $(has_fuzzer); then \
+	  $(MAKE) BUILD=$(BUILD)/fuzz CXX=clang++ ARCH= \
+	    CXXFLAGS='$(sanitized) -fsanitize=fuzzer-no-link -DTILTROTOR_FUZZER' fuzzers; \
+	  for target in $(FUZZ_TARGETS); do \
+	    mkdir -p $(BUILD)/fuzz/found/$$target; \
+	    $(fixed_layout) $(BUILD)/fuzz/fuzz_$$target -max_total_time=$(each) -max_len=4096 -timeout=20 -print_final_stats=1 \
+	      -artifact_prefix=$(BUILD)/fuzz/$$target- $(BUILD)/fuzz/found/$$target tests/fuzz/corpus/$$target \
+	      >$(BUILD)/fuzz/$$target.log 2>&1 || { tail -n 40 $(BUILD)/fuzz/$$target.log; exit 1; }; \
+	    echo "fuzz $$target: $$(awk '/number_of_executed_units/ { print $$2 }' $(BUILD)/fuzz/$$target.log) inputs," \
+	      "$$(grep -o 'cov: [0-9]*' $(BUILD)/fuzz/$$target.log | tail -n 1 | cut -c 6-) edges reached, nothing found"; \
+	  done; \
+	else \
+	  echo "fuzz: clang++ with libFuzzer is not installed, the plain driver mutates the corpus at random"; \
+	  $(MAKE) BUILD=$(BUILD)/fuzz ARCH= CXXFLAGS='$(sanitized)' $(BUILD)/fuzz/run_tests; \
+	  FUZZ_SECONDS=$(each) $(fixed_layout) $(BUILD)/fuzz/run_tests fuzz_; \
+	fi
+
+fuzzers: $(FUZZ_TARGETS:%=$(BUILD)/fuzz_%)
+$(FUZZ_TARGETS:%=$(BUILD)/fuzz_%): $(BUILD)/fuzz_%: \
+  $(BUILD)/tests/fuzz/test_%.o $(PROGRAM_PARTS) $(TABLEGEN_PARTS) $(BUILD)/libtiltrotor.a
+	$(link)
+	$(Q)$(CXX) $(FLAGS) $(LDFLAGS) -fsanitize=fuzzer $(filter %.o %.a,$^) $(LDLIBS) -o $@
+
+# ---- coverage ----
+
+COVERAGE_CXX ?= clang++
+coverage: ## statement and branch coverage of include/ and src/ by all tests, with what is not covered
+	+$(Q)if ! $(COVERAGE_CXX) -print-prog-name=llvm-cov 2>/dev/null | xargs -r test -x; then \
+	  echo "coverage: $(COVERAGE_CXX) with llvm-cov is not installed, nothing measured"; else \
+	  $(MAKE) BUILD=$(BUILD)/coverage CXX=$(COVERAGE_CXX) HOST_CXX=$(COVERAGE_CXX) ARCH= COVERAGE_CXX=$(COVERAGE_CXX) \
+	    CXXFLAGS='$(mapped)' HOST_CXXFLAGS='$(mapped)' coverage-measured; fi
+mapped = -O1 -fprofile-instr-generate -fcoverage-mapping $(if $(MCDC),-fcoverage-mcdc)
+
+coverage-measured: all $(BUILD)/run_tests
+	$(Q)rm -rf $(BUILD)/profiles
+	$(Q)LLVM_PROFILE_FILE='$(abspath $(BUILD))/profiles/%2m.profraw' $(BUILD)/run_tests $(TESTS)
+	$(Q)tests/coverage/report.sh $(COVERAGE_CXX) $(BUILD)
+
+# ---- requirements ----
+
+trace: all $(BUILD)/run_tests ## check that every requirement has tests, that they exist and pass
+	$(Q)tests/trace.sh $(BUILD)/run_tests
+
+# ---- static checks ----
+
+LINTED := $(filter-out src/examples/% src/firmware/%,$(call find,src,*.cpp))
+lint: $(GENERATED) ## clang-tidy and cppcheck on src/ and the headers it includes
+	$(Q)tests/lint.sh '-std=c++17 -Iinclude $(PRIVATE)' $(LINTED)
+
+# ---- mutation ----
+
+MUTANTS ?= 60
+mutate: $(GENERATED) ## break MUTANTS=60 operators and constants of include/ one at a time; the tests should notice
+	$(Q)tests/mutation/mutate.sh $(MUTANTS) $(BUILD)
