@@ -6,7 +6,7 @@ extern uint32_t data_in_rom[], data_start[], data_end[], bss_start[], bss_end[];
 
 #define UNUSED_STACK 0xa5a5a5a5u
 
-enum { SEMIHOSTING_WRITE0 = 0x04, SEMIHOSTING_EXIT = 0x20 };
+enum { SEMIHOSTING_WRITE0 = 0x04, SEMIHOSTING_COMMAND_LINE = 0x15, SEMIHOSTING_EXIT = 0x20 };
 
 static int semihosting(int operation, const void *argument) {
   register int r0 __asm__("r0") = operation;
@@ -16,6 +16,24 @@ static int semihosting(int operation, const void *argument) {
 }
 
 void board_write(const char *text) { semihosting(SEMIHOSTING_WRITE0, text); }
+
+/* The last word of the command line that the emulator was given for the image. */
+int board_number(int otherwise) {
+  static char text[80];
+  struct {
+    char *text;
+    uint32_t length;
+  } line = {text, sizeof text - 1};
+  int number = 0;
+  int digits = 0;
+  const char *c;
+  if (semihosting(SEMIHOSTING_COMMAND_LINE, &line) != 0) return otherwise;
+  for (c = text; *c != '\0'; ++c) {
+    if (*c == ' ') number = digits = 0;
+    if (*c >= '0' && *c <= '9' && digits < 9) number = 10 * number + (*c - '0'), ++digits;
+  }
+  return digits > 0 ? number : otherwise;
+}
 
 static void leave(uint32_t status) {
   const uint32_t application_exit[2] = {0x20026u, status};

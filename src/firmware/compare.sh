@@ -5,7 +5,7 @@ set -u
 name=$1
 folder=$(dirname "$3")
 $4 "$5" >"$folder/flight_on_host.txt" || { echo "$name: the flight on this machine failed"; exit 1; }
-"$(dirname "$0")/emulate.sh" "$2" "$3" >"$folder/flight_on_target.txt"
+"$(dirname "$0")/emulate.sh" "$2" "$3" "$5" >"$folder/flight_on_target.txt"
 status=$?
 cat "$folder/flight_on_target.txt"
 [ "$status" -eq 0 ] || { echo "$name: the image ended with status $status"; exit 1; }

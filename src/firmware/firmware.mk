@@ -13,7 +13,7 @@ FIRMWARE_HEADERS := $(wildcard src/firmware/*.h) include/tiltrotor/tiltrotor.h
 
 $(BUILD)/firmware/%.o: src/firmware/%.c $(FIRMWARE_HEADERS) $(BUILD)/flags.stamp
 	@echo "  compile $<"; mkdir -p $(@D)
-	$(Q)$(CC) $(C_FLAGS) -DFIRMWARE_FRAMES=$(FIRMWARE_FRAMES) -DMEASURED_STATES=$(MEASURED_STATES) -c $< -o $@
+	$(Q)$(CC) $(C_FLAGS) -c $< -o $@
 
 $(BUILD)/reference_flight: $(addprefix $(BUILD)/firmware/,flight_on_host.o reference_flight.o) $(BUILD)/libtiltrotor.a
 	$(link)

@@ -1,11 +1,12 @@
 #!/bin/sh
-# budget.sh FOLDER TOOL_PREFIX MACHINE OUTPUT: what the library needs on a target, against limits.csv.
+# budget.sh FOLDER TOOL_PREFIX MACHINE STATES OUTPUT: what the library needs on a target, against limits.csv.
 # FOLDER holds the target's build: libtiltrotor.a, call graphs, flight.elf, measure.elf.
 set -eu
 folder=$1
 prefix=$2
 machine=$3
-output=$4
+states=$4
+output=$5
 here=$(dirname "$0")
 values=$folder/budget_values.txt
 
@@ -30,7 +31,7 @@ objects=$(sed -n 's/^.*libtiltrotor\.a(\([a-z_]*\.o\)).*$/\1/p' "$folder/flight.
         END { print "code", code; print "constants", constants; print "code_and_constants", code + constants
               print "static_ram", ram }'
     echo "measuring under the emulator, some minutes" >&2
-    "$here/../../src/firmware/emulate.sh" "$machine" "$folder/measure.elf" -icount shift=5
+    "$here/../../src/firmware/emulate.sh" "$machine" "$folder/measure.elf" "$states" -icount shift=5
 } >"$values" || { cat "$values"; exit 1; }
 
 awk -F, -v values="$values" -v output="$output" '
