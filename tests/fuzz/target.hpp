@@ -44,7 +44,7 @@ class Bytes {
                                      std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(),
                                      -std::numeric_limits<double>::infinity()};
     const int kind = byte();
-    if (kind < 40) return special[kind % (sizeof special / sizeof *special)];
+    if (kind < 40) return special[static_cast<std::size_t>(kind) % (sizeof special / sizeof *special)];
     if (kind < 80) return raw<double>();
     const double small = raw<std::int16_t>() / 32768.0;
     return kind < 160 ? small : kind < 220 ? 20 * small : 400 * small;

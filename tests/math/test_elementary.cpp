@@ -1,6 +1,6 @@
 // sin, cos and atan2 against the long double functions of the standard library: below 2 units in the last place over the
 // documented range, exact at the special points, NaN outside.
-#include "tiltrotor/math/elementary.hpp"
+#include "tiltrotor/math/scalar.hpp"
 
 #include <algorithm>
 #include <random>
