@@ -13,14 +13,12 @@ template <class T>
 class SingleBlades {
  public:
   static constexpr int kBlades = 1;
-  SingleBlades(const tiltrotor::Configuration<double>& c, const tiltrotor::RotorInput<T>&) : c_(c) {}
-  void compute(const tiltrotor::AzimuthStations<double>&, int) {}
-  tiltrotor::BladeLoads<T> loads(int, const tiltrotor::BladeFlow<T>& flow) const {
-    return tiltrotor::blade_loads(c_, flow);
+  void begin(const tiltrotor::RotorInput<T>&) {}
+  void compute(const tiltrotor::Configuration<double>&, const tiltrotor::AzimuthStations<double>&, int) {}
+  tiltrotor::BladeLoads<T> loads(const tiltrotor::Configuration<double>& c, int,
+                                 const tiltrotor::BladeFlow<T>& flow) const {
+    return tiltrotor::blade_loads(c, flow);
   }
-
- private:
-  const tiltrotor::Configuration<double>& c_;
 };
 
 }  // namespace bench

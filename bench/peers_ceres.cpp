@@ -26,9 +26,7 @@ struct ScalarTraits<Jet> {
 };
 
 template <>
-class BladeGroup<Jet> : public bench::SingleBlades<Jet> {
-  using SingleBlades::SingleBlades;
-};
+class BladeGroup<Jet> : public bench::SingleBlades<Jet> {};
 
 }  // namespace tiltrotor
 

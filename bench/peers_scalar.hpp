@@ -89,8 +89,6 @@ struct ScalarTraits<bench::Foreign<Number>> {
 };
 
 template <class Number>
-class BladeGroup<bench::Foreign<Number>> : public bench::SingleBlades<bench::Foreign<Number>> {
-  using bench::SingleBlades<bench::Foreign<Number>>::SingleBlades;
-};
+class BladeGroup<bench::Foreign<Number>> : public bench::SingleBlades<bench::Foreign<Number>> {};
 
 }  // namespace tiltrotor

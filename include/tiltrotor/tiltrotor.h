@@ -39,13 +39,13 @@ extern "C" {
 typedef float tr_real;
 #define TR_API_VERSION 0x00010004u
 #define TR_SIM_SIZE 3072
-#define TR_WORK_SIZE 49152
+#define TR_WORK_SIZE 90112
 #else
 typedef double tr_real;
 /* Changes when a program must be compiled again: interface in the upper half, bytes of a tr_real in the lower. */
 #define TR_API_VERSION 0x00010008u
-#define TR_SIM_SIZE 6144   /* bytes */
-#define TR_WORK_SIZE 81920 /* bytes */
+#define TR_SIM_SIZE 6144    /* bytes */
+#define TR_WORK_SIZE 147456 /* bytes */
 #endif
 
 typedef enum tr_status {

@@ -128,6 +128,7 @@ struct ModelRoom {
   State<T> state;
   State<T> rates;
   Controls<T> controls;
+  DerivativeWorkspace<T> derivative;
 };
 
 // x, u -> xdot, all in `room`: room.x becomes xdot.
@@ -135,7 +136,7 @@ template <class T>
 void model_rates(const Configuration<Real<T>>& c, Real<T> azimuth, ModelRoom<T>& room) {
   unpack(room.x, room.state);
   unpack(room.u, room.controls);
-  derivative(c, room.state, room.controls, room.rates, azimuth);
+  derivative(c, room.state, room.controls, room.derivative, room.rates, azimuth);
   pack(room.rates, room.x);
 }
 

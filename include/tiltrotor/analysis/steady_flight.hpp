@@ -45,7 +45,7 @@ SteadyFlightField first_invalid(const SteadyFlight<R>& flight) {
 // Nothing is divided by V: in hover the formulas hold and the velocity is zero. No attitude beyond Q = 0 has
 // that sideslip: the result is NaN there.
 template <class T>
-Vec3<T> steady_velocity(const SteadyFlight<Real<T>>& flight, const T& roll, const T& pitch) {
+TILTROTOR_NOINLINE Vec3<T> steady_velocity(const SteadyFlight<Real<T>>& flight, const T& roll, const T& pitch) {
   using R = Real<T>;
   const T sr = sin(roll);
   const T cr = cos(roll);
@@ -66,7 +66,7 @@ Vec3<T> steady_velocity(const SteadyFlight<Real<T>>& flight, const T& roll, cons
 
 // Body rates that turn the heading alone.
 template <class T>
-Vec3<T> steady_rates(const SteadyFlight<Real<T>>& flight, const T& roll, const T& pitch) {
+TILTROTOR_NOINLINE Vec3<T> steady_rates(const SteadyFlight<Real<T>>& flight, const T& roll, const T& pitch) {
   const T level = flight.turn_rate * cos(pitch);
   return {-(flight.turn_rate * sin(pitch)), level * sin(roll), level * cos(roll)};
 }

@@ -80,6 +80,16 @@ struct Partials {
 
   Lane group[kGroups];
 
+  // Copied lane group by lane group: a copy in smaller pieces, as a compiler may make it, is slow to read back whole.
+  Partials() = default;
+  TILTROTOR_INLINE Partials(const Partials& other) {
+    for (int g = 0; g < kGroups; ++g) group[g] = other.group[g];
+  }
+  TILTROTOR_INLINE Partials& operator=(const Partials& other) {
+    for (int g = 0; g < kGroups; ++g) group[g] = other.group[g];
+    return *this;
+  }
+
   static constexpr Partials zero() { return Partials{}; }
 
   R get(int i) const {

@@ -8,6 +8,8 @@
 // Inputs and outputs are structs templated on the scalar that list their members with `each`.
 #pragma once
 
+#include <type_traits>
+
 #include "tiltrotor/math/dual.hpp"
 
 namespace tiltrotor {
@@ -55,40 +57,81 @@ Dual<R, M> chain(const Dual<R, N>& local, const Dual<R, M>* waist) {
   return chain(local.v, slope, waist);
 }
 
-// Struct of local duals -> the same struct of outer duals.
+// Struct of local duals -> the same struct of outer duals. `waist`: where the inputs of the waist are.
 template <class T, template <class> class Out, class R, int N>
-Out<T> chained(const Out<Dual<R, N>>& local, const T* waist) {
-  Out<T> out;
-  Dual<R, N> flat[Out<T>::kCount];
-  pack(local, flat);
+void chain_all(const Out<Dual<R, N>>& local, const T (&waist)[N], Out<T>& out) {
+  const Dual<R, N>* flat[Out<T>::kCount];
   int i = 0;
-  Out<T>::each(out, [&](auto& x) {
-    x = chain(flat[i], waist);
-    ++i;
-  });
+  Out<T>::each(local, [&](const auto& x) { flat[i++] = &x; });
+  i = 0;
+  Out<T>::each(out, [&](auto& x) { x = chain(*flat[i++], waist); });
+}
+
+namespace detail {
+
+template <class T, template <class> class Out, class R, int N>
+Out<T> chained(const Out<Dual<R, N>>& local, const T (&waist)[N]) {
+  Out<T> out;
+  chain_all(local, waist, out);
   return out;
 }
 
+}  // namespace detail
+
+// Partials in groups of eight, not in the lanes of this machine: every machine then takes the same way and finds the same
+// bits.
+constexpr int groups_of_eight(int partials) { return (partials + 7) / 8; }
+
+// Scalar beyond the waist: a dual number of as many partials as the waist has inputs when that is fewer, else T itself.
+template <template <class> class In, class T>
+using WaistScalar =
+    std::conditional_t<(groups_of_eight(In<T>::kCount) < groups_of_eight(OuterPartials<T>::count)),
+                       Dual<Real<T>, In<T>::kCount>, T>;
+
+// Memory for what lies beyond: inputs with their seeds, outputs, and the inputs of the waist in a row.
+template <template <class> class In, template <class> class Out, class T, class Local = WaistScalar<In, T>>
+struct WaistRoom {
+  In<Local> in;
+  Out<Local> out;
+  T waist[In<T>::kCount];
+};
+template <template <class> class In, template <class> class Out, class T>
+struct WaistRoom<In, Out, T, T> {};
+
+// out = function(in), called as function(in, out) on whichever scalar is best.
+template <template <class> class In, template <class> class Out, class T, class Function>
+TILTROTOR_NOINLINE void through_waist(const In<T>& in, WaistRoom<In, Out, T>& room, Out<T>& out, Function&& function) {
+  using Local = WaistScalar<In, T>;
+  if constexpr (std::is_same_v<Local, T>) {
+    function(in, out);
+  } else {
+    pack(in, room.waist);
+    int direction = 0;
+    In<Local>::each(room.in, [&](auto& x) {
+      x = Local::variable(room.waist[direction].v, direction);
+      ++direction;
+    });
+    function(room.in, room.out);
+    chain_all(room.out, room.waist, out);
+  }
+}
+
+// The same for a function that returns its result, with memory of its own.
 template <template <class> class In, class T, class Function>
 auto through_waist(const In<T>& in, Function&& function) {
-  constexpr int n = In<T>::kCount;
-  using R = Real<T>;
-  using Local = Dual<R, n>;
-  // In groups of eight, not in the lanes of this machine: every machine then takes the same way and finds the same bits.
-  constexpr int group = 8;
-  if constexpr ((n + group - 1) / group < (OuterPartials<T>::count + group - 1) / group) {
-    In<Local> seeded;
-    T waist[n];
+  using Local = WaistScalar<In, T>;
+  if constexpr (std::is_same_v<Local, T>) {
+    return function(in);
+  } else {
+    T waist[In<T>::kCount];
     pack(in, waist);
+    In<Local> seeded;
     int direction = 0;
     In<Local>::each(seeded, [&](auto& x) {
       x = Local::variable(waist[direction].v, direction);
       ++direction;
     });
-    const auto local = function(seeded);
-    return chained<T>(local, waist);
-  } else {
-    return function(in);
+    return detail::chained<T>(function(seeded), waist);
   }
 }
 

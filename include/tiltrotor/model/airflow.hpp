@@ -65,7 +65,7 @@ template <class R>
 inline constexpr R kKnot = R(0.5144444);  // m/s: the rounded factor of the tables' speed axes, 9e-8 below 1852/3600
 
 template <class T>
-FreeStream<T> free_stream(const Configuration<Real<T>>& c, const Vec3<T>& velocity) {
+TILTROTOR_NOINLINE FreeStream<T> free_stream(const Configuration<Real<T>>& c, const Vec3<T>& velocity) {
   using R = Real<T>;
   const SmoothingWidths<R>& e = c.aircraft->smooth;
   FreeStream<T> f;
@@ -81,7 +81,7 @@ FreeStream<T> free_stream(const Configuration<Real<T>>& c, const Vec3<T>& veloci
 
 // Force of lift, drag and side force Y' (wind axes at alpha, beta) in body axes.
 template <class T>
-Vec3<T> wind_force(const T& lift, const T& drag, const T& side, const T& alpha, const T& beta) {
+TILTROTOR_NOINLINE Vec3<T> wind_force(const T& lift, const T& drag, const T& side, const T& alpha, const T& beta) {
   const T sa = sin(alpha);
   const T ca = cos(alpha);
   const T sb = sin(beta);

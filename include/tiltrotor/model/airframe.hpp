@@ -24,37 +24,54 @@ struct AirframeResponse {
   }
 };
 
+// Memory of an evaluation of the airframe.
+template <class T>
+struct AirframeRoom {
+  FreeStream<T> stream;
+  WingInWake<T> wake[2];
+  FreeWing<T> wing;
+  Loads<T> loads;  // of one component
+  T wash_ratio, downwash;
+};
+
 // `record(component, loads)` sees every component as it is added.
 template <class T, class Record>
-AirframeResponse<T> airframe_response(const Configuration<Real<T>>& c, const AirframeInput<T>& in, Record&& record) {
-  const FreeStream<T> stream = free_stream(c, in.velocity);
-  AirframeResponse<T> out;
+void airframe_response(const Configuration<Real<T>>& c, const AirframeInput<T>& in, AirframeRoom<T>& room,
+                       AirframeResponse<T>& out, Record&& record) {
+  const FreeStream<T>& stream = room.stream = free_stream(c, in.velocity);
 
-  const WingInWake<T> wake[2] = {wing_in_wake(c, in, stream, right), wing_in_wake(c, in, stream, left)};
-  out.total = wake[right].loads + wake[left].loads;
-  record(wing_wake_right, wake[right].loads);
-  record(wing_wake_left, wake[left].loads);
+  for (const Side side : {right, left}) room.wake[side] = wing_in_wake(c, in, stream, side);
+  out.total = room.wake[right].loads + room.wake[left].loads;
+  record(wing_wake_right, room.wake[right].loads);
+  record(wing_wake_left, room.wake[left].loads);
 
-  const auto add = [&](Component component, const Loads<T>& loads) {
-    out.total = out.total + loads;
-    record(component, loads);
+  const auto add = [&](Component component) {
+    out.total = out.total + room.loads;
+    record(component, static_cast<const Loads<T>&>(room.loads));
   };
-  const FreeWing<T> wing = free_wing(c, in, stream, wake);
-  add(wing_free, wing.loads);
-  out.wing_alpha = wing.alpha;
-  out.downwash = wing.downwash;
+  room.wing = free_wing(c, in, stream, room.wake);
+  room.loads = room.wing.loads;
+  add(wing_free);
+  out.wing_alpha = room.wing.alpha;
+  out.downwash = room.wing.downwash;
 
-  add(pylon, pylon_interference_loads(c, wake));
-  add(spinners, spinner_loads(c, in));
-  add(pylon_side, pylon_side_loads(c, in));
-  add(fuselage, fuselage_loads(c, in, stream));
+  room.loads = pylon_interference_loads(c, room.wake);
+  add(pylon);
+  room.loads = spinner_loads(c, in);
+  add(spinners);
+  room.loads = pylon_side_loads(c, in);
+  add(pylon_side);
+  room.loads = fuselage_loads(c, in, stream);
+  add(fuselage);
 
-  const T wash_ratio = tail_wash_ratio(c, stream);
-  const T downwash = c.setup.options.downwash_lag ? in.downwash : wing.downwash;
-  add(htail, horizontal_tail_loads(c, in, stream, wash_ratio, downwash));
-  add(fin_right, fin_loads(c, in, stream, wash_ratio, right));
-  add(fin_left, fin_loads(c, in, stream, wash_ratio, left));
-  return out;
+  room.wash_ratio = tail_wash_ratio(c, stream);
+  room.downwash = c.setup.options.downwash_lag ? in.downwash : room.wing.downwash;
+  room.loads = horizontal_tail_loads(c, in, stream, room.wash_ratio, room.downwash);
+  add(htail);
+  room.loads = fin_loads(c, in, stream, room.wash_ratio, right);
+  add(fin_right);
+  room.loads = fin_loads(c, in, stream, room.wash_ratio, left);
+  add(fin_left);
 }
 
 }  // namespace tiltrotor

@@ -43,23 +43,23 @@ class BladeGroup {
  public:
   static constexpr int kBlades = kPackLanes<R>;
 
-  BladeGroup(const Configuration<R>& c, const RotorInput<T>& in) : c_(c), in_(detail::in_every_lane(in)) {}
+  void begin(const RotorInput<T>& in) { in_ = detail::in_every_lane(in); }
 
   // Blades at the azimuths from `first`.
-  void compute(const AzimuthStations<R>& azimuth, int first) {
+  TILTROTOR_NOINLINE void compute(const Configuration<R>& c, const AzimuthStations<R>& azimuth, int first) {
     const Pack<R> cosine = detail::load_pack(azimuth.cosine + first);
     const Pack<R> sine = detail::load_pack(azimuth.sine + first);
     const Pack<R> flap = flap_angle(in_, cosine, sine);
-    const BladeFlow<Pack<R>> flow = blade_flow(c_, in_, sin(flap), cos(flap), cosine, sine);
+    const BladeFlow<Pack<R>> flow = blade_flow(c, in_, sin(flap), cos(flap), cosine, sine);
     if constexpr (kTakesSlopes) {
-      loads_ = blade_loads_and_slopes(c_, flow);
+      loads_ = blade_loads_and_slopes(c, flow);
     } else {
-      loads_ = blade_loads(c_, flow);
+      loads_ = blade_loads(c, flow);
     }
   }
 
   // Loads of one blade of the group, seeing `flow`.
-  BladeLoads<T> loads(int lane, const BladeFlow<T>& flow) const {
+  BladeLoads<T> loads(const Configuration<R>&, int lane, const BladeFlow<T>& flow) const {
     BladeLoads<T> one;
     if constexpr (kTakesSlopes) {
       T waist[BladeFlow<T>::kCount];
@@ -80,7 +80,6 @@ class BladeGroup {
     return chain(load.v.get(lane), slope, waist);
   }
 
-  const Configuration<R>& c_;
   RotorInput<Pack<R>> in_;
   BladeLoads<Lanes> loads_;
 };
@@ -92,12 +91,9 @@ class BladeGroup<std::complex<R>> {
 
  public:
   static constexpr int kBlades = 1;
-  BladeGroup(const Configuration<R>& c, const RotorInput<T>&) : c_(c) {}
-  void compute(const AzimuthStations<R>&, int) {}
-  BladeLoads<T> loads(int, const BladeFlow<T>& flow) const { return blade_loads(c_, flow); }
-
- private:
-  const Configuration<R>& c_;
+  void begin(const RotorInput<T>&) {}
+  void compute(const Configuration<R>&, const AzimuthStations<R>&, int) {}
+  BladeLoads<T> loads(const Configuration<R>& c, int, const BladeFlow<T>& flow) const { return blade_loads(c, flow); }
 };
 
 }  // namespace tiltrotor

@@ -6,7 +6,7 @@
 namespace tiltrotor {
 
 template <class T>
-Loads<T> fin_loads(const Configuration<Real<T>>& c, const AirframeInput<T>& in, const FreeStream<T>& stream,
+TILTROTOR_NOINLINE Loads<T> fin_loads(const Configuration<Real<T>>& c, const AirframeInput<T>& in, const FreeStream<T>& stream,
                    const T& wash_ratio, int side) {
   using R = Real<T>;
   const FinTables<R>& f = c.aircraft->fin;

@@ -17,6 +17,15 @@ struct RotorLoads {
   Vec3<T> force;   // on the hub, N
   T torque;        // about the shaft, absorbed, N m
   T mc, ms, m0;    // sums of r dF_n times cos psi, sin psi, 1, N m
+
+  template <class Self, class Visit>
+  static void each(Self& s, Visit&& visit) {
+    Vec3<T>::each(s.force, visit);
+    visit(s.torque);
+    visit(s.mc);
+    visit(s.ms);
+    visit(s.m0);
+  }
 };
 
 template <class T>
@@ -29,11 +38,7 @@ struct RotorResponse {
   static constexpr int kCount = 15;
   template <class Self, class Visit>
   static void each(Self& s, Visit&& visit) {
-    Vec3<T>::each(s.loads.force, visit);
-    visit(s.loads.torque);
-    visit(s.loads.mc);
-    visit(s.loads.ms);
-    visit(s.loads.m0);
+    RotorLoads<T>::each(s.loads, visit);
     visit(s.flapping.b1c_rate);
     visit(s.flapping.b1s_rate);
     visit(s.flapping.b1c_acceleration);
@@ -45,39 +50,51 @@ struct RotorResponse {
   }
 };
 
+// Adds the loads of the blade at one azimuth, number `lane` of its group.
+template <class T>
+TILTROTOR_NOINLINE void add_blade(const Configuration<Real<T>>& c, const RotorInput<T>& in, Real<T> cosine,
+                                  Real<T> sine, const BladeGroup<T>& group, int lane, RotorLoads<T>& sum) {
+  const T flap = flap_angle(in, cosine, sine);
+  const T sin_flap = sin(flap);
+  const T cos_flap = cos(flap);
+  const BladeLoads<T> blade = group.loads(c, lane, blade_flow(c, in, sin_flap, cos_flap, cosine, sine));
+  const T radial = sin_flap * blade.normal;  // inward along the blade's projection on the disk
+  sum.force.x -= cosine * radial + sine * blade.tangential;
+  sum.force.y += cosine * blade.tangential - sine * radial;
+  sum.force.z += cos_flap * blade.normal;
+  sum.torque -= cos_flap * blade.tangential_moment;
+  sum.mc += cosine * blade.normal_moment;
+  sum.ms += sine * blade.normal_moment;
+  sum.m0 += blade.normal_moment;
+}
+
 // Blade-element loads of the rotor.
+template <class T>
+void rotor_loads(const Configuration<Real<T>>& c, const RotorInput<T>& in, const AzimuthStations<Real<T>>& azimuth,
+                 BladeGroup<T>& group, RotorLoads<T>& sum) {
+  using R = Real<T>;
+  RotorLoads<T>::each(sum, [](T& x) { x = T(R(0)); });
+  group.begin(in);
+  for (int k = 0; k < azimuth.count; ++k) {
+    const int lane = k % BladeGroup<T>::kBlades;
+    if (lane == 0) group.compute(c, azimuth, k);
+    add_blade(c, in, azimuth.cosine[k], azimuth.sine[k], group, lane, sum);
+  }
+  RotorLoads<T>::each(sum, [&azimuth](T& x) { x = azimuth.weight * x; });
+}
+
 template <class T>
 RotorLoads<T> rotor_loads(const Configuration<Real<T>>& c, const RotorInput<T>& in,
                           const AzimuthStations<Real<T>>& azimuth) {
-  using R = Real<T>;
-  const T zero = T(R(0));
-  RotorLoads<T> sum{{zero, zero, zero}, zero, zero, zero, zero};
-  BladeGroup<T> group(c, in);
-  for (int k = 0; k < azimuth.count; ++k) {
-    const int lane = k % BladeGroup<T>::kBlades;
-    if (lane == 0) group.compute(azimuth, k);
-    const R cosine = azimuth.cosine[k];
-    const R sine = azimuth.sine[k];
-    const T flap = flap_angle(in, cosine, sine);
-    const T sin_flap = sin(flap);
-    const T cos_flap = cos(flap);
-    const BladeLoads<T> blade = group.loads(lane, blade_flow(c, in, sin_flap, cos_flap, cosine, sine));
-    const T radial = sin_flap * blade.normal;  // inward along the blade's projection on the disk
-    sum.force.x -= cosine * radial + sine * blade.tangential;
-    sum.force.y += cosine * blade.tangential - sine * radial;
-    sum.force.z += cos_flap * blade.normal;
-    sum.torque -= cos_flap * blade.tangential_moment;
-    sum.mc += cosine * blade.normal_moment;
-    sum.ms += sine * blade.normal_moment;
-    sum.m0 += blade.normal_moment;
-  }
-  const R w = azimuth.weight;
-  return {w * sum.force, w * sum.torque, w * sum.mc, w * sum.ms, w * sum.m0};
+  BladeGroup<T> group;
+  RotorLoads<T> sum;
+  rotor_loads(c, in, azimuth, group, sum);
+  return sum;
 }
 
 // What drives the inflow: load coefficients and the motion of the hub through the air.
 template <class T>
-InflowForcing<T> inflow_forcing(const Configuration<Real<T>>& c, const RotorInput<T>& in, const RotorLoads<T>& loads) {
+TILTROTOR_NOINLINE InflowForcing<T> inflow_forcing(const Configuration<Real<T>>& c, const RotorInput<T>& in, const RotorLoads<T>& loads) {
   using R = Real<T>;
   const Options& o = c.setup.options;
   const RotorTables<R>& rotor = c.aircraft->rotor;
@@ -104,35 +121,58 @@ InflowForcing<T> inflow_forcing(const Configuration<Real<T>>& c, const RotorInpu
   return f;
 }
 
+// Memory of a rotor's evaluation.
+template <class T>
+struct RotorRoom {
+  BladeGroup<T> group;
+  RotorInput<T> moving;   // first-order flapping alone
+  RotorLoads<T> still;
+};
+
+// First-order flapping: tilt rates in balance with the loads at rest, then the loads at those rates.
+template <class T>
+TILTROTOR_NOINLINE void quasi_static_rotor(const Configuration<Real<T>>& c, const RotorInput<T>& in,
+                                           const AzimuthStations<Real<T>>& azimuth, RotorRoom<T>& room,
+                                           RotorResponse<T>& out) {
+  using R = Real<T>;
+  room.moving = in;
+  room.moving.state.b1c_rate = T(R(0));
+  room.moving.state.b1s_rate = T(R(0));
+  rotor_loads(c, room.moving, azimuth, room.group, room.still);
+  out.flapping = quasi_static_flap_rates(c, in.state, in.rates, room.still.mc, room.still.ms);
+  room.moving.state.b1c_rate = out.flapping.b1c_rate;
+  room.moving.state.b1s_rate = out.flapping.b1s_rate;
+  rotor_loads(c, room.moving, azimuth, room.group, out.loads);
+}
+
 // The complete rotor. `azimuth` holds the stations to sum over: the configuration's averaged set, or the blades.
 // Cost: one derivative is two of these and little more.
 template <class T>
-RotorResponse<T> rotor_response(const Configuration<Real<T>>& c, const RotorInput<T>& in,
-                                const AzimuthStations<Real<T>>& azimuth) {
-  using R = Real<T>;
-  RotorResponse<T> out;
+void rotor_response(const Configuration<Real<T>>& c, const RotorInput<T>& in, const AzimuthStations<Real<T>>& azimuth,
+                    RotorRoom<T>& room, RotorResponse<T>& out) {
   if (c.setup.options.flapping == FlapOrder::first) {
-    RotorInput<T> moving = in;
-    moving.state.b1c_rate = T(R(0));
-    moving.state.b1s_rate = T(R(0));
-    const RotorLoads<T> still = rotor_loads(c, moving, azimuth);
-    out.flapping = quasi_static_flap_rates(c, in.state, in.rates, still.mc, still.ms);
-    moving.state.b1c_rate = out.flapping.b1c_rate;
-    moving.state.b1s_rate = out.flapping.b1s_rate;
-    out.loads = rotor_loads(c, moving, azimuth);
+    quasi_static_rotor(c, in, azimuth, room, out);
   } else {
-    out.loads = rotor_loads(c, in, azimuth);
+    rotor_loads(c, in, azimuth, room.group, out.loads);
     out.flapping = flap_rates(c, in.state, in.rates, out.loads.mc, out.loads.ms);
   }
   out.coning_acceleration = coning_acceleration(c, in.coning, out.loads.m0);
   out.inflow = inflow_rates(c, in.state, inflow_forcing(c, in, out.loads));
+}
+
+template <class T>
+RotorResponse<T> rotor_response(const Configuration<Real<T>>& c, const RotorInput<T>& in,
+                                const AzimuthStations<Real<T>>& azimuth) {
+  RotorRoom<T> room;
+  RotorResponse<T> out;
+  rotor_response(c, in, azimuth, room, out);
   return out;
 }
 
 // Hub force and moment on the airframe, body axes about the CG: force, spring moment and torque.
 // The load harmonics are balanced inside the gimbal and are not added again.
 template <class T>
-Loads<T> hub_loads(const Configuration<Real<T>>& c, int side, const RotorState<T>& x, const RotorLoads<T>& loads) {
+TILTROTOR_NOINLINE Loads<T> hub_loads(const Configuration<Real<T>>& c, int side, const RotorState<T>& x, const RotorLoads<T>& loads) {
   const HubFrame<Real<T>>& hub = c.hub[side];
   const Vec3<T> moment_a = {c.hub_spring * x.b1s, -(c.hub_spring * x.b1c), -loads.torque};
   Loads<T> b = force_at(hub.arm, hub.from_body.apply_inverse(mirror_polar(loads.force, side)));

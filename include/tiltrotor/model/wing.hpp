@@ -81,7 +81,7 @@ Loads<T> free_half_wing(const Configuration<Real<T>>& c, const ImmersedWing<T>& 
 }
 
 template <class T>
-FreeWing<T> free_wing(const Configuration<Real<T>>& c, const AirframeInput<T>& in, const FreeStream<T>& stream,
+TILTROTOR_NOINLINE FreeWing<T> free_wing(const Configuration<Real<T>>& c, const AirframeInput<T>& in, const FreeStream<T>& stream,
                       const WingInWake<T> (&wake)[2]) {
   using R = Real<T>;
   const WingTables<R>& w = c.aircraft->wing;

@@ -45,7 +45,7 @@ T upright_pylon_weight(const Configuration<Real<T>>& c, const T& alpha) {
 }
 
 template <class T>
-WingCoefficients<T> wing_coefficients(const Configuration<Real<T>>& c, const T& alpha, const T& mach) {
+TILTROTOR_NOINLINE WingCoefficients<T> wing_coefficients(const Configuration<Real<T>>& c, const T& alpha, const T& mach) {
   using R = Real<T>;
   const WingTables<R>& w = c.aircraft->wing;
   const Interpolation mode = c.setup.options.tables;

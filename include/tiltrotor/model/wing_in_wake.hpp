@@ -17,7 +17,7 @@ struct WingInWake {
 
 // The centre of pressure moves from quarter chord at zero angle of attack to mid chord in the vertical wash of hover.
 template <class T>
-WingInWake<T> wing_in_wake(const Configuration<Real<T>>& c, const AirframeInput<T>& in, const FreeStream<T>& stream,
+TILTROTOR_NOINLINE WingInWake<T> wing_in_wake(const Configuration<Real<T>>& c, const AirframeInput<T>& in, const FreeStream<T>& stream,
                            int side) {
   using R = Real<T>;
   const WingTables<R>& wing = c.aircraft->wing;

@@ -1,0 +1,84 @@
+// The real-time blade grid against a fine one (80 x 48 stations) at a few trimmed flights: thrust and torque at the same
+// state, trim, and the eigenvalues of the rigid-body model. bench/grid_convergence.cpp does the same over the trim set.
+#include <cmath>
+#include <memory>
+
+#include "check.hpp"
+#include "tiltrotor/analysis/instances.hpp"
+#include "tiltrotor/math/eigen.hpp"
+#include "tiltrotor/model/aircraft_data.hpp"
+
+namespace {
+
+using namespace tiltrotor;
+
+struct Rooms {
+  TrimWorkspace<double> trim;
+  LinearizationWorkspace<double> linearization;
+  ResidualisationWorkspace<double> residualisation;
+  EigenWorkspace<double, kMaxLinearStates> eigen;
+  LinearModel<double> full, reduced;
+  Evaluation<double> evaluation;
+  TrimResult<double> fine, realtime;
+};
+
+Configuration<double> configuration(double mast_deg, bool realtime) {
+  FlightSetup<double> setup = flight_setup(aircraft_data<double>(), mast_deg);
+  setup.options.grid = realtime ? BladeGrid::realtime : BladeGrid::specification;
+  if (!realtime) {
+    setup.options.grid_refinement = 4;
+    setup.options.azimuth_stations = 48;
+  }
+  Configuration<double> c;
+  CHECK(prepare(aircraft_data<double>(), setup, c) == Status::ok);
+  return c;
+}
+
+Eigenvalues<double, kMaxLinearStates> rigid_eigenvalues(const Configuration<double>& c, const TrimResult<double>& at,
+                                                        Rooms& rooms) {
+  Eigenvalues<double, kMaxLinearStates> values{};
+  CHECK(linearize(c, at.state, at.controls, kInceptors, rooms.linearization, rooms.full) == Status::ok);
+  CHECK(residualise(rooms.full, rooms.residualisation, rooms.reduced) == Status::ok);
+  CHECK(eigenvalues(rooms.reduced.a, kRigidStates, rooms.eigen, values) == Status::ok);
+  return values;
+}
+
+TEST(realtime_grid_keeps_its_bounds) {
+  const auto rooms = std::make_unique<Rooms>();
+  constexpr double flights[][2] = {{0, 0}, {0, 35}, {30, 40}, {60, 60}, {75, 80}, {90, 100}};  // mast deg, m/s
+  for (const auto& [mast, speed] : flights) {
+    const Configuration<double> fine = configuration(mast, false);
+    const Configuration<double> realtime = configuration(mast, true);
+    CHECK_LE(4 * realtime.blade.count * realtime.azimuth.count, 20 * 24 * 4);
+    SteadyFlight<double> flight{};
+    flight.speed = speed;
+    CHECK(is_trimmed(trim(fine, flight, rooms->trim, rooms->fine)));
+    rooms->realtime = rooms->fine;
+    CHECK(is_trimmed(trim_from(realtime, flight, rooms->trim, rooms->realtime)));
+    CHECK_NEAR(rooms->realtime.state.pitch, rooms->fine.state.pitch, 0.02 * kRadian<double>);
+    CHECK_NEAR(rooms->realtime.collective_root, rooms->fine.collective_root, 0.02 * kRadian<double>);
+
+    const double half_weight = fine.setup.mass * kGravity<double> / 2;
+    evaluate(fine, rooms->fine.state, rooms->fine.controls, rooms->evaluation);
+    const RotorLoads<double> exact = rooms->evaluation.rotor[right].loads;
+    evaluate(realtime, rooms->fine.state, rooms->fine.controls, rooms->evaluation);
+    const RotorLoads<double> found = rooms->evaluation.rotor[right].loads;
+    CHECK_NEAR(found.force.z, exact.force.z, 1e-3 * half_weight);
+    CHECK_REL(found.torque, exact.torque, 6e-3);
+
+    const auto a = rigid_eigenvalues(fine, rooms->fine, *rooms);
+    const auto b = rigid_eigenvalues(realtime, rooms->realtime, *rooms);
+    double worst = 0;
+    for (int i = 0; i < kRigidStates; ++i) {
+      double nearest = 1e9;
+      for (int j = 0; j < kRigidStates; ++j)
+        nearest = std::fmin(nearest, std::hypot(a.real[i] - b.real[j], a.imag[i] - b.imag[j]));
+      worst = std::fmax(worst, nearest / std::fmax(std::hypot(a.real[i], a.imag[i]), 0.05));
+    }
+    CHECK_LE(worst, 0.02);
+    NOTE("mast " << mast << ", " << speed << " m/s: thrust " << 100 * (found.force.z - exact.force.z) / half_weight
+                 << " % of half the weight, worst rigid-body eigenvalue " << 100 * worst << " %");
+  }
+}
+
+}  // namespace
