@@ -38,17 +38,12 @@ bool is_one_line(const std::string& text) { return std::count(text.begin(), text
 TEST(cli_interrupted_run_keeps_the_earlier_result) {
   const ScratchFolder folder;
   const std::string file = folder.write("trims.csv", "an earlier result\n");
-  const struct {
-    const char* signal;
-    const char* status;
-  } ends[] = {{"TERM", "status 143\n"}, {"HUP", "status 129\n"}};
-  for (const auto& end : ends) {
-    const ProgramResult result = interrupted(long_sweep + (" --output " + file), end.signal);
-    CHECK(says(result, end.status));
-    CHECK(says(result, "tiltrotor: interrupted"));
-    CHECK_EQ(folder.read("trims.csv"), "an earlier result\n");
-    CHECK_EQ(folder.files(), 1);
-  }
+  // TERM: a program started by nohup, as some runners do, is deaf to HUP.
+  const ProgramResult result = interrupted(long_sweep + (" --output " + file), "TERM");
+  CHECK(says(result, "status 143\n"));
+  CHECK(says(result, "tiltrotor: interrupted"));
+  CHECK_EQ(folder.read("trims.csv"), "an earlier result\n");
+  CHECK_EQ(folder.files(), 1);
   const ProgramResult killed = interrupted(long_sweep + (" --output " + file), "KILL");
   CHECK(says(killed, "status 137\n"));
   CHECK_EQ(folder.read("trims.csv"), "an earlier result\n");  // not even this harms it
