@@ -1,10 +1,11 @@
-// Convergence of the blade grid: how far thrust, torque, trim and the rigid-body eigenvalues of a grid stand from those of
-// a fine one, over the trim set, for mid-point and Gauss-Legendre stations. Writes grid_convergence.csv to the directory
-// given, build/bench by default.
+// Convergence of the blade grid: how far thrust, torque, trim and the rigid-body eigenvalues of a grid stand
+// from those of a fine one, over the trim set, for mid-point and Gauss-Legendre stations. Writes
+// grid_convergence.csv to the directory given, build/bench by default.
 //
-// Thrust and torque: at the state trimmed on the fine grid, over half the weight and over the fine value. Trim: largest change of pitch attitude
-// and collective. Eigenvalues: of the rigid-body model with quasi-steady rotors, each against the closest one, over its
-// size or kSlow, whichever is larger (a slower mode has no meaning in flight, and a zero has no percentage).
+// Thrust and torque: at the state trimmed on the fine grid, over half the weight and over the fine value.
+// Trim: largest change of pitch attitude and collective. Eigenvalues: of the rigid-body model with
+// quasi-steady rotors, each against the closest one, over its size or kSlow, whichever is larger (a slower
+// mode has no meaning in flight, and a zero has no percentage).
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -27,7 +28,7 @@ constexpr double kSlow = 0.05;  // rad/s
 struct MastSpeeds {
   double mast_deg, first, last, step;
 };
-constexpr MastSpeeds kTrimSet[] = {{0, 0, 50, 5},   {15, 0, 60, 10},  {30, 10, 60, 10}, {45, 20, 70, 10},
+constexpr MastSpeeds kTrimSet[] = {{0, 0, 50, 5},    {15, 0, 60, 10},   {30, 10, 60, 10}, {45, 20, 70, 10},
                                    {60, 40, 80, 10}, {75, 50, 100, 10}, {90, 70, 130, 10}};
 constexpr Quadrature kFine = {RadialRule::midpoint, {12, 24, 20, 16, 4, 4}, 48};
 
@@ -76,7 +77,7 @@ struct Spectrum {
 
 struct Flight {
   double mast_deg, speed;
-  TrimResult<double> trim;   // on the fine grid
+  TrimResult<double> trim;  // on the fine grid
   double thrust[2], torque[2];
   Spectrum spectrum;
 };
@@ -151,8 +152,8 @@ Errors errors(const Quadrature& q, const std::vector<Flight>& flights, Workspace
       continue;
     }
     e.pitch = std::max(e.pitch, std::fabs(trim.state.pitch - flight.trim.state.pitch) * kDegree<double>);
-    e.collective =
-        std::max(e.collective, std::fabs(trim.collective_root - flight.trim.collective_root) * kDegree<double>);
+    e.collective = std::max(e.collective,
+                            std::fabs(trim.collective_root - flight.trim.collective_root) * kDegree<double>);
     const Spectrum s = rigid_spectrum(c, trim, work);
     const double d = s.ok ? distance(flight.spectrum, s) : 1;
     e.each_eigenvalue.push_back(d);
@@ -204,9 +205,11 @@ int main(int argc, char** argv) {
   csv << "rule,radial,azimuth,elements,thrust_error_percent,torque_error_percent,trim_pitch_error_deg,"
          "trim_collective_error_deg,eigenvalue_error_mean_percent,eigenvalue_error_ninth_decile_percent,"
          "eigenvalue_error_worst_percent,worst_mast_deg,worst_speed_mps,lost_trims\n";
-  std::printf("Blade grid against 80 x 48 stations, %zu trimmed flights: worst errors; eigenvalues mean, 90 %% and worst\n"
-              "stations                     elements  thrust %%  torque %%  pitch deg  coll. deg  eigenvalues %%\n",
-              flights.size());
+  std::printf(
+      "Blade grid against 80 x 48 stations, %zu trimmed flights: worst errors; eigenvalues mean, 90 %% and "
+      "worst\n"
+      "stations                     elements  thrust %%  torque %%  pitch deg  coll. deg  eigenvalues %%\n",
+      flights.size());
   for (const Quadrature& q : kCandidates) {
     const Errors e = errors(q, flights, *work);
     int radial = 0;
@@ -217,14 +220,14 @@ int main(int argc, char** argv) {
     }
     const int elements = 2 * radial * q.azimuth;
     const std::string rule = q.rule == RadialRule::gauss ? "gauss" : "midpoint";
-    std::printf("%-8s %-13s x %-2d  %5d  %8.3f  %8.3f  %9.4f  %9.4f  %6.2f %6.2f %6.2f (%g, %g)%s\n", rule.c_str(),
-                split.c_str(), q.azimuth, elements, 100 * e.thrust, 100 * e.torque, e.pitch, e.collective,
-                100 * mean(e.each_eigenvalue), 100 * ninth_decile(e.each_eigenvalue), 100 * e.eigenvalue, e.mast_deg,
-                e.speed, e.lost > 0 ? " some trims lost" : "");
+    std::printf("%-8s %-13s x %-2d  %5d  %8.3f  %8.3f  %9.4f  %9.4f  %6.2f %6.2f %6.2f (%g, %g)%s\n",
+                rule.c_str(), split.c_str(), q.azimuth, elements, 100 * e.thrust, 100 * e.torque, e.pitch,
+                e.collective, 100 * mean(e.each_eigenvalue), 100 * ninth_decile(e.each_eigenvalue),
+                100 * e.eigenvalue, e.mast_deg, e.speed, e.lost > 0 ? " some trims lost" : "");
     csv << rule << ',' << split << ',' << q.azimuth << ',' << elements << ',' << 100 * e.thrust << ','
-        << 100 * e.torque << ',' << e.pitch << ',' << e.collective << ',' << 100 * mean(e.each_eigenvalue) << ','
-        << 100 * ninth_decile(e.each_eigenvalue) << ',' << 100 * e.eigenvalue << ',' << e.mast_deg << ',' << e.speed
-        << ',' << e.lost << '\n';
+        << 100 * e.torque << ',' << e.pitch << ',' << e.collective << ',' << 100 * mean(e.each_eigenvalue)
+        << ',' << 100 * ninth_decile(e.each_eigenvalue) << ',' << 100 * e.eigenvalue << ',' << e.mast_deg
+        << ',' << e.speed << ',' << e.lost << '\n';
   }
   return csv ? 0 : 1;
 }

@@ -22,7 +22,8 @@ class CsvFile {
     while (std::getline(file, line)) {
       if (line.empty()) continue;
       rows_.push_back(cells(line));
-      if (rows_.back().size() != header_.size()) throw std::runtime_error(name + ": row of wrong length: " + line);
+      if (rows_.back().size() != header_.size())
+        throw std::runtime_error(name + ": row of wrong length: " + line);
     }
   }
 

@@ -32,8 +32,8 @@ inline std::string quoted(const std::string& word) {
   return result + "'";
 }
 
-/// Command that starts a program the build made: built("tiltrotor"). Programs of another machine need an emulator
-/// before them; the table generator is always one of this machine.
+/// Command that starts a program the build made: built("tiltrotor"). Programs of another machine need an
+/// emulator before them; the table generator is always one of this machine.
 inline std::string built(const std::string& name) {
   const std::string path = quoted(std::string(TILTROTOR_BINARY_DIR "/") + name);
   const std::string runner = TILTROTOR_RUNNER;

@@ -51,8 +51,9 @@ fuzz: ## SECONDS=60 of mutated input for every reader, solver and the C interfac
 	fi
 
 fuzzers: $(FUZZ_TARGETS:%=$(BUILD)/fuzz_%)
-$(FUZZ_TARGETS:%=$(BUILD)/fuzz_%): $(BUILD)/fuzz_%: \
-  $(BUILD)/tests/fuzz/test_%.o $(PROGRAM_PARTS) $(TABLEGEN_PARTS) $(BUILD)/libtiltrotor.a
+$(BUILD)/fuzz_tables: $(TABLEGEN_PARTS)
+$(BUILD)/fuzz_command_line $(BUILD)/fuzz_state_file: $(PROGRAM_PARTS)
+$(FUZZ_TARGETS:%=$(BUILD)/fuzz_%): $(BUILD)/fuzz_%: $(BUILD)/tests/fuzz/test_%.o $(BUILD)/libtiltrotor.a
 	$(link)
 	$(Q)$(CXX) $(FLAGS) $(LDFLAGS) -fsanitize=fuzzer $(filter %.o %.a,$^) $(LDLIBS) -o $@
 
@@ -62,13 +63,13 @@ COVERAGE_CXX ?= clang++
 coverage: ## statement and branch coverage of include/ and src/ by all tests, with what is not covered
 	+$(Q)if ! $(COVERAGE_CXX) -print-prog-name=llvm-cov 2>/dev/null | xargs -r test -x; then \
 	  echo "coverage: $(COVERAGE_CXX) with llvm-cov is not installed, nothing measured"; else \
-	  $(MAKE) BUILD=$(BUILD)/coverage CXX=$(COVERAGE_CXX) HOST_CXX=$(COVERAGE_CXX) ARCH= COVERAGE_CXX=$(COVERAGE_CXX) \
+	  LLVM_PROFILE_FILE='$(abspath $(BUILD))/coverage/profiles/%2m.profraw' $(MAKE) BUILD=$(BUILD)/coverage CXX=$(COVERAGE_CXX) HOST_CXX=$(COVERAGE_CXX) ARCH= COVERAGE_CXX=$(COVERAGE_CXX) \
 	    CXXFLAGS='$(mapped)' HOST_CXXFLAGS='$(mapped)' coverage-measured; fi
 mapped = -O1 -fprofile-instr-generate -fcoverage-mapping $(if $(MCDC),-fcoverage-mcdc)
 
 coverage-measured: all $(BUILD)/run_tests
 	$(Q)rm -rf $(BUILD)/profiles
-	$(Q)LLVM_PROFILE_FILE='$(abspath $(BUILD))/profiles/%2m.profraw' $(BUILD)/run_tests $(TESTS)
+	$(Q)$(BUILD)/run_tests $(TESTS)
 	$(Q)tests/coverage/report.sh $(COVERAGE_CXX) $(BUILD)
 
 # ---- requirements ----

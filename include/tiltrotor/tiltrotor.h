@@ -9,20 +9,20 @@
  *   tr_trim(&sim, &work, &flight, NULL);
  *   for (;;) tr_step(&sim, &work, 0.005);
  *
- * Memory: the caller owns all of it. No function allocates, keeps a pointer, does input or output, or writes a global
- * variable; two aircraft never disturb each other. Threads may run at once on different tr_sim with different tr_work.
- * One tr_work serves any number of aircraft that take turns.
+ * Memory: the caller owns all of it. No function allocates, keeps a pointer, does input or output, or writes
+ * a global variable; two aircraft never disturb each other. Threads may run at once on different tr_sim with
+ * different tr_work. One tr_work serves any number of aircraft that take turns.
  *
- * Errors: every function that can fail returns a tr_status. When it is not TR_OK, outputs are untouched unless the
- * function says otherwise, and the aircraft is as it was. Null pointers, NaN, infinities, short arrays, numbers out of
- * range, a wrong version and an aircraft that is not initialised are all found and reported. The content of a tr_sim
- * that a call of tr_init has filled must not be written by anything else.
+ * Errors: every function that can fail returns a tr_status. When it is not TR_OK, outputs are untouched
+ * unless the function says otherwise, and the aircraft is as it was. Null pointers, NaN, infinities, short
+ * arrays, numbers out of range, a wrong version and an aircraft that is not initialised are all found and
+ * reported. The content of a tr_sim that a call of tr_init has filled must not be written by anything else.
  *
- * Units: SI and radians unless the name says otherwise. Body axes x forward, y right, z down; attitude 3-2-1 Euler;
- * velocity relative to the air mass. Right rotor first.
+ * Units: SI and radians unless the name says otherwise. Body axes x forward, y right, z down; attitude 3-2-1
+ * Euler; velocity relative to the air mass. Right rotor first.
  *
- * Costs are worst cases, in evaluations of the equations of motion ("derivatives") and of their Jacobian. A derivative
- * is constant work: the same for every state but for the branches of table searches.
+ * Costs are worst cases, in evaluations of the equations of motion ("derivatives") and of their Jacobian. A
+ * derivative is constant work: the same for every state but for the branches of table searches.
  *
  * Define TR_SINGLE_PRECISION to use a library built with PRECISION=single: tr_real is then float. */
 #ifndef TILTROTOR_TILTROTOR_H
@@ -42,7 +42,8 @@ typedef float tr_real;
 #define TR_WORK_SIZE 90112
 #else
 typedef double tr_real;
-/* Changes when a program must be compiled again: interface in the upper half, bytes of a tr_real in the lower. */
+/* Changes when a program must be compiled again: interface in the upper half, bytes of a tr_real in the
+ * lower. */
 #define TR_API_VERSION 0x00010008u
 #define TR_SIM_SIZE 6144    /* bytes */
 #define TR_WORK_SIZE 147456 /* bytes */
@@ -98,31 +99,45 @@ typedef struct tr_setup {
   tr_real cg_station_m;  /* station of the centre of gravity at mast 0, 7..8; default 301.2 in */
 } tr_setup;
 
-/* States in the order of tr_state.x. Inflow over tip speed; flapping and inflow in each rotor's mirrored frame. */
+/* States in the order of tr_state.x. Inflow over tip speed; flapping and inflow in each rotor's mirrored
+ * frame. */
 enum {
-  TR_U, TR_V, TR_W,                   /* m/s */
-  TR_P, TR_Q, TR_R,                   /* rad/s */
-  TR_ROLL, TR_PITCH, TR_YAW,          /* rad */
-  TR_ROTOR_RIGHT = 9,                 /* b1c b1s (rad), their rates (rad/s), n0 nc ns */
-  TR_ROTOR_LEFT = 16,                 /* the same */
-  TR_DOWNWASH = 23,                   /* at the tail, rad */
-  TR_CONING_RIGHT = 24,               /* angle (rad), rate (rad/s) */
+  TR_U,
+  TR_V,
+  TR_W, /* m/s */
+  TR_P,
+  TR_Q,
+  TR_R, /* rad/s */
+  TR_ROLL,
+  TR_PITCH,
+  TR_YAW,               /* rad */
+  TR_ROTOR_RIGHT = 9,   /* b1c b1s (rad), their rates (rad/s), n0 nc ns */
+  TR_ROTOR_LEFT = 16,   /* the same */
+  TR_DOWNWASH = 23,     /* at the tail, rad */
+  TR_CONING_RIGHT = 24, /* angle (rad), rate (rad/s) */
   TR_CONING_LEFT = 26,
-  TR_NORTH = 28, TR_EAST, TR_DOWN,    /* position relative to the air mass, m */
+  TR_NORTH = 28,
+  TR_EAST,
+  TR_DOWN, /* position relative to the air mass, m */
   TR_STATES = 31
 };
 
 /* Controls in the order of tr_state.u, with the ranges tr_set_controls accepts. */
 enum {
-  TR_COLLECTIVE,                      /* mean blade pitch at 0.75 radius, rad, -0.35..1.4 */
-  TR_LONG_STICK, TR_LAT_STICK,        /* in from neutral, + forward and right, within 4.8 */
-  TR_PEDAL,                           /* in from neutral, + right, within 2.5 */
-  TR_LONG_CYCLIC,                     /* increments on blades and surfaces, rad, within 0.5: */
+  TR_COLLECTIVE, /* mean blade pitch at 0.75 radius, rad, -0.35..1.4 */
+  TR_LONG_STICK,
+  TR_LAT_STICK,   /* in from neutral, + forward and right, within 4.8 */
+  TR_PEDAL,       /* in from neutral, + right, within 2.5 */
+  TR_LONG_CYCLIC, /* increments on blades and surfaces, rad, within 0.5: */
   TR_DIFF_COLLECTIVE,
   TR_DIFF_LONG_CYCLIC,
-  TR_ELEVATOR, TR_AILERON, TR_RUDDER,
+  TR_ELEVATOR,
+  TR_AILERON,
+  TR_RUDDER,
   TR_LATERAL_CYCLIC,
-  TR_GUST_U, TR_GUST_V, TR_GUST_W,    /* velocity of the air mass, body axes, m/s, within 50 */
+  TR_GUST_U,
+  TR_GUST_V,
+  TR_GUST_W, /* velocity of the air mass, body axes, m/s, within 50 */
   TR_CONTROLS = 14
 };
 
@@ -136,12 +151,12 @@ typedef struct tr_state {
 
 /* Fills `setup` with the defaults for a tr_aircraft and a mast angle, 0..90 deg.
  * TR_WRONG_VERSION, TR_BAD_ARGUMENT, TR_OUT_OF_RANGE. Cost: a few assignments. */
-tr_status tr_default_setup(tr_setup *setup, uint32_t version, int32_t aircraft, tr_real mast_deg);
+tr_status tr_default_setup(tr_setup* setup, uint32_t version, int32_t aircraft, tr_real mast_deg);
 
 /* Makes an aircraft at rest: all states and controls zero, time zero. `version` is TR_API_VERSION.
  * With TR_WRONG_VERSION `sim` is untouched; with TR_BAD_ARGUMENT and TR_OUT_OF_RANGE it is not initialised.
  * Cost: 1 derivative. */
-tr_status tr_init(tr_sim *sim, uint32_t version, const tr_setup *setup);
+tr_status tr_init(tr_sim* sim, uint32_t version, const tr_setup* setup);
 
 /* Bytes the library really uses, for tools that place memory: at most TR_SIM_SIZE and TR_WORK_SIZE. */
 size_t tr_sim_size(void);
@@ -149,43 +164,44 @@ size_t tr_work_size(void);
 
 /* ---- flying ---- */
 
-/* Sets the first `length` controls (1..TR_CONTROLS), in force from the next step; the others keep their value.
- * One bad number and none is set. TR_NOT_FINITE, TR_OUT_OF_RANGE, TR_BAD_ARGUMENT. Cost: a few comparisons. */
-tr_status tr_set_controls(tr_sim *sim, const tr_real *controls, size_t length);
+/* Sets the first `length` controls (1..TR_CONTROLS), in force from the next step; the others keep their
+ * value. One bad number and none is set. TR_NOT_FINITE, TR_OUT_OF_RANGE, TR_BAD_ARGUMENT. Cost: a few
+ * comparisons. */
+tr_status tr_set_controls(tr_sim* sim, const tr_real* controls, size_t length);
 
 /* One step of 0 < dt <= 0.02 s by the classical Runge-Kutta method, controls held.
  * TR_OUT_OF_RANGE (dt, or the flight has diverged), TR_NOT_FINITE: the aircraft stays where it was.
  * Cost: 4 derivatives. */
-tr_status tr_step(tr_sim *sim, tr_work *work, tr_real dt);
+tr_status tr_step(tr_sim* sim, tr_work* work, tr_real dt);
 
 /* Snapshot and restore. tr_set_state accepts finite states of |velocity| <= 300 m/s, |rates| <= 20 rad/s,
- * |roll| <= 1000 rad, |pitch| <= 89.5 deg, |angles and inflow| <= 2, |their rates| <= 200 rad/s, |controls| <= 100.
- * TR_NOT_FINITE, TR_OUT_OF_RANGE. Cost: a copy. */
-tr_status tr_get_state(const tr_sim *sim, tr_state *state);
-tr_status tr_set_state(tr_sim *sim, const tr_state *state);
+ * |roll| <= 1000 rad, |pitch| <= 89.5 deg, |angles and inflow| <= 2, |their rates| <= 200 rad/s, |controls|
+ * <= 100. TR_NOT_FINITE, TR_OUT_OF_RANGE. Cost: a copy. */
+tr_status tr_get_state(const tr_sim* sim, tr_state* state);
+tr_status tr_set_state(tr_sim* sim, const tr_state* state);
 
 /* Time derivative of the state, for integrators of your own: rates[i] belongs to x[i]; `length` >= TR_STATES.
  * TR_SHORT_BUFFER; TR_NOT_FINITE (rates are then as computed). Cost: 1 derivative. */
-tr_status tr_derivative(const tr_sim *sim, tr_real *rates, size_t length);
+tr_status tr_derivative(const tr_sim* sim, tr_real* rates, size_t length);
 
 typedef struct tr_outputs {
   double time_s;
   tr_real airspeed_mps;
-  tr_real angle_of_attack_rad, sideslip_rad;   /* of the body; 0 at rest */
-  tr_real specific_force_mps2[3];              /* at the centre of gravity, body axes: what an accelerometer reads */
-  tr_real load_factor;                         /* -specific force z over gravity */
+  tr_real angle_of_attack_rad, sideslip_rad; /* of the body; 0 at rest */
+  tr_real specific_force_mps2[3]; /* at the centre of gravity, body axes: what an accelerometer reads */
+  tr_real load_factor;            /* -specific force z over gravity */
   tr_real climb_rate_mps;
-  tr_real thrust_n[2];                         /* resultant force of a rotor on its hub */
+  tr_real thrust_n[2]; /* resultant force of a rotor on its hub */
   tr_real torque_nm[2];
-  tr_real power_w[2];                          /* shaft power */
-  tr_real collective_rad[2];                   /* blade pitch at 0.75 radius */
+  tr_real power_w[2];        /* shaft power */
+  tr_real collective_rad[2]; /* blade pitch at 0.75 radius */
   tr_real long_cyclic_rad[2];
   tr_real gimbal_tilt_rad[2];
   tr_real elevator_rad, aileron_rad, rudder_rad;
 } tr_outputs;
 
 /* What an instrument would read now. TR_NOT_FINITE (outputs are then as computed). Cost: 1 derivative. */
-tr_status tr_get_outputs(const tr_sim *sim, tr_outputs *outputs);
+tr_status tr_get_outputs(const tr_sim* sim, tr_outputs* outputs);
 
 /* ---- trim ---- */
 
@@ -204,10 +220,11 @@ typedef struct tr_trim_result {
 } tr_trim_result;
 
 /* Puts the aircraft in steady flight: state, controls and time 0. With TR_WING_STALL, TR_CONTROL_LIMIT and
- * TR_FLAP_LIMIT too: the equations are fulfilled, a limit is exceeded. Otherwise (TR_NOT_CONVERGED, TR_SINGULAR,
- * TR_NOT_FINITE, TR_OUT_OF_RANGE) the aircraft stays as it was. `result` may be NULL; it is filled whenever the
- * aircraft is initialised. Cost: 3 to 9 Jacobians as a rule, at most about 450 with 13 derivatives each. */
-tr_status tr_trim(tr_sim *sim, tr_work *work, const tr_flight *flight, tr_trim_result *result);
+ * TR_FLAP_LIMIT too: the equations are fulfilled, a limit is exceeded. Otherwise (TR_NOT_CONVERGED,
+ * TR_SINGULAR, TR_NOT_FINITE, TR_OUT_OF_RANGE) the aircraft stays as it was. `result` may be NULL; it is
+ * filled whenever the aircraft is initialised. Cost: 3 to 9 Jacobians as a rule, at most about 450 with 13
+ * derivatives each. */
+tr_status tr_trim(tr_sim* sim, tr_work* work, const tr_flight* flight, tr_trim_result* result);
 
 /* ---- linear model and modes ---- */
 
@@ -228,48 +245,50 @@ typedef struct tr_linear_shape {
 } tr_linear_shape;
 
 /* A = df/dx and B = df/du at the present state and controls, exact, by rows without gaps: a[i * states + j].
- * Heading and position are left out. `columns` is a tr_columns. `shape` comes first and is filled with TR_SHORT_BUFFER too: call with lengths 0
- * to learn the sizes. `b` may be NULL with length 0 when only A is wanted and the columns are still counted.
- * The aircraft is not changed. TR_SHORT_BUFFER; TR_NOT_FINITE (a and b are then as computed).
- * Cost: 1 Jacobian (2 with TR_ALL_CONTROLS). */
-tr_status tr_linearize(const tr_sim *sim, tr_work *work, int32_t columns, tr_linear_shape *shape, tr_real *a,
-                       size_t a_length, tr_real *b, size_t b_length);
+ * Heading and position are left out. `columns` is a tr_columns. `shape` comes first and is filled with
+ * TR_SHORT_BUFFER too: call with lengths 0 to learn the sizes. `b` may be NULL with length 0 when only A is
+ * wanted and the columns are still counted. The aircraft is not changed. TR_SHORT_BUFFER; TR_NOT_FINITE (a
+ * and b are then as computed). Cost: 1 Jacobian (2 with TR_ALL_CONTROLS). */
+tr_status tr_linearize(const tr_sim* sim, tr_work* work, int32_t columns, tr_linear_shape* shape, tr_real* a,
+                       size_t a_length, tr_real* b, size_t b_length);
 
-/* Eigenvalues of any real square matrix of order n (1..TR_MAX_LINEAR_STATES) given by rows. `real` and `imag` hold at
- * least n numbers (`length`). With TR_NOT_CONVERGED those not found are NaN. TR_NOT_FINITE, TR_SHORT_BUFFER.
- * Cost: about 10 n^3 multiplications, at most 30 n sweeps. */
-tr_status tr_eigenvalues(tr_work *work, const tr_real *a, size_t n, tr_real *real, tr_real *imag, size_t length);
+/* Eigenvalues of any real square matrix of order n (1..TR_MAX_LINEAR_STATES) given by rows. `real` and `imag`
+ * hold at least n numbers (`length`). With TR_NOT_CONVERGED those not found are NaN. TR_NOT_FINITE,
+ * TR_SHORT_BUFFER. Cost: about 10 n^3 multiplications, at most 30 n sweeps. */
+tr_status tr_eigenvalues(tr_work* work, const tr_real* a, size_t n, tr_real* real, tr_real* imag,
+                         size_t length);
 
 typedef struct tr_mode {
   tr_real real, imag;      /* eigenvalue, 1/s; imag >= 0, a conjugate pair is one mode */
   tr_real frequency_radps; /* |eigenvalue| */
   tr_real damping_ratio;
-  tr_real time_to_half_s;  /* negative: time to double */
-  char name[32];           /* short_period, dutch_roll, flap_regressing_sym, ... */
+  tr_real time_to_half_s; /* negative: time to double */
+  char name[32];          /* short_period, dutch_roll, flap_regressing_sym, ... */
 } tr_mode;
 
-/* Modes of a linear model made by tr_linearize, longitudinal ones first. `capacity` of shape->states is always enough;
- * *count is the number found, with TR_SHORT_BUFFER the number needed.
- * TR_NOT_CONVERGED, TR_NOT_FINITE, TR_SHORT_BUFFER. Cost: about 25 n^3 multiplications. */
-tr_status tr_modes(tr_work *work, const tr_linear_shape *shape, const tr_real *a, size_t a_length, tr_mode *modes,
-                   size_t capacity, size_t *count);
+/* Modes of a linear model made by tr_linearize, longitudinal ones first. `capacity` of shape->states is
+ * always enough; *count is the number found, with TR_SHORT_BUFFER the number needed. TR_NOT_CONVERGED,
+ * TR_NOT_FINITE, TR_SHORT_BUFFER. Cost: about 25 n^3 multiplications. */
+tr_status tr_modes(tr_work* work, const tr_linear_shape* shape, const tr_real* a, size_t a_length,
+                   tr_mode* modes, size_t capacity, size_t* count);
 
 /* ---- words and hashes ---- */
 
 /* Never NULL; "unknown" and "" for a number out of range. */
-const char *tr_status_word(int32_t status);
-const char *tr_status_text(int32_t status);
-const char *tr_state_name(int32_t index);
-const char *tr_state_unit(int32_t index);
-const char *tr_control_name(int32_t index);
-const char *tr_control_unit(int32_t index);
-const char *tr_version(void); /* of the library, "0.1.0" */
+const char* tr_status_word(int32_t status);
+const char* tr_status_text(int32_t status);
+const char* tr_state_name(int32_t index);
+const char* tr_state_unit(int32_t index);
+const char* tr_control_name(int32_t index);
+const char* tr_control_unit(int32_t index);
+const char* tr_version(void); /* of the library, "0.1.0" */
 
 #define TR_HASH_START UINT64_C(14695981039346656037)
 
-/* Continues *hash (begin with TR_HASH_START) over the bits of `length` numbers: FNV-1a, least significant byte first on
- * every machine. Equal hashes of two flights: they agree bit for bit. Cost: 8 multiplications a number. */
-tr_status tr_hash(const tr_real *numbers, size_t length, uint64_t *hash);
+/* Continues *hash (begin with TR_HASH_START) over the bits of `length` numbers: FNV-1a, least significant
+ * byte first on every machine. Equal hashes of two flights: they agree bit for bit. Cost: 8 multiplications a
+ * number. */
+tr_status tr_hash(const tr_real* numbers, size_t length, uint64_t* hash);
 
 #ifdef __cplusplus
 }

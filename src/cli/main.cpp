@@ -59,7 +59,8 @@ int run(std::vector<std::string> words) {
 
 int main(int count, char** arguments) {
   using namespace tiltrotor::cli;
-  // A reader that leaves early and a file that may not grow shall be errors of writing with a message, not a silent death.
+  // A reader that leaves early and a file that may not grow shall be errors of writing with a message, not a
+  // silent death.
   std::signal(SIGPIPE, SIG_IGN);
   std::signal(SIGXFSZ, SIG_IGN);
   clean_up_when_interrupted();

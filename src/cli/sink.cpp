@@ -51,7 +51,8 @@ std::FILE* open_unfinished(const std::string& path) {
 // Gives the file its name, or removes it when `name` is empty or cannot be given; errno tells why.
 bool settle(const std::string& path, const std::string& name) {
   const SignalsWait wait;
-  unfinished_files.erase(std::remove(unfinished_files.begin(), unfinished_files.end(), path), unfinished_files.end());
+  unfinished_files.erase(std::remove(unfinished_files.begin(), unfinished_files.end(), path),
+                         unfinished_files.end());
   if (!name.empty() && std::rename(path.c_str(), name.c_str()) == 0) return true;
   const int why = errno;
   std::remove(path.c_str());

@@ -14,7 +14,8 @@ std::vector<std::string> split(std::string_view text, char separator);
 // Throws UsageError "<where>: ..." for an empty range and for values outside `range`.
 std::vector<double> parse_sweep(std::string_view text, const std::string& where, const Range& range);
 
-// All combinations of sweeps of these sizes stand in memory: throws UsageError "<command>: ..." for more than a million.
+// All combinations of sweeps of these sizes stand in memory: throws UsageError "<command>: ..." for more than
+// a million.
 void require_few(const std::string& command, const std::vector<std::size_t>& sizes);
 
 }  // namespace tiltrotor::cli

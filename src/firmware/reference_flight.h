@@ -1,5 +1,6 @@
-/* The reference flight: trim, then 3 s at 200 Hz with A, B and the eigenvalues of A at every frame, through the C
- * interface alone. The same source runs on a workstation and on a microcontroller; its output is compared line by line. */
+/* The reference flight: trim, then 3 s at 200 Hz with A, B and the eigenvalues of A at every frame, through
+ * the C interface alone. The same source runs on a workstation and on a microcontroller; its output is
+ * compared line by line. */
 #ifndef TILTROTOR_REFERENCE_FLIGHT_H
 #define TILTROTOR_REFERENCE_FLIGHT_H
 
@@ -7,13 +8,15 @@
 
 #define REFERENCE_FRAMES 600
 
-typedef void (*text_sink)(const char *text);
+typedef void (*text_sink)(const char* text);
 
-/* Prints the flight to `write`; returns 0, or 1 when a call failed (it is named in the output). Needs no C library. */
+/* Prints the flight to `write`; returns 0, or 1 when a call failed (it is named in the output). Needs no C
+ * library. */
 int reference_flight(text_sink write, int frames);
 
-/* "name value\n", 12 significant digits by integer arithmetic: the same text on every machine for the same number. */
-void write_number(text_sink write, const char *name, double number);
-void write_count(text_sink write, const char *name, uint64_t count);
+/* "name value\n", 12 significant digits by integer arithmetic: the same text on every machine for the same
+ * number. */
+void write_number(text_sink write, const char* name, double number);
+void write_count(text_sink write, const char* name, uint64_t count);
 
 #endif

@@ -17,8 +17,9 @@ using R = tr_real;
 using Setup = FlightSetup<R>;
 
 static_assert(int{TR_STATES} == state_count && int{TR_CONTROLS} == control_count);
-static_assert(int{TR_ROLL} == ix_roll && int{TR_ROTOR_RIGHT} == ix_rotor_right && int{TR_ROTOR_LEFT} == ix_rotor_left &&
-              int{TR_DOWNWASH} == ix_downwash && int{TR_CONING_LEFT} == ix_coning_left && int{TR_NORTH} == ix_position);
+static_assert(int{TR_ROLL} == ix_roll && int{TR_ROTOR_RIGHT} == ix_rotor_right &&
+              int{TR_ROTOR_LEFT} == ix_rotor_left && int{TR_DOWNWASH} == ix_downwash &&
+              int{TR_CONING_LEFT} == ix_coning_left && int{TR_NORTH} == ix_position);
 static_assert(int{TR_PEDAL} == iu_pedal && int{TR_ELEVATOR} == iu_elevator && int{TR_GUST_U} == iu_gust);
 static_assert(int{TR_MAX_LINEAR_STATES} == kMaxLinearStates);
 
@@ -37,7 +38,8 @@ struct Sim {
 static_assert(sizeof(Sim) <= sizeof(tr_sim) && alignof(Sim) <= alignof(tr_sim));
 static_assert(std::is_trivially_copyable_v<Sim>, "a snapshot is a copy of the bytes");
 
-// One group of members at a time. The explicit integrator needs no Jacobian, hence the small workspace of NumDiff.
+// One group of members at a time. The explicit integrator needs no Jacobian, hence the small workspace of
+// NumDiff.
 struct StepRoom {
   SimulationWorkspace<R, NumDiff> workspace;
   Simulation<R> simulation;
@@ -90,28 +92,42 @@ tr_status check(const tr_sim* sim) {
 
 tr_status translated(Status status) {
   switch (status) {
-    case Status::ok: return TR_OK;
-    case Status::not_converged: return TR_NOT_CONVERGED;
-    case Status::singular: return TR_SINGULAR;
-    case Status::not_finite: return TR_NOT_FINITE;
-    case Status::out_of_range: return TR_OUT_OF_RANGE;
+    case Status::ok:
+      return TR_OK;
+    case Status::not_converged:
+      return TR_NOT_CONVERGED;
+    case Status::singular:
+      return TR_SINGULAR;
+    case Status::not_finite:
+      return TR_NOT_FINITE;
+    case Status::out_of_range:
+      return TR_OUT_OF_RANGE;
     case Status::bad_argument:
-    case Status::count: break;
+    case Status::count:
+      break;
   }
   return TR_BAD_ARGUMENT;
 }
 
 tr_status translated(TrimStatus status) {
   switch (status) {
-    case TrimStatus::ok: return TR_OK;
-    case TrimStatus::wing_stall: return TR_WING_STALL;
-    case TrimStatus::control_limit: return TR_CONTROL_LIMIT;
-    case TrimStatus::flap_limit: return TR_FLAP_LIMIT;
-    case TrimStatus::not_converged: return TR_NOT_CONVERGED;
-    case TrimStatus::singular: return TR_SINGULAR;
-    case TrimStatus::not_finite: return TR_NOT_FINITE;
+    case TrimStatus::ok:
+      return TR_OK;
+    case TrimStatus::wing_stall:
+      return TR_WING_STALL;
+    case TrimStatus::control_limit:
+      return TR_CONTROL_LIMIT;
+    case TrimStatus::flap_limit:
+      return TR_FLAP_LIMIT;
+    case TrimStatus::not_converged:
+      return TR_NOT_CONVERGED;
+    case TrimStatus::singular:
+      return TR_SINGULAR;
+    case TrimStatus::not_finite:
+      return TR_NOT_FINITE;
     case TrimStatus::out_of_range:
-    case TrimStatus::count: break;
+    case TrimStatus::count:
+      break;
   }
   return TR_OUT_OF_RANGE;
 }
@@ -159,8 +175,8 @@ Range control_range(std::size_t control) {
   return control < TR_GUST_U ? increment : gust;
 }
 
-constexpr R kLongestStep = R(0.02);      // s; the progressing flapping mode sets it
-constexpr R kLargestControl = R(100);    // of a restored state: trims beyond the stops included
+constexpr R kLongestStep = R(0.02);    // s; the progressing flapping mode sets it
+constexpr R kLargestControl = R(100);  // of a restored state: trims beyond the stops included
 
 bool in_bounds(const tr_state& state) {
   for (int i = 0; i < TR_STATES; ++i)
@@ -184,10 +200,14 @@ bool choice(Options& options, const tr_setup& setup) {
 // nullptr for an unknown choice.
 const ControlSet* control_set(std::int32_t columns) {
   switch (columns) {
-    case TR_INCEPTORS: return &kInceptors;
-    case TR_BLADE_CONTROLS: return &kBladeControls;
-    case TR_ALL_CONTROLS: return &kAllControls;
-    default: return nullptr;
+    case TR_INCEPTORS:
+      return &kInceptors;
+    case TR_BLADE_CONTROLS:
+      return &kBladeControls;
+    case TR_ALL_CONTROLS:
+      return &kAllControls;
+    default:
+      return nullptr;
   }
 }
 
@@ -202,7 +222,8 @@ bool plausible(const tr_linear_shape& shape) {
   }
   for (int i = ix_rotor_right; i < ix_rotor_left; ++i)
     if (seen[i] != seen[i + (ix_rotor_left - ix_rotor_right)]) return false;
-  return seen[ix_coning_right] == seen[ix_coning_left] && seen[ix_coning_right + 1] == seen[ix_coning_left + 1];
+  return seen[ix_coning_right] == seen[ix_coning_left] &&
+         seen[ix_coning_right + 1] == seen[ix_coning_left + 1];
 }
 
 constexpr std::size_t entries(int rows, int columns) {
@@ -392,7 +413,8 @@ tr_status tr_trim(tr_sim* sim, tr_work* work, const tr_flight* flight, tr_trim_r
   if (work == nullptr || flight == nullptr) return TR_BAD_ARGUMENT;
   Sim& s = *opened(sim);
   TrimRoom& room = place<TrimRoom>(work);
-  const SteadyFlight<R> wanted = {flight->speed_mps, flight->climb_rad, flight->turn_rate_radps, flight->sideslip_rad};
+  const SteadyFlight<R> wanted = {flight->speed_mps, flight->climb_rad, flight->turn_rate_radps,
+                                  flight->sideslip_rad};
   const TrimStatus status = trim(s.configuration, wanted, room.workspace, room.result);
   if (result != nullptr) {
     result->iterations = room.result.iterations;
@@ -439,7 +461,8 @@ tr_status tr_linearize(const tr_sim* sim, tr_work* work, int32_t columns, tr_lin
   return translated(status);
 }
 
-tr_status tr_eigenvalues(tr_work* work, const tr_real* a, size_t n, tr_real* real, tr_real* imag, size_t length) {
+tr_status tr_eigenvalues(tr_work* work, const tr_real* a, size_t n, tr_real* real, tr_real* imag,
+                         size_t length) {
   if (work == nullptr || a == nullptr || real == nullptr || imag == nullptr) return TR_BAD_ARGUMENT;
   if (n < 1 || n > kMaxLinearStates) return TR_BAD_ARGUMENT;
   if (length < n) return TR_SHORT_BUFFER;
@@ -457,8 +480,8 @@ tr_status tr_eigenvalues(tr_work* work, const tr_real* a, size_t n, tr_real* rea
   return translated(status);
 }
 
-tr_status tr_modes(tr_work* work, const tr_linear_shape* shape, const tr_real* a, size_t a_length, tr_mode* modes,
-                   size_t capacity, size_t* count) {
+tr_status tr_modes(tr_work* work, const tr_linear_shape* shape, const tr_real* a, size_t a_length,
+                   tr_mode* modes, size_t capacity, size_t* count) {
   if (work == nullptr || shape == nullptr || a == nullptr || modes == nullptr || count == nullptr)
     return TR_BAD_ARGUMENT;
   if (!plausible(*shape)) return TR_BAD_ARGUMENT;
@@ -501,7 +524,9 @@ const char* tr_status_text(int32_t status) {
 const char* tr_state_name(int32_t index) {
   return index >= 0 && index < TR_STATES ? kStateNames[index].name : "unknown";
 }
-const char* tr_state_unit(int32_t index) { return index >= 0 && index < TR_STATES ? kStateNames[index].unit : ""; }
+const char* tr_state_unit(int32_t index) {
+  return index >= 0 && index < TR_STATES ? kStateNames[index].unit : "";
+}
 const char* tr_control_name(int32_t index) {
   return index >= 0 && index < TR_CONTROLS ? kControlNames[index].name : "unknown";
 }

@@ -1,5 +1,6 @@
-// The real-time blade grid against a fine one (80 x 48 stations) at a few trimmed flights: thrust and torque at the same
-// state, trim, and the eigenvalues of the rigid-body model. bench/grid_convergence.cpp does the same over the trim set.
+// The real-time blade grid against a fine one (80 x 48 stations) at a few trimmed flights: thrust and torque
+// at the same state, trim, and the eigenvalues of the rigid-body model. bench/grid_convergence.cpp does the
+// same over the trim set.
 #include <cmath>
 #include <memory>
 
@@ -34,8 +35,8 @@ Configuration<double> configuration(double mast_deg, bool realtime) {
   return c;
 }
 
-Eigenvalues<double, kMaxLinearStates> rigid_eigenvalues(const Configuration<double>& c, const TrimResult<double>& at,
-                                                        Rooms& rooms) {
+Eigenvalues<double, kMaxLinearStates> rigid_eigenvalues(const Configuration<double>& c,
+                                                        const TrimResult<double>& at, Rooms& rooms) {
   Eigenvalues<double, kMaxLinearStates> values{};
   CHECK(linearize(c, at.state, at.controls, kInceptors, rooms.linearization, rooms.full) == Status::ok);
   CHECK(residualise(rooms.full, rooms.residualisation, rooms.reduced) == Status::ok);
@@ -45,7 +46,8 @@ Eigenvalues<double, kMaxLinearStates> rigid_eigenvalues(const Configuration<doub
 
 TEST(realtime_grid_keeps_its_bounds) {
   const auto rooms = std::make_unique<Rooms>();
-  constexpr double flights[][2] = {{0, 0}, {0, 35}, {30, 40}, {60, 60}, {75, 80}, {90, 100}};  // mast deg, m/s
+  constexpr double flights[][2] = {{0, 0},   {0, 35},  {30, 40},
+                                   {60, 60}, {75, 80}, {90, 100}};  // mast deg, m/s
   for (const auto& [mast, speed] : flights) {
     const Configuration<double> fine = configuration(mast, false);
     const Configuration<double> realtime = configuration(mast, true);
@@ -76,7 +78,8 @@ TEST(realtime_grid_keeps_its_bounds) {
       worst = std::fmax(worst, nearest / std::fmax(std::hypot(a.real[i], a.imag[i]), 0.05));
     }
     CHECK_LE(worst, 0.02);
-    NOTE("mast " << mast << ", " << speed << " m/s: thrust " << 100 * (found.force.z - exact.force.z) / half_weight
+    NOTE("mast " << mast << ", " << speed << " m/s: thrust "
+                 << 100 * (found.force.z - exact.force.z) / half_weight
                  << " % of half the weight, worst rigid-body eigenvalue " << 100 * worst << " %");
   }
 }

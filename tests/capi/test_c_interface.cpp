@@ -1,5 +1,5 @@
-// The C interface: every error is found and leaves the outputs alone, results are those of the C++ analyses bit for
-// bit, a copied struct replays exactly, and aircraft do not disturb each other.
+// The C interface: every error is found and leaves the outputs alone, results are those of the C++ analyses
+// bit for bit, a copied struct replays exactly, and aircraft do not disturb each other.
 #include <cstring>
 #include <limits>
 #include <memory>
@@ -97,8 +97,8 @@ bool same_flight(const Flight& a, const Flight& b) {
 TEST(capi_sizes) {
   CHECK_LE(tr_sim_size(), sizeof(tr_sim));
   CHECK_LE(tr_work_size(), sizeof(tr_work));
-  NOTE("tr_sim uses " << tr_sim_size() << " of " << sizeof(tr_sim) << " bytes, tr_work " << tr_work_size() << " of "
-                      << sizeof(tr_work));
+  NOTE("tr_sim uses " << tr_sim_size() << " of " << sizeof(tr_sim) << " bytes, tr_work " << tr_work_size()
+                      << " of " << sizeof(tr_work));
 }
 
 TEST(capi_words) {
@@ -147,8 +147,9 @@ TEST(capi_init_errors) {
     change(setup);
     return setup;
   };
-  const tr_setup unknown[] = {with([](tr_setup& s) { s.aircraft = 0; }), with([](tr_setup& s) { s.grid = 0; }),
-                              with([](tr_setup& s) { s.tables = 9; }), with([](tr_setup& s) { s.coning_states = 2; })};
+  const tr_setup unknown[] = {with([](tr_setup& s) { s.aircraft = 0; }),
+                              with([](tr_setup& s) { s.grid = 0; }), with([](tr_setup& s) { s.tables = 9; }),
+                              with([](tr_setup& s) { s.coning_states = 2; })};
   for (const tr_setup& setup : unknown) {
     sim = sim_at(0);
     CHECK_EQ(tr_init(&sim, TR_API_VERSION, &setup), TR_BAD_ARGUMENT);
@@ -186,8 +187,9 @@ TEST(capi_calls_before_init) {
     CHECK_EQ(tr_derivative(&sim, numbers, TR_STATES), TR_NOT_INITIALIZED);
     CHECK_EQ(tr_get_outputs(&sim, &outputs), TR_NOT_INITIALIZED);
     CHECK_EQ(tr_trim(&sim, work.get(), &flight, nullptr), TR_NOT_INITIALIZED);
-    CHECK_EQ(tr_linearize(&sim, work.get(), TR_INCEPTORS, &shape, numbers, max_states * max_states, nullptr, 0),
-             TR_NOT_INITIALIZED);
+    CHECK_EQ(
+        tr_linearize(&sim, work.get(), TR_INCEPTORS, &shape, numbers, max_states * max_states, nullptr, 0),
+        TR_NOT_INITIALIZED);
     CHECK(same_bits(sim, before));
   }
 }
@@ -205,11 +207,20 @@ TEST(capi_null_pointers) {
   std::size_t count = 0;
   std::uint64_t hash = TR_HASH_START;
   const tr_status statuses[] = {
-      tr_set_controls(nullptr, numbers, 4), tr_set_controls(&sim, nullptr, 4), tr_step(nullptr, work.get(), dt),
-      tr_step(&sim, nullptr, dt), tr_get_state(nullptr, &state), tr_get_state(&sim, nullptr),
-      tr_set_state(nullptr, &state), tr_set_state(&sim, nullptr), tr_derivative(nullptr, numbers, room),
-      tr_derivative(&sim, nullptr, TR_STATES), tr_get_outputs(&sim, nullptr), tr_get_outputs(nullptr, nullptr),
-      tr_trim(nullptr, work.get(), &flight, nullptr), tr_trim(&sim, nullptr, &flight, nullptr),
+      tr_set_controls(nullptr, numbers, 4),
+      tr_set_controls(&sim, nullptr, 4),
+      tr_step(nullptr, work.get(), dt),
+      tr_step(&sim, nullptr, dt),
+      tr_get_state(nullptr, &state),
+      tr_get_state(&sim, nullptr),
+      tr_set_state(nullptr, &state),
+      tr_set_state(&sim, nullptr),
+      tr_derivative(nullptr, numbers, room),
+      tr_derivative(&sim, nullptr, TR_STATES),
+      tr_get_outputs(&sim, nullptr),
+      tr_get_outputs(nullptr, nullptr),
+      tr_trim(nullptr, work.get(), &flight, nullptr),
+      tr_trim(&sim, nullptr, &flight, nullptr),
       tr_trim(&sim, work.get(), nullptr, nullptr),
       tr_linearize(nullptr, work.get(), TR_INCEPTORS, &shape, numbers, room, nullptr, 0),
       tr_linearize(&sim, nullptr, TR_INCEPTORS, &shape, numbers, room, nullptr, 0),
@@ -218,11 +229,17 @@ TEST(capi_null_pointers) {
       tr_linearize(&sim, work.get(), TR_INCEPTORS, &shape, numbers, room, nullptr, room),
       tr_linearize(&sim, work.get(), 0, &shape, numbers, room, nullptr, 0),
       tr_linearize(&sim, work.get(), 99, &shape, numbers, room, nullptr, 0),
-      tr_eigenvalues(nullptr, numbers, 2, numbers, numbers, 2), tr_eigenvalues(work.get(), nullptr, 2, numbers, numbers, 2),
-      tr_eigenvalues(work.get(), numbers, 2, nullptr, numbers, 2), tr_eigenvalues(work.get(), numbers, 2, numbers, nullptr, 2),
-      tr_modes(nullptr, &shape, numbers, room, modes, 27, &count), tr_modes(work.get(), nullptr, numbers, room, modes, 27, &count),
-      tr_modes(work.get(), &shape, nullptr, room, modes, 27, &count), tr_modes(work.get(), &shape, numbers, room, nullptr, 27, &count),
-      tr_modes(work.get(), &shape, numbers, room, modes, 27, nullptr), tr_hash(nullptr, 1, &hash), tr_hash(numbers, 1, nullptr)};
+      tr_eigenvalues(nullptr, numbers, 2, numbers, numbers, 2),
+      tr_eigenvalues(work.get(), nullptr, 2, numbers, numbers, 2),
+      tr_eigenvalues(work.get(), numbers, 2, nullptr, numbers, 2),
+      tr_eigenvalues(work.get(), numbers, 2, numbers, nullptr, 2),
+      tr_modes(nullptr, &shape, numbers, room, modes, 27, &count),
+      tr_modes(work.get(), nullptr, numbers, room, modes, 27, &count),
+      tr_modes(work.get(), &shape, nullptr, room, modes, 27, &count),
+      tr_modes(work.get(), &shape, numbers, room, nullptr, 27, &count),
+      tr_modes(work.get(), &shape, numbers, room, modes, 27, nullptr),
+      tr_hash(nullptr, 1, &hash),
+      tr_hash(numbers, 1, nullptr)};
   for (const tr_status status : statuses) CHECK_EQ(status, TR_BAD_ARGUMENT);
   CHECK(same_bits(sim, before));
   CHECK_EQ(hash, TR_HASH_START);
@@ -231,9 +248,9 @@ TEST(capi_null_pointers) {
 TEST(capi_bad_controls_set_nothing) {
   tr_sim sim = trimmed_sim(0, 20);
   const tr_sim before = sim;
-  const tr_real limits[TR_CONTROLS] = {tr_real(1.4), tr_real(4.8), tr_real(4.8), tr_real(2.5), tr_real(0.5),
-                                       tr_real(0.5), tr_real(0.5), tr_real(0.5), tr_real(0.5), tr_real(0.5),
-                                       tr_real(0.5), 50,           50,           50};
+  const tr_real limits[TR_CONTROLS] = {
+      tr_real(1.4), tr_real(4.8), tr_real(4.8), tr_real(2.5), tr_real(0.5), tr_real(0.5), tr_real(0.5),
+      tr_real(0.5), tr_real(0.5), tr_real(0.5), tr_real(0.5), 50,           50,           50};
   for (std::size_t j = 0; j < TR_CONTROLS; ++j) {
     tr_real u[TR_CONTROLS] = {tr_real(0.1), tr_real(0.1)};
     for (const tr_real bad : {kNan, kInfinity, -kInfinity}) {
@@ -258,7 +275,8 @@ TEST(capi_bad_steps_move_nothing) {
   tr_sim sim = trimmed_sim(0, 20);
   const tr_sim before = sim;
   const auto work = new_work();
-  for (const tr_real bad : {kNan, kInfinity, -kInfinity}) CHECK_EQ(tr_step(&sim, work.get(), bad), TR_NOT_FINITE);
+  for (const tr_real bad : {kNan, kInfinity, -kInfinity})
+    CHECK_EQ(tr_step(&sim, work.get(), bad), TR_NOT_FINITE);
   for (const tr_real bad : {tr_real(0), -tr_real(0), tr_real(-0.005), tr_real(0.0201), tr_real(1e30)})
     CHECK_EQ(tr_step(&sim, work.get(), bad), TR_OUT_OF_RANGE);
   CHECK(same_bits(sim, before));
@@ -291,8 +309,9 @@ TEST(capi_bad_flights_leave_the_aircraft_alone) {
   tr_sim sim = trimmed_sim(0, 20);
   const tr_sim before = sim;
   const auto work = new_work();
-  const tr_flight bad[] = {{kNan, 0, 0, 0}, {20, kNan, 0, 0},  {20, 0, kNan, 0},   {20, 0, 0, kNan}, {-1, 0, 0, 0},
-                           {151, 0, 0, 0}, {20, -2, 0, 0},   {20, 0, kInfinity, 0}, {20, 0, 0, 2}, {kInfinity, 0, 0, 0}};
+  const tr_flight bad[] = {{kNan, 0, 0, 0}, {20, kNan, 0, 0},    {20, 0, kNan, 0}, {20, 0, 0, kNan},
+                           {-1, 0, 0, 0},   {151, 0, 0, 0},      {20, -2, 0, 0},   {20, 0, kInfinity, 0},
+                           {20, 0, 0, 2},   {kInfinity, 0, 0, 0}};
   for (const tr_flight& flight : bad) {
     tr_trim_result result;
     result.text[0] = '\0';
@@ -338,8 +357,10 @@ TEST(capi_short_buffers) {
   const std::size_t m = 4;
   std::vector<tr_real> a(n * n, 7);
   std::vector<tr_real> b(n * m, 7);
-  CHECK_EQ(tr_linearize(&sim, work.get(), TR_INCEPTORS, &shape, a.data(), n * n - 1, b.data(), n * m), TR_SHORT_BUFFER);
-  CHECK_EQ(tr_linearize(&sim, work.get(), TR_INCEPTORS, &shape, a.data(), n * n, b.data(), n * m - 1), TR_SHORT_BUFFER);
+  CHECK_EQ(tr_linearize(&sim, work.get(), TR_INCEPTORS, &shape, a.data(), n * n - 1, b.data(), n * m),
+           TR_SHORT_BUFFER);
+  CHECK_EQ(tr_linearize(&sim, work.get(), TR_INCEPTORS, &shape, a.data(), n * n, b.data(), n * m - 1),
+           TR_SHORT_BUFFER);
   CHECK(a.front() == 7 && a.back() == 7 && b.front() == 7 && b.back() == 7);
   CHECK_EQ(tr_linearize(&sim, work.get(), TR_INCEPTORS, &shape, a.data(), n * n, b.data(), n * m), TR_OK);
   CHECK(a.back() != 7 && b.back() != 7);
@@ -356,7 +377,8 @@ TEST(capi_short_buffers) {
 
   std::vector<tr_mode> modes(max_states);
   std::size_t count = 0;
-  CHECK_EQ(tr_modes(work.get(), &shape, a.data(), n * n - 1, modes.data(), modes.size(), &count), TR_SHORT_BUFFER);
+  CHECK_EQ(tr_modes(work.get(), &shape, a.data(), n * n - 1, modes.data(), modes.size(), &count),
+           TR_SHORT_BUFFER);
   CHECK_EQ(tr_modes(work.get(), &shape, a.data(), n * n, modes.data(), 3, &count), TR_SHORT_BUFFER);
   CHECK(count > 3 && count <= n);
   CHECK_EQ(tr_modes(work.get(), &shape, a.data(), n * n, modes.data(), count, &count), TR_OK);
@@ -376,17 +398,23 @@ TEST(capi_bad_matrices) {
   tr_mode modes[TR_MAX_LINEAR_STATES];
   std::size_t count = 0;
   CHECK_EQ(tr_eigenvalues(work.get(), broken.data(), 23, real, imag, max_states), TR_NOT_FINITE);
-  CHECK_EQ(tr_modes(work.get(), &shape, broken.data(), broken.size(), modes, max_states, &count), TR_NOT_FINITE);
+  CHECK_EQ(tr_modes(work.get(), &shape, broken.data(), broken.size(), modes, max_states, &count),
+           TR_NOT_FINITE);
   const auto with = [&shape](auto&& change) {
     tr_linear_shape changed = shape;
     change(changed);
     return changed;
   };
-  const tr_linear_shape bad[] = {
-      with([](tr_linear_shape& s) { s.states = 0; }),        with([](tr_linear_shape& s) { s.states = 28; }),
-      with([](tr_linear_shape& s) { s.states = -1; }),       with([](tr_linear_shape& s) { s.state[3] = -1; }),
-      with([](tr_linear_shape& s) { s.state[3] = 1000; }),   with([](tr_linear_shape& s) { s.state[3] = s.state[4]; }),
-      with([](tr_linear_shape& s) { s.state[22] = TR_YAW; s.state[21] = TR_DOWN; })};
+  const tr_linear_shape bad[] = {with([](tr_linear_shape& s) { s.states = 0; }),
+                                 with([](tr_linear_shape& s) { s.states = 28; }),
+                                 with([](tr_linear_shape& s) { s.states = -1; }),
+                                 with([](tr_linear_shape& s) { s.state[3] = -1; }),
+                                 with([](tr_linear_shape& s) { s.state[3] = 1000; }),
+                                 with([](tr_linear_shape& s) { s.state[3] = s.state[4]; }),
+                                 with([](tr_linear_shape& s) {
+                                   s.state[22] = TR_YAW;
+                                   s.state[21] = TR_DOWN;
+                                 })};
   for (const tr_linear_shape& b : bad)
     CHECK_EQ(tr_modes(work.get(), &b, a.data(), a.size(), modes, max_states, &count), TR_BAD_ARGUMENT);
 }
@@ -421,7 +449,8 @@ TEST(capi_agrees_with_the_analyses) {
     tr_linear_shape shape;
     std::vector<tr_real> a(max_states * max_states);
     std::vector<tr_real> b(max_states * TR_CONTROLS);
-    CHECK_EQ(tr_linearize(&sim, work.get(), TR_ALL_CONTROLS, &shape, a.data(), a.size(), b.data(), b.size()), TR_OK);
+    CHECK_EQ(tr_linearize(&sim, work.get(), TR_ALL_CONTROLS, &shape, a.data(), a.size(), b.data(), b.size()),
+             TR_OK);
     CHECK_EQ(shape.states, model->states);
     bool same = true;
     const auto n = static_cast<std::size_t>(model->states);
@@ -544,7 +573,8 @@ TEST(capi_misplaced_work) {
 }
 
 TEST(capi_hash) {
-  // FNV-1a of the bytes of 1.0 (double 00..f03f, float 0000803f), computed by hand with the published constants.
+  // FNV-1a of the bytes of 1.0 (double 00..f03f, float 0000803f), computed by hand with the published
+  // constants.
   std::uint64_t expected = TR_HASH_START;
   const unsigned char tail[] = {0xf0, 0x3f};
   const unsigned char tail_single[] = {0x80, 0x3f};
@@ -569,19 +599,23 @@ TEST(slow_capi_a_minute_under_control) {
   for (int k = 0; k < 60 * 200 && errors == 0; ++k) {
     tr_real u[4];
     std::memcpy(u, trimmed.u, sizeof u);
-    const auto held = [](tr_real x, tr_real low, tr_real high) { return x < low ? low : x > high ? high : x; };
+    const auto held = [](tr_real x, tr_real low, tr_real high) {
+      return x < low ? low : x > high ? high : x;
+    };
     const tr_real roll_wanted = tr_real(0.1) * tr_real((k / 4000) % 3 - 1);
-    u[TR_COLLECTIVE] += held(tr_real(0.01) * (state.x[TR_W] - trimmed.x[TR_W]), tr_real(-0.05), tr_real(0.05));
-    u[TR_LONG_STICK] = held(u[TR_LONG_STICK] + 8 * (state.x[TR_PITCH] - trimmed.x[TR_PITCH]) + 5 * state.x[TR_Q],
-                            tr_real(-4.8), tr_real(4.8));
-    u[TR_LAT_STICK] = held(u[TR_LAT_STICK] - 4 * (state.x[TR_ROLL] - roll_wanted) - 3 * state.x[TR_P], tr_real(-4.8),
-                           tr_real(4.8));
+    u[TR_COLLECTIVE] +=
+        held(tr_real(0.01) * (state.x[TR_W] - trimmed.x[TR_W]), tr_real(-0.05), tr_real(0.05));
+    u[TR_LONG_STICK] =
+        held(u[TR_LONG_STICK] + 8 * (state.x[TR_PITCH] - trimmed.x[TR_PITCH]) + 5 * state.x[TR_Q],
+             tr_real(-4.8), tr_real(4.8));
+    u[TR_LAT_STICK] = held(u[TR_LAT_STICK] - 4 * (state.x[TR_ROLL] - roll_wanted) - 3 * state.x[TR_P],
+                           tr_real(-4.8), tr_real(4.8));
     u[TR_PEDAL] = held(u[TR_PEDAL] - 2 * state.x[TR_R], tr_real(-2.5), tr_real(2.5));
     if (tr_set_controls(&sim, u, 4) != TR_OK || tr_step(&sim, work.get(), dt) != TR_OK) ++errors;
     if (tr_get_state(&sim, &state) != TR_OK) ++errors;
   }
   CHECK_EQ(errors, 0);
   CHECK_NEAR(state.time_s, 60, 1e-6);
-  NOTE("after " << state.time_s << " s: u " << state.x[TR_U] << " m/s, pitch " << state.x[TR_PITCH] << " rad, "
-                << state.steps << " steps, " << errors << " errors");
+  NOTE("after " << state.time_s << " s: u " << state.x[TR_U] << " m/s, pitch " << state.x[TR_PITCH]
+                << " rad, " << state.steps << " steps, " << errors << " errors");
 }

@@ -1,5 +1,6 @@
-// Runs that end early: interrupted, out of room, without a reader, in a folder that refuses, or two at once in one
-// place. Each says so in one line with the right exit status; results of earlier runs stay, and nothing is left behind.
+// Runs that end early: interrupted, out of room, without a reader, in a folder that refuses, or two at once
+// in one place. Each says so in one line with the right exit status; results of earlier runs stay, and
+// nothing is left behind.
 #include <algorithm>
 #include <filesystem>
 
@@ -18,9 +19,10 @@ namespace {
 const std::string program = built("tiltrotor");
 constexpr const char* long_sweep = " trim --mast 0:1:90 --speed 0:0.5:150 --format csv";
 
-// Starts a program, sends it a signal after a moment, and tells how it ended. (Not SIGINT: to it, shells start jobs in
-// the background deaf.)
-ProgramResult interrupted(const std::string& arguments, const std::string& signal, const std::string& after = "0.3") {
+// Starts a program, sends it a signal after a moment, and tells how it ended. (Not SIGINT: to it, shells
+// start jobs in the background deaf.)
+ProgramResult interrupted(const std::string& arguments, const std::string& signal,
+                          const std::string& after = "0.3") {
   return run_program(program + arguments + " & child=$!; sleep " + after + "; kill -s " + signal +
                      " $child; wait $child; echo status $? >&2");
 }
@@ -59,8 +61,10 @@ TEST(cli_interrupted_report_keeps_the_earlier_report) {
 }
 
 TEST(cli_run_in_the_background_of_a_closed_terminal_goes_on) {
-  const ProgramResult result = run_program("trap '' HUP; " + program + " trim --speed 0:5:50 --format csv & child=$!; kill -s HUP $child; "
-                                           "wait $child; echo status $? >&2");
+  const ProgramResult result =
+      run_program("trap '' HUP; " + program +
+                  " trim --speed 0:5:50 --format csv & child=$!; kill -s HUP $child; "
+                  "wait $child; echo status $? >&2");
   CHECK(says(result, "status 0\n"));
 }
 
@@ -85,8 +89,9 @@ TEST(cli_file_that_may_not_grow_is_reported) {
 
 TEST(cli_every_command_reports_a_full_disk_and_a_closed_pipe) {
   for (const char* command :
-       {"trim --mast 90 --speed 60:1:90", "modes --mast 90 --speed 80", "linearize --mast 90 --speed 80 --format json",
-        "respond --speed 40 --duration 0.5", "loads --mast 90 --speed 80", "rotor", "conventions", "version", "--help"}) {
+       {"trim --mast 90 --speed 60:1:90", "modes --mast 90 --speed 80",
+        "linearize --mast 90 --speed 80 --format json", "respond --speed 40 --duration 0.5",
+        "loads --mast 90 --speed 80", "rotor", "conventions", "version", "--help"}) {
     const ProgramResult full = run_tiltrotor(std::string(command) + " >/dev/full");
     const bool passed = full.exit_status == 1 && is_one_line(full.err) && says(full, "No space left");
     if (!CHECK(passed)) NOTE(command << ": exit " << full.exit_status);
@@ -102,8 +107,8 @@ TEST(cli_folder_that_refuses_is_named) {
   folder.write("file", "");
   // The superuser may write anywhere: for it a folder below a file refuses as well.
   const std::string refuses = geteuid() == 0 ? folder.path("file/below") : folder.path("closed/below");
-  for (const std::string& arguments :
-       {"trim --output " + refuses + "/x.csv", "report --output " + refuses, "respond --matrices " + refuses}) {
+  for (const std::string& arguments : {"trim --output " + refuses + "/x.csv", "report --output " + refuses,
+                                       "respond --matrices " + refuses}) {
     const ProgramResult result = run_tiltrotor(arguments);
     CHECK_EQ(result.exit_status, 2);
     CHECK(is_one_line(result.err) && says(result, refuses));
@@ -116,8 +121,9 @@ TEST(cli_two_runs_with_one_file_leave_one_whole_result) {
   const std::string sweep = " trim --mast 0 --speed 0:0.5:50 --format csv";
   const std::string expected = run_program(program + sweep).out;
   const std::string file = folder.path("trims.csv");
-  const ProgramResult result = run_program(program + sweep + " --output " + file + " & first=$!; " + program + sweep +
-                                           " --output " + file + "; second=$?; wait $first; echo $? $second");
+  const ProgramResult result =
+      run_program(program + sweep + " --output " + file + " & first=$!; " + program + sweep + " --output " +
+                  file + "; second=$?; wait $first; echo $? $second");
   CHECK_EQ(result.out, "0 0\n");
   CHECK(folder.read("trims.csv") == expected);
   CHECK_EQ(folder.files(), 1);
@@ -126,7 +132,8 @@ TEST(cli_two_runs_with_one_file_leave_one_whole_result) {
 TEST(slow_cli_two_reports_in_one_folder_leave_one_whole_report) {
   const ScratchFolder folder;
   const std::string report = program + " report --output " + folder.path("both") + " >/dev/null 2>&1";
-  const ProgramResult result = run_program(report + " & first=$!; " + report + "; second=$?; wait $first; echo $? $second");
+  const ProgramResult result =
+      run_program(report + " & first=$!; " + report + "; second=$?; wait $first; echo $? $second");
   CHECK_EQ(result.out, "0 0\n");
   const std::string page = folder.read("both/index.html");
   CHECK(page.find("</html>") != std::string::npos);

@@ -2,9 +2,9 @@
 //
 //   FUZZ_TARGET(name) { fuzz::Bytes in(data, size); ... REQUIRE(condition); }
 //
-// In the test runner it becomes a test that replays the folder corpus/<name> and some thousand random mutations of it
-// (printed seed; the environment variable FUZZ_SECONDS makes it go on for that long). Compiled with
-// -DTILTROTOR_FUZZER it becomes the entry point of clang's libFuzzer: see `make fuzz`.
+// In the test runner it becomes a test that replays the folder corpus/<name> and some thousand random
+// mutations of it (printed seed; the environment variable FUZZ_SECONDS makes it go on for that long).
+// Compiled with -DTILTROTOR_FUZZER it becomes the entry point of clang's libFuzzer: see `make fuzz`.
 #pragma once
 
 #include <cstddef>
@@ -39,9 +39,24 @@ class Bytes {
   }
   /// Any bits, a special value, or a small plain number.
   double number() {
-    static const double special[] = {0.0, -0.0, 1.0, -1.0, 0.5, 1e-320, -1e-320, 1e-300, 1e300, -1e300,
-                                     1.7976931348623157e308, 90, 44330.769, 300, 2, 1.5707963267948966,
-                                     std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(),
+    static const double special[] = {0.0,
+                                     -0.0,
+                                     1.0,
+                                     -1.0,
+                                     0.5,
+                                     1e-320,
+                                     -1e-320,
+                                     1e-300,
+                                     1e300,
+                                     -1e300,
+                                     1.7976931348623157e308,
+                                     90,
+                                     44330.769,
+                                     300,
+                                     2,
+                                     1.5707963267948966,
+                                     std::numeric_limits<double>::quiet_NaN(),
+                                     std::numeric_limits<double>::infinity(),
                                      -std::numeric_limits<double>::infinity()};
     const int kind = byte();
     if (kind < 40) return special[static_cast<std::size_t>(kind) % (sizeof special / sizeof *special)];
@@ -95,20 +110,20 @@ using Target = void (*)(const std::uint8_t* data, std::size_t size);
 
 #ifdef TILTROTOR_FUZZER
 
-#define REQUIRE(...)                                                             \
-  do {                                                                           \
-    if (!(__VA_ARGS__)) {                                                        \
-      std::fprintf(stderr, "%s:%d: " #__VA_ARGS__ "\n", __FILE__, __LINE__);     \
-      std::abort();                                                              \
-    }                                                                            \
+#define REQUIRE(...)                                                         \
+  do {                                                                       \
+    if (!(__VA_ARGS__)) {                                                    \
+      std::fprintf(stderr, "%s:%d: " #__VA_ARGS__ "\n", __FILE__, __LINE__); \
+      std::abort();                                                          \
+    }                                                                        \
   } while (false)
 
-#define FUZZ_TARGET(name)                                                        \
-  static void target_##name(const std::uint8_t* data, std::size_t size);         \
+#define FUZZ_TARGET(name)                                                             \
+  static void target_##name(const std::uint8_t* data, std::size_t size);              \
   extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) { \
-    target_##name(data, size);                                                   \
-    return 0;                                                                    \
-  }                                                                              \
+    target_##name(data, size);                                                        \
+    return 0;                                                                         \
+  }                                                                                   \
   static void target_##name(const std::uint8_t* data, std::size_t size)
 
 #else
@@ -121,9 +136,9 @@ void replay_and_mutate(const std::string& name, Target target);
 
 #define REQUIRE(...) CHECK(__VA_ARGS__)
 
-#define FUZZ_TARGET(name)                                                        \
-  static void target_##name(const std::uint8_t* data, std::size_t size);         \
-  TEST(fuzz_##name) { fuzz::replay_and_mutate(#name, target_##name); }           \
+#define FUZZ_TARGET(name)                                                \
+  static void target_##name(const std::uint8_t* data, std::size_t size); \
+  TEST(fuzz_##name) { fuzz::replay_and_mutate(#name, target_##name); }   \
   static void target_##name(const std::uint8_t* data, std::size_t size)
 
 #endif

@@ -1,5 +1,6 @@
-// Any calls of the C interface, in any order, with any numbers. Two aircraft share a work area; a third stands by and
-// must never change. A call that fails leaves its aircraft and its outputs alone; one that succeeds returns numbers.
+// Any calls of the C interface, in any order, with any numbers. Two aircraft share a work area; a third
+// stands by and must never change. A call that fails leaves its aircraft and its outputs alone; one that
+// succeeds returns numbers.
 #include <cmath>
 
 #include "fuzz/target.hpp"
@@ -38,8 +39,10 @@ tr_setup any_setup(fuzz::Bytes& in) {
                              &setup.mass_kg,  &setup.rotor_radps, &setup.cg_station_m};
   std::int32_t* const word[] = {&setup.aircraft, &setup.grid, &setup.tables, &setup.coning_states};
   for (int changes = in.below(4); changes > 0; --changes) {
-    if (in.below(2) == 0) *number[in.below(6)] = in.number();
-    else *word[in.below(4)] = in.byte() - 2;
+    if (in.below(2) == 0)
+      *number[in.below(6)] = in.number();
+    else
+      *word[in.below(4)] = in.byte() - 2;
   }
   return setup;
 }
@@ -68,7 +71,9 @@ void fly(tr_sim& sim, Room& room, fuzz::Bytes& in) {
   const tr_status status = tr_step(&sim, &room.work, dt);
   REQUIRE(known(status) && (ready || status == TR_NOT_INITIALIZED));
   tr_state after{};
-  if (status == TR_OK) REQUIRE(tr_get_state(&sim, &after) == TR_OK && all_finite(after.x, TR_STATES) && after.steps == before.steps + 1);
+  if (status == TR_OK)
+    REQUIRE(tr_get_state(&sim, &after) == TR_OK && all_finite(after.x, TR_STATES) &&
+            after.steps == before.steps + 1);
 }
 
 void read(const tr_sim& sim, fuzz::Bytes& in) {
@@ -81,18 +86,21 @@ void read(const tr_sim& sim, fuzz::Bytes& in) {
   REQUIRE(rates[TR_STATES] == kUntouched);
   tr_outputs outputs;
   if (tr_get_outputs(&sim, &outputs) == TR_OK)
-    REQUIRE(std::isfinite(outputs.load_factor) && all_finite(outputs.power_w, 2) && std::isfinite(outputs.airspeed_mps));
+    REQUIRE(std::isfinite(outputs.load_factor) && all_finite(outputs.power_w, 2) &&
+            std::isfinite(outputs.airspeed_mps));
 }
 
 void trim(tr_sim& sim, Room& room, fuzz::Bytes& in) {
   const double speeds[] = {0, 40, 80};
   tr_flight flight = {speeds[in.below(3)], 0, 0, 0};
-  tr_real* const number[] = {&flight.speed_mps, &flight.climb_rad, &flight.turn_rate_radps, &flight.sideslip_rad};
+  tr_real* const number[] = {&flight.speed_mps, &flight.climb_rad, &flight.turn_rate_radps,
+                             &flight.sideslip_rad};
   for (int changes = in.below(3); changes > 0; --changes) *number[in.below(4)] = in.number();
   tr_trim_result result{};
   const tr_status status = tr_trim(&sim, &room.work, &flight, in.below(2) == 0 ? &result : nullptr);
   REQUIRE(known(status) && std::memchr(result.text, 0, sizeof result.text) != nullptr);
-  const bool trimmed = status == TR_OK || status == TR_WING_STALL || status == TR_CONTROL_LIMIT || status == TR_FLAP_LIMIT;
+  const bool trimmed =
+      status == TR_OK || status == TR_WING_STALL || status == TR_CONTROL_LIMIT || status == TR_FLAP_LIMIT;
   if (!trimmed) return;
   tr_real rates[TR_STATES];
   REQUIRE(tr_derivative(&sim, rates, TR_STATES) == TR_OK);
@@ -103,12 +111,14 @@ void linearize(const tr_sim& sim, Room& room, fuzz::Bytes& in) {
   const std::size_t a_length = in.below(3) > 0 ? kSquare : 4 * in.byte();
   const std::size_t b_length = in.below(3) > 0 ? sizeof room.b / sizeof *room.b - 1 : in.byte();
   room.a[kSquare] = room.b[sizeof room.b / sizeof *room.b - 1] = kUntouched;
-  const tr_status status = tr_linearize(&sim, &room.work, in.below(5), &room.shape, room.a, a_length, room.b, b_length);
+  const tr_status status =
+      tr_linearize(&sim, &room.work, in.below(5), &room.shape, room.a, a_length, room.b, b_length);
   REQUIRE(known(status));
   room.linear_model = status == TR_OK;
   if (status == TR_OK) {
     const auto n = static_cast<std::size_t>(room.shape.states);
-    REQUIRE(all_finite(room.a, n * n) && all_finite(room.b, n * static_cast<std::size_t>(room.shape.controls)));
+    REQUIRE(all_finite(room.a, n * n) &&
+            all_finite(room.b, n * static_cast<std::size_t>(room.shape.controls)));
   }
   REQUIRE(room.a[kSquare] == kUntouched);
 }
@@ -137,7 +147,8 @@ void find_eigenvalues(Room& room, fuzz::Bytes& in) {
   for (std::size_t i = 0; i < kSquare; ++i) matrix[i] = i < n * n ? in.number() : 0;
   tr_real real[TR_MAX_LINEAR_STATES];
   tr_real imag[TR_MAX_LINEAR_STATES];
-  const tr_status status = tr_eigenvalues(&room.work, matrix, n, real, imag, in.below(4) == 0 ? in.byte() % 28u : 27u);
+  const tr_status status =
+      tr_eigenvalues(&room.work, matrix, n, real, imag, in.below(4) == 0 ? in.byte() % 28u : 27u);
   REQUIRE(known(status));
   if (status == TR_OK) REQUIRE(all_finite(real, n) && all_finite(imag, n));
 }
@@ -153,8 +164,9 @@ void call_with_nothing(Room& room, fuzz::Bytes& in) {
   REQUIRE(tr_eigenvalues(nullptr, nullptr, in.byte(), nullptr, nullptr, 0) != TR_OK);
   REQUIRE(tr_modes(nullptr, nullptr, nullptr, 0, nullptr, 0, nullptr) != TR_OK);
   const auto number = in.raw<std::int32_t>();
-  REQUIRE(tr_status_word(number) != nullptr && tr_status_text(number) != nullptr && tr_state_name(number) != nullptr &&
-          tr_state_unit(number) != nullptr && tr_control_name(number) != nullptr && tr_control_unit(number) != nullptr);
+  REQUIRE(tr_status_word(number) != nullptr && tr_status_text(number) != nullptr &&
+          tr_state_name(number) != nullptr && tr_state_unit(number) != nullptr &&
+          tr_control_name(number) != nullptr && tr_control_unit(number) != nullptr);
 }
 
 }  // namespace
@@ -182,24 +194,36 @@ FUZZ_TARGET(c_interface) {
         const tr_status status = tr_init(&sim, version, &setup);
         if (status == TR_WRONG_VERSION) REQUIRE(std::memcmp(&sim, &before, sizeof sim) == 0);
         tr_state state;
-        if (status == TR_BAD_ARGUMENT || status == TR_OUT_OF_RANGE) REQUIRE(tr_get_state(&sim, &state) == TR_NOT_INITIALIZED);
+        if (status == TR_BAD_ARGUMENT || status == TR_OUT_OF_RANGE)
+          REQUIRE(tr_get_state(&sim, &state) == TR_NOT_INITIALIZED);
         break;
       }
       case 1:
-      case 2: fly(sim, room, in); break;
+      case 2:
+        fly(sim, room, in);
+        break;
       case 3: {
         const tr_state state = any_state(sim, in);
         if (tr_set_state(&sim, &state) != TR_OK) REQUIRE(std::memcmp(&sim, &before, sizeof sim) == 0);
         break;
       }
-      case 4: read(sim, in); break;
+      case 4:
+        read(sim, in);
+        break;
       case 5:
         if (++trims <= 2) trim(sim, room, in);
         break;
-      case 6: linearize(sim, room, in); break;
-      case 7: find_modes(room, in); break;
-      case 8: find_eigenvalues(room, in); break;
-      default: call_with_nothing(room, in);
+      case 6:
+        linearize(sim, room, in);
+        break;
+      case 7:
+        find_modes(room, in);
+        break;
+      case 8:
+        find_eigenvalues(room, in);
+        break;
+      default:
+        call_with_nothing(room, in);
     }
     REQUIRE(std::memcmp(&other, &room.sim[&sim == room.sim ? 1 : 0], sizeof other) == 0);
     REQUIRE(std::memcmp(&bystander, &room.bystander, sizeof bystander) == 0);

@@ -1,5 +1,5 @@
-// Any words after any command, one a line: matched with the options, read as numbers, sweeps, inputs and switches, but
-// not run. Everything that is wrong is a UsageError of one line.
+// Any words after any command, one a line: matched with the options, read as numbers, sweeps, inputs and
+// switches, but not run. Everything that is wrong is a UsageError of one line.
 #include "cli/command.hpp"
 #include "cli/errors.hpp"
 #include "cli/flight_options.hpp"
@@ -14,10 +14,9 @@ namespace {
 using namespace tiltrotor::cli;
 
 const std::vector<Command>& commands() {
-  static const std::vector<Command> all = {trim_command(),    linearize_command(), modes_command(),
-                                           respond_command(), derivative_command(), loads_command(),
-                                           rotor_command(),   report_command(),     conventions_command(),
-                                           version_command()};
+  static const std::vector<Command> all = {
+      trim_command(),  linearize_command(), modes_command(),  respond_command(),     derivative_command(),
+      loads_command(), rotor_command(),     report_command(), conventions_command(), version_command()};
   return all;
 }
 

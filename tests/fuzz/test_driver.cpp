@@ -15,11 +15,12 @@ namespace {
 
 using Input = std::vector<std::uint8_t>;
 constexpr unsigned kSeed = 20260605;
-constexpr int kMutations = 400;       // of the quick run
+constexpr int kMutations = 400;  // of the quick run
 constexpr std::size_t kLongest = 4096;
 
 std::vector<Input> corpus(const std::string& name) {
-  const std::filesystem::path folder = std::filesystem::path(TILTROTOR_SOURCE_DIR "/tests/fuzz/corpus") / name;
+  const std::filesystem::path folder =
+      std::filesystem::path(TILTROTOR_SOURCE_DIR "/tests/fuzz/corpus") / name;
   std::vector<std::filesystem::path> paths;
   std::error_code error;
   for (const auto& entry : std::filesystem::directory_iterator(folder, error)) paths.push_back(entry.path());
@@ -44,18 +45,30 @@ class Mutator {
   }
 
  private:
-  std::size_t below(std::size_t count) { return std::uniform_int_distribution<std::size_t>(0, count - 1)(engine_); }
+  std::size_t below(std::size_t count) {
+    return std::uniform_int_distribution<std::size_t>(0, count - 1)(engine_);
+  }
   std::uint8_t any() { return static_cast<std::uint8_t>(below(256)); }
-  static Input::iterator at(Input& input, std::size_t place) { return input.begin() + static_cast<std::ptrdiff_t>(place); }
+  static Input::iterator at(Input& input, std::size_t place) {
+    return input.begin() + static_cast<std::ptrdiff_t>(place);
+  }
 
   void change(Input& input) {
     const std::size_t place = below(input.size() + 1);
     const std::size_t length = std::min(input.size() - place, 1 + below(16));
     switch (input.empty() ? 2 : below(6)) {
-      case 0: input[place % input.size()] = any(); break;
-      case 1: input[place % input.size()] ^= static_cast<std::uint8_t>(1u << below(8)); break;
-      case 2: input.insert(at(input, place), any()); break;
-      case 3: input.erase(at(input, place), at(input, place + length)); break;
+      case 0:
+        input[place % input.size()] = any();
+        break;
+      case 1:
+        input[place % input.size()] ^= static_cast<std::uint8_t>(1u << below(8));
+        break;
+      case 2:
+        input.insert(at(input, place), any());
+        break;
+      case 3:
+        input.erase(at(input, place), at(input, place + length));
+        break;
       case 4: {  // say it twice
         const Input part(at(input, place), at(input, place + length));
         input.insert(at(input, below(input.size() + 1)), part.begin(), part.end());

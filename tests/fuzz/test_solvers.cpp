@@ -84,18 +84,41 @@ struct Machine {
     T& x = stack[a];
     const T y = stack[b];
     switch (operation) {
-      case 0: x = x + y; break;
-      case 1: x = x - y; break;
-      case 2: x = x * y; break;
-      case 3: x = x / y; break;
-      case 4: x = tiltrotor::sqrt(x); break;
-      case 5: x = tiltrotor::sin(x); break;
-      case 6: x = tiltrotor::cos(x); break;
-      case 7: x = tiltrotor::atan2(x, y); break;
-      case 8: x = -x; break;
-      case 9: x = smooth_step(x); break;
-      case 10: x = smooth_max(x, 0.25, 0.1); break;
-      default: x = lookup(aircraft_data<double>().rotor.section_lift[a], Interpolation::c1, x, y);
+      case 0:
+        x = x + y;
+        break;
+      case 1:
+        x = x - y;
+        break;
+      case 2:
+        x = x * y;
+        break;
+      case 3:
+        x = x / y;
+        break;
+      case 4:
+        x = tiltrotor::sqrt(x);
+        break;
+      case 5:
+        x = tiltrotor::sin(x);
+        break;
+      case 6:
+        x = tiltrotor::cos(x);
+        break;
+      case 7:
+        x = tiltrotor::atan2(x, y);
+        break;
+      case 8:
+        x = -x;
+        break;
+      case 9:
+        x = smooth_step(x);
+        break;
+      case 10:
+        x = smooth_max(x, 0.25, 0.1);
+        break;
+      default:
+        x = lookup(aircraft_data<double>().rotor.section_lift[a], Interpolation::c1, x, y);
     }
   }
 };
@@ -132,7 +155,8 @@ void look_up(fuzz::Bytes& in) {
   const bool number = !std::isnan(x) && !std::isnan(y);
   REQUIRE(!number || entries_finite(found, 3));
   const SineCosine<double> f = sine_cosine(x);
-  REQUIRE(!std::isfinite(x) || std::fabs(x) > 1e8 || std::fabs(f.sine * f.sine + f.cosine * f.cosine - 1) < 1e-15);
+  REQUIRE(!std::isfinite(x) || std::fabs(x) > 1e8 ||
+          std::fabs(f.sine * f.sine + f.cosine * f.cosine - 1) < 1e-15);
 }
 
 }  // namespace
@@ -140,9 +164,16 @@ void look_up(fuzz::Bytes& in) {
 FUZZ_TARGET(solvers) {
   fuzz::Bytes in(data, size);
   switch (in.below(4)) {
-    case 0: solve(in); break;
-    case 1: decompose(in); break;
-    case 2: compute(in); break;
-    default: look_up(in);
+    case 0:
+      solve(in);
+      break;
+    case 1:
+      decompose(in);
+      break;
+    case 2:
+      compute(in);
+      break;
+    default:
+      look_up(in);
   }
 }

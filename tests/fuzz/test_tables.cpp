@@ -29,9 +29,14 @@ FUZZ_TARGET(tables) {
   try {
     tablegen::Entries entries;
     switch (reader) {
-      case 0: check_grid(tablegen::read_grid(path)); break;
-      case 1: entries.read_aircraft(path); break;
-      default: entries.read_choices(path);
+      case 0:
+        check_grid(tablegen::read_grid(path));
+        break;
+      case 1:
+        entries.read_aircraft(path);
+        break;
+      default:
+        entries.read_choices(path);
     }
   } catch (const tablegen::Fault& fault) {
     REQUIRE(fault.file == path && fault.line >= 1 && !fault.message.empty());

@@ -1,4 +1,5 @@
-// One computation with dual numbers, compiled twice: with the compiler's vector types and with portable lanes.
+// One computation with dual numbers, compiled twice: with the compiler's vector types and with portable
+// lanes.
 #pragma once
 
 #include <random>
@@ -8,7 +9,8 @@ namespace lane_program {
 
 constexpr unsigned kSeed = 2718;
 
-// Values and partials of a chain of all operations, from random arguments. `D`: a dual with N partials of type R.
+// Values and partials of a chain of all operations, from random arguments. `D`: a dual with N partials of
+// type R.
 template <class D, class R, int N>
 std::vector<R> results() {
   std::mt19937 engine(kSeed);

@@ -1,5 +1,5 @@
-// One computation on packs: elementary functions, choices and table look-ups, with slopes. Compiled twice, with the
-// compiler's vector types and with portable lanes; whoever includes this says which by then.
+// One computation on packs: elementary functions, choices and table look-ups, with slopes. Compiled twice,
+// with the compiler's vector types and with portable lanes; whoever includes this says which by then.
 #include <vector>
 
 #include "tiltrotor/math/smooth.hpp"
@@ -75,7 +75,8 @@ std::vector<R> pack_results() {
       const D f = formula(sample, mode, D::variable(a, 0), D::variable(b, 1));
       const Pack<R> plain = formula(sample, mode, a, b);
       for (int lane = 0; lane < Pack<R>::kLanes; ++lane) {
-        for (const R x : {plain.get(lane), f.v.get(lane), f.d.get(0).get(lane), f.d.get(1).get(lane)}) out.push_back(x);
+        for (const R x : {plain.get(lane), f.v.get(lane), f.d.get(0).get(lane), f.d.get(1).get(lane)})
+          out.push_back(x);
       }
     }
   }

@@ -1,5 +1,5 @@
-// Dual numbers against algebra, analytic derivatives, complex steps and duals with a single partial, for the lane
-// counts that matter: below, at and beyond one vector, odd and even, double and float.
+// Dual numbers against algebra, analytic derivatives, complex steps and duals with a single partial, for the
+// lane counts that matter: below, at and beyond one vector, odd and even, double and float.
 #include "tiltrotor/math/dual.hpp"
 
 #include <array>
@@ -87,8 +87,8 @@ void check_algebra() {
   }
 }
 
-// A composed function of two variables that uses every operation. Qualified names: for a plain number the global sin
-// would win otherwise.
+// A composed function of two variables that uses every operation. Qualified names: for a plain number the
+// global sin would win otherwise.
 template <class T>
 T composed(const T& x, const T& y) {
   using R = Real<T>;
@@ -98,7 +98,8 @@ T composed(const T& x, const T& y) {
   return c * a - R(2) / (a + b * b) + (x - R(3)) * (R(1) - y) - x / R(7);
 }
 
-// Every partial is that of a dual with this partial alone, bit for bit, and the value that of the plain number.
+// Every partial is that of a dual with this partial alone, bit for bit, and the value that of the plain
+// number.
 template <class R, int N>
 void check_partials_are_independent() {
   Random<R, N> random(kSeed);
@@ -196,8 +197,8 @@ TEST(dual_against_complex_step) {
   }
 }
 
-// Chain rule twice through: the derivative of a derivative is a dual of duals' business, but a gradient along a curve
-// is a sum over the partials.
+// Chain rule twice through: the derivative of a derivative is a dual of duals' business, but a gradient along
+// a curve is a sum over the partials.
 TEST(dual_gradient_along_a_curve) {
   using D = Dual<double, 1>;
   const double t = 0.7;
@@ -221,7 +222,8 @@ TEST(dual_known_value_and_slopes) {
   CHECK_EQ(z.d.get(2), 0.0);
 }
 
-// Points without a derivative are not hidden: the partials are not finite, the value is that of the plain function.
+// Points without a derivative are not hidden: the partials are not finite, the value is that of the plain
+// function.
 TEST(dual_special_points) {
   using D = Dual<double, 3>;
   const D zero = D::variable(0, 0);

@@ -1,5 +1,5 @@
-// Eigenvalues and eigenvectors. Expected values: closed forms (rotations, companion, Toeplitz, Jordan, Clement and
-// circulant matrices), invariants (trace, |A v - lambda v|), exact similarity transforms.
+// Eigenvalues and eigenvectors. Expected values: closed forms (rotations, companion, Toeplitz, Jordan,
+// Clement and circulant matrices), invariants (trace, |A v - lambda v|), exact similarity transforms.
 #include "tiltrotor/math/eigen.hpp"
 
 #include <algorithm>
@@ -63,7 +63,8 @@ double distance(const Eigenvalues<R, N>& values, const std::vector<Cplx>& expect
   return worst;
 }
 
-// Largest of |A v - lambda v|, |A^T conj(w) - lambda conj(w)|, over |A|; checks unit length and pair order on the way.
+// Largest of |A v - lambda v|, |A^T conj(w) - lambda conj(w)|, over |A|; checks unit length and pair order on
+// the way.
 template <class R, int N>
 double residual(const Matrix<R, N, N>& a, int n, const Eigensystem<R, N>& system, double tolerance) {
   double worst = 0.0;
@@ -206,7 +207,8 @@ TEST(eigen_cyclic_permutation) {  // the roots of unity: all shifts fail on it w
 }
 
 TEST(eigen_companion_matrix) {  // (z - 1)(z - 2)(z - 3)(z^2 + 2 z + 5)
-  const double polynomial[5] = {-30.0, 43.0, -18.0, 4.0, -4.0};  // z^5 - 4 z^4 + 4 z^3 - 18 z^2 + 43 z - 30 by hand
+  const double polynomial[5] = {-30.0, 43.0, -18.0, 4.0,
+                                -4.0};  // z^5 - 4 z^4 + 4 z^3 - 18 z^2 + 43 z - 30 by hand
   set_zero(bench.a);
   for (int i = 0; i < 5; ++i) {
     if (i > 0) bench.a(i, i - 1) = 1.0;
@@ -245,13 +247,15 @@ TEST(eigen_participation_does_not_see_units) {  // the same exact scaling leaves
   for (int scaled = 0; scaled < 2; ++scaled) {
     CHECK(eigensystem(bench.a, n, bench.work, bench.system) == Status::ok);
     for (int k = 0; k < n; ++k) {
-      const int place = static_cast<int>(std::count_if(bench.system.values.real, bench.system.values.real + n, [&](double x) {
-        return x < bench.system.values.real[k] - 1e-9;
-      }));
+      const int place =
+          static_cast<int>(std::count_if(bench.system.values.real, bench.system.values.real + n,
+                                         [&](double x) { return x < bench.system.values.real[k] - 1e-9; }));
       for (int i = 0; i < n; ++i) {
         const double p = participation(bench.system, i, k);
-        if (scaled == 0) before[place][i] = p;
-        else CHECK_NEAR(p, before[place][i], 1e-11);
+        if (scaled == 0)
+          before[place][i] = p;
+        else
+          CHECK_NEAR(p, before[place][i], 1e-11);
       }
     }
     for (int i = 0; i < n; ++i)
@@ -259,7 +263,8 @@ TEST(eigen_participation_does_not_see_units) {  // the same exact scaling leaves
   }
 }
 
-TEST(eigen_left_and_right_vectors_are_biorthogonal) {  // w_k^H v_m = 0 for k != m; its size at k = m is 1 / condition
+TEST(eigen_left_and_right_vectors_are_biorthogonal) {  // w_k^H v_m = 0 for k != m; its size at k = m is 1 /
+                                                       // condition
   const int n = 12;
   fill_random(bench.a, n, 8);
   CHECK(eigensystem(bench.a, n, bench.work, bench.system) == Status::ok);
@@ -267,13 +272,17 @@ TEST(eigen_left_and_right_vectors_are_biorthogonal) {  // w_k^H v_m = 0 for k !=
     for (int m = 0; m < n; ++m) {
       Cplx product = 0.0;
       for (int i = 0; i < n; ++i)
-        product += std::conj(number(left_entry(bench.system, i, k))) * number(right_entry(bench.system, i, m));
-      if (k == m) CHECK_REL(std::abs(product), 1.0 / bench.system.condition[k], 1e-12);
-      else CHECK_NEAR(product, Cplx(0.0), 1e-13);
+        product +=
+            std::conj(number(left_entry(bench.system, i, k))) * number(right_entry(bench.system, i, m));
+      if (k == m)
+        CHECK_REL(std::abs(product), 1.0 / bench.system.condition[k], 1e-12);
+      else
+        CHECK_NEAR(product, Cplx(0.0), 1e-13);
     }
 }
 
-TEST(eigen_condition_number_by_hand) {  // [1 c; 0 2]: v = (1 0), w = (1 -c) normalised: condition sqrt(1 + c^2)
+TEST(eigen_condition_number_by_hand) {  // [1 c; 0 2]: v = (1 0), w = (1 -c) normalised: condition sqrt(1 +
+                                        // c^2)
   set_zero(bench.a);
   bench.a(0, 0) = 1.0, bench.a(0, 1) = 40.0, bench.a(1, 1) = 2.0;
   CHECK(eigensystem(bench.a, 2, bench.work, bench.system) == Status::ok);
@@ -305,7 +314,8 @@ TEST(eigen_permuted_triangular) {  // balancing reads the diagonal off: exact, a
   for (int i = 0; i < n; ++i) {
     expected.emplace_back(1.0 + i * i);
     for (int j = i; j < n; ++j)
-      bench.a(order[static_cast<unsigned>(i)], order[static_cast<unsigned>(j)]) = i == j ? 1.0 + i * i : 0.1 * (i - j);
+      bench.a(order[static_cast<unsigned>(i)], order[static_cast<unsigned>(j)]) =
+          i == j ? 1.0 + i * i : 0.1 * (i - j);
   }
   check_known(n, expected, 0.0);
   CHECK_EQ(bench.values.sweeps, 0);
@@ -391,7 +401,8 @@ TEST(eigen_entries_near_overflow_and_underflow) {  // the same eigenvalues times
     CHECK_LT(distance(bench.system.values, expected), 1e-13);
   }
   for (int i = 0; i < n; ++i)
-    for (int j = 0; j < n; ++j) bench.a(i, j) = std::numeric_limits<double>::max();  // eigenvalue n max overflows
+    for (int j = 0; j < n; ++j)
+      bench.a(i, j) = std::numeric_limits<double>::max();  // eigenvalue n max overflows
   CHECK(eigenvalues(bench.a, n, bench.work, bench.values) == Status::not_finite);
 }
 

@@ -1,5 +1,5 @@
-// sin, cos and atan2 against the long double functions of the standard library: below 2 units in the last place over the
-// documented range, exact at the special points, NaN outside.
+// sin, cos and atan2 against the long double functions of the standard library: below 2 units in the last
+// place over the documented range, exact at the special points, NaN outside.
 #include "tiltrotor/math/scalar.hpp"
 
 #include <algorithm>
@@ -16,7 +16,8 @@ template <class R>
 double units(R actual, long double exact) {
   if (exact == 0) return actual == R(0) ? 0 : 1e9;
   const R next = std::nextafter(std::abs(static_cast<R>(exact)), std::numeric_limits<R>::infinity());
-  const long double unit = static_cast<long double>(next) - static_cast<long double>(std::abs(static_cast<R>(exact)));
+  const long double unit =
+      static_cast<long double>(next) - static_cast<long double>(std::abs(static_cast<R>(exact)));
   return static_cast<double>(std::abs(static_cast<long double>(actual) - exact) / unit);
 }
 
@@ -34,12 +35,14 @@ void check_sine_cosine(double largest, double limit_beyond) {
       const long double exact = static_cast<long double>(x);
       // Next to a zero crossing the reduced angle carries an absolute error: measured in units of 1e-3 there.
       const auto error = [](R actual, long double truth) {
-        return std::abs(truth) > 1e-3L ? units(actual, truth)
-                                       : static_cast<double>(std::abs(static_cast<long double>(actual) - truth) /
-                                                             (1e-3L * std::numeric_limits<R>::epsilon()));
+        return std::abs(truth) > 1e-3L
+                   ? units(actual, truth)
+                   : static_cast<double>(std::abs(static_cast<long double>(actual) - truth) /
+                                         (1e-3L * std::numeric_limits<R>::epsilon()));
       };
       const bool small = range <= 1e-3;
-      worst_here = std::max(worst_here, small ? units(f.sine, std::sin(exact)) : error(f.sine, std::sin(exact)));
+      worst_here =
+          std::max(worst_here, small ? units(f.sine, std::sin(exact)) : error(f.sine, std::sin(exact)));
       worst_here = std::max(worst_here, error(f.cosine, std::cos(exact)));
     }
   }
@@ -60,7 +63,8 @@ void check_arctangent() {
     const R y = static_cast<R>(uniform(engine) * spread);
     const R x = static_cast<R>(uniform(engine));
     if (x == R(0) && y == R(0)) continue;
-    worst = std::max(worst, units(arctangent2(y, x), std::atan2(static_cast<long double>(y), static_cast<long double>(x))));
+    worst = std::max(worst, units(arctangent2(y, x),
+                                  std::atan2(static_cast<long double>(y), static_cast<long double>(x))));
   }
   CHECK_LT(worst, 2.0);
   NOTE("largest error: atan2 " << worst << " units in the last place");

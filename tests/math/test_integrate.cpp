@@ -7,8 +7,8 @@ using namespace tiltrotor;
 
 namespace {
 
-// Nonlinear, coupled, exact solution known: x = 1/(1+t), y = exp(-t) from x' = -x^2, y' = -y + x - x(t), here with
-// the coupling written so that it vanishes on the solution: y' = -y + (x (1 + t) - 1).
+// Nonlinear, coupled, exact solution known: x = 1/(1+t), y = exp(-t) from x' = -x^2, y' = -y + x - x(t), here
+// with the coupling written so that it vanishes on the solution: y' = -y + (x (1 + t) - 1).
 struct Coupled {
   Status operator()(double t, const double* x, double* xdot) const {
     xdot[0] = -x[0] * x[0];
@@ -102,8 +102,8 @@ TEST(rodas3_stability_function) {  // R(z) to order 3 at small z, from the expon
     const Matrix<double, 1, 1> jacobian = {{z}};
     double x[1] = {1.0}, error[1] = {0.0};
     CHECK(rodas3_step(f, jacobian, 0.0, 1.0, x, 1, work, error) == Status::ok);
-    CHECK_NEAR(x[0], std::exp(z), 2e-9);                   // z^4 times a constant below 0.2
-    CHECK_LT(std::fabs(error[0]), 1e-6);                   // the estimate is of order z^3
+    CHECK_NEAR(x[0], std::exp(z), 2e-9);  // z^4 times a constant below 0.2
+    CHECK_LT(std::fabs(error[0]), 1e-6);  // the estimate is of order z^3
     CHECK_LT(1e-8, std::fabs(error[0]));
   }
 }

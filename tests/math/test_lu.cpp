@@ -1,4 +1,5 @@
-// LU. Expected values: componentwise backward error (Oettli and Prager), known inverses, known condition numbers.
+// LU. Expected values: componentwise backward error (Oettli and Prager), known inverses, known condition
+// numbers.
 #include "tiltrotor/math/lu.hpp"
 
 #include <random>
@@ -83,7 +84,8 @@ TEST(lu_pivots_a_tiny_diagonal) {  // [1e-20 1; 1 1] x = [1 2]: without pivoting
   CHECK_NEAR(x[1], 1.0, 1e-15);
 }
 
-TEST(lu_several_right_sides_give_the_inverse) {  // inverse of the 6 x 6 Hilbert matrix: integers known in closed form
+TEST(lu_several_right_sides_give_the_inverse) {  // inverse of the 6 x 6 Hilbert matrix: integers known in
+                                                 // closed form
   static Matrix<double, 6, 6> hilbert, unit = identity<double, 6>(), inverse;
   static LU<double, 6> lu;
   for (int i = 0; i < 6; ++i)
@@ -117,7 +119,8 @@ TEST(lu_several_right_sides_agree_with_one) {
 }
 
 TEST(lu_condition_of_hilbert_matrices) {  // 1-norm condition numbers from the exact inverses
-  const double known[9] = {0, 1.0, 27.0, 748.0, 28375.0, 943656.0, 29070279.0, 985194889.71984, 33872791095.0};
+  const double known[9] = {
+      0, 1.0, 27.0, 748.0, 28375.0, 943656.0, 29070279.0, 985194889.71984, 33872791095.0};
   static Matrix<double, 10, 10> hilbert;
   static LU<double, 10> lu;
   for (int i = 0; i < 10; ++i)

@@ -22,7 +22,8 @@ std::vector<R> scalar_results() {
       const R a = pack_program::first<R>(i);
       const R b = pack_program::second<R>(i);
       const D f = pack_program::formula(sample, mode, D::variable(a, 0), D::variable(b, 1));
-      for (const R x : {pack_program::formula(sample, mode, a, b), f.v, f.d.get(0), f.d.get(1)}) out.push_back(x);
+      for (const R x : {pack_program::formula(sample, mode, a, b), f.v, f.d.get(0), f.d.get(1)})
+        out.push_back(x);
     }
   }
   return out;

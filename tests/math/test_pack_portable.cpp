@@ -1,5 +1,5 @@
-// The portable form of packs, under another namespace name so that both forms live in one program: the other half of
-// test_pack.cpp.
+// The portable form of packs, under another namespace name so that both forms live in one program: the other
+// half of test_pack.cpp.
 #include <cmath>
 #include <limits>
 #include <type_traits>

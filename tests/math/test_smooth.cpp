@@ -1,5 +1,5 @@
-// Smooth stand-ins for |x|, max, min, clip and switches: their definitions, limits, bounds on the deviation from the
-// sharp function, and smoothness where branches meet.
+// Smooth stand-ins for |x|, max, min, clip and switches: their definitions, limits, bounds on the deviation
+// from the sharp function, and smoothness where branches meet.
 #include "tiltrotor/math/smooth.hpp"
 
 #include <algorithm>
@@ -50,7 +50,8 @@ TEST(smooth_maximum_and_minimum) {
     CHECK(smooth_max(x, 0.15, e) >= std::max(x, 0.15) && smooth_max(x, 0.15, e) <= std::max(x, 0.15) + e / 2);
     CHECK(smooth_min(x, 0.15, e) <= std::min(x, 0.15) && smooth_min(x, 0.15, e) >= std::min(x, 0.15) - e / 2);
     CHECK_NEAR(smooth_max(x, 0.15, e) + smooth_min(x, 0.15, e), x + 0.15, 1e-15);
-    CHECK_NEAR(slope([&](const D& z) { return smooth_positive(z, e); }, x), 0.5 * (1 + x / std::hypot(x, e)), 1e-14);
+    CHECK_NEAR(slope([&](const D& z) { return smooth_positive(z, e); }, x), 0.5 * (1 + x / std::hypot(x, e)),
+               1e-14);
   }
   CHECK_EQ(smooth_positive(0.0, e), e / 2);
   CHECK_EQ(slope([&](const D& z) { return smooth_positive(z, e); }, 0), 0.5);

@@ -41,8 +41,8 @@ TEST(vector_products) {
     const V b = random.vector();
     const V c = random.vector();
     CHECK_NEAR(dot(a, b), a.x * b.x + a.y * b.y + a.z * b.z, 1e-15);
-    const double determinant = a.x * (b.y * c.z - b.z * c.y) - a.y * (b.x * c.z - b.z * c.x) +
-                               a.z * (b.x * c.y - b.y * c.x);
+    const double determinant =
+        a.x * (b.y * c.z - b.z * c.y) - a.y * (b.x * c.z - b.z * c.x) + a.z * (b.x * c.y - b.y * c.x);
     CHECK_NEAR(dot(a, cross(b, c)), determinant, 1e-14);
     check_vector(cross(a, b), -1.0 * cross(b, a), 0);
     // a x (b x c) = b (a c) - c (a b)
@@ -62,7 +62,8 @@ TEST(vector_rate_cross_arm_is_a_velocity) {
   const double h = 1e-6;
   const V arm{1.5, -0.4, 0.3};
   const auto turned = [&](double angle) {  // about z
-    return V{arm.x * std::cos(angle) - arm.y * std::sin(angle), arm.x * std::sin(angle) + arm.y * std::cos(angle), arm.z};
+    return V{arm.x * std::cos(angle) - arm.y * std::sin(angle),
+             arm.x * std::sin(angle) + arm.y * std::cos(angle), arm.z};
   };
   const V velocity = (1 / (2 * h)) * (turned(rate * h) - turned(-rate * h));
   check_vector(rate_cross_arm(V{0, 0, rate}, arm), velocity, 1e-9);
@@ -71,7 +72,8 @@ TEST(vector_rate_cross_arm_is_a_velocity) {
 TEST(vector_rotation) {
   const double angle = 0.6;
   // Frame turned by `angle` about z: its x axis is (cos, sin, 0).
-  const Rotation<double> r{{std::cos(angle), std::sin(angle), 0}, {-std::sin(angle), std::cos(angle), 0}, {0, 0, 1}};
+  const Rotation<double> r{
+      {std::cos(angle), std::sin(angle), 0}, {-std::sin(angle), std::cos(angle), 0}, {0, 0, 1}};
   check_vector(r.apply(V{std::cos(angle), std::sin(angle), 0}), V{1, 0, 0}, 1e-15);
   Random random;
   for (int n = 0; n < 20; ++n) {

@@ -1,4 +1,5 @@
-// The chain rule through a waist: same values, same derivatives as seeding the whole function, fewer partials inside.
+// The chain rule through a waist: same values, same derivatives as seeding the whole function, fewer partials
+// inside.
 #include "tiltrotor/math/waist.hpp"
 
 #include <complex>
@@ -35,7 +36,8 @@ struct Beyond {
 
 template <class T>
 Beyond<T> beyond(const Through<T>& in) {
-  return {in.a * tiltrotor::sin(in.b) + in.c / (in.a * in.a + Real<T>(2)), tiltrotor::sqrt(T(in.b * in.b + in.c * in.c)) - in.a};
+  return {in.a * tiltrotor::sin(in.b) + in.c / (in.a * in.a + Real<T>(2)),
+          tiltrotor::sqrt(T(in.b * in.b + in.c * in.c)) - in.a};
 }
 
 // Waist variables as functions of many outer ones.

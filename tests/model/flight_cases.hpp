@@ -1,5 +1,5 @@
-// Flight conditions and scalars for the tests of the model: configurations, random states with a known seed, and the
-// same state in another scalar type.
+// Flight conditions and scalars for the tests of the model: configurations, random states with a known seed,
+// and the same state in another scalar type.
 #pragma once
 
 #include <array>
@@ -54,7 +54,9 @@ struct StateAndControls {
 class Generator {
  public:
   explicit Generator(unsigned seed) : engine_(seed) {}
-  double between(double low, double high) { return std::uniform_real_distribution<double>(low, high)(engine_); }
+  double between(double low, double high) {
+    return std::uniform_real_distribution<double>(low, high)(engine_);
+  }
   bool coin() { return between(0, 1) < 0.5; }
 
  private:
@@ -142,7 +144,8 @@ std::array<T, S<T>::kCount> flat(const S<T>& s) {
 }
 
 /// Unit-by-unit size of the rates of the state, the scale of "relative" where an entry itself may vanish:
-/// accelerations against gravity, angular accelerations against 1 rad/s^2, flapping against Omega^2, inflow against Omega.
+/// accelerations against gravity, angular accelerations against 1 rad/s^2, flapping against Omega^2, inflow
+/// against Omega.
 inline std::array<double, state_count> rate_scale(const Configuration<double>& c) {
   std::array<double, state_count> s{};
   s.fill(1);

@@ -1,4 +1,5 @@
-// A rotor whose tilt and inflow have settled at given hub motion and controls: Newton on the five equations, for tests.
+// A rotor whose tilt and inflow have settled at given hub motion and controls: Newton on the five equations,
+// for tests.
 #pragma once
 
 #include <algorithm>
@@ -38,13 +39,15 @@ std::array<double, N> solve(std::array<std::array<double, N>, N> a, std::array<d
 }
 
 /// Steady b1c, b1s and, unless `frozen_inflow`, n0, nc, ns. The start is in `in.state`.
-inline RotorInput<double> settled(const Configuration<double>& c, RotorInput<double> in, bool frozen_inflow = false) {
+inline RotorInput<double> settled(const Configuration<double>& c, RotorInput<double> in,
+                                  bool frozen_inflow = false) {
   using T = Dual<double, 5>;
   in.state.b1c_rate = in.state.b1s_rate = 0;
   double residual = 1;
   for (int iteration = 0; iteration < 60 && residual > 1e-13; ++iteration) {
     RotorInput<T> seeded = flight_cases::converted<T>(in);
-    T* const unknown[5] = {&seeded.state.b1c, &seeded.state.b1s, &seeded.state.n0, &seeded.state.nc, &seeded.state.ns};
+    T* const unknown[5] = {&seeded.state.b1c, &seeded.state.b1s, &seeded.state.n0, &seeded.state.nc,
+                           &seeded.state.ns};
     for (int k = 0; k < 5; ++k) *unknown[k] = T::variable(unknown[k]->v, k);
     const RotorResponse<T> out = rotor_response(c, seeded, c.azimuth);
     const double omega = c.setup.rotor_speed;
@@ -76,7 +79,8 @@ inline RotorInput<double> settled(const Configuration<double>& c, RotorInput<dou
 }
 
 /// Settled rotor with the collective that gives a thrust (N).
-inline RotorInput<double> settled_at_thrust(const Configuration<double>& c, RotorInput<double> in, double thrust) {
+inline RotorInput<double> settled_at_thrust(const Configuration<double>& c, RotorInput<double> in,
+                                            double thrust) {
   double low = 0.0;
   double high = 0.45;
   for (int k = 0; k < 45; ++k) {
@@ -95,8 +99,8 @@ inline RotorInput<double> hover_input(const Configuration<double>& c) {
   return in;
 }
 
-/// A rotor with closed-form answers: constant chord, no twist, no cutout, no tip loss, section lift a alpha in all
-/// alpha and no drag, no hub spring, no pitch-flap coupling.
+/// A rotor with closed-form answers: constant chord, no twist, no cutout, no tip loss, section lift a alpha
+/// in all alpha and no drag, no hub spring, no pitch-flap coupling.
 class TextbookRotor {
  public:
   static constexpr double kLiftSlope = 5.73;

@@ -1,5 +1,5 @@
-// Air against the printed tables of the International Standard Atmosphere (ISO 2533, geopotential altitude) and the sea-level values
-// of the printed GTRS runs.
+// Air against the printed tables of the International Standard Atmosphere (ISO 2533, geopotential altitude)
+// and the sea-level values of the printed GTRS runs.
 #include "tiltrotor/model/atmosphere.hpp"
 
 #include "check.hpp"
@@ -11,8 +11,9 @@ TEST(atmosphere_standard_tables) {
     double altitude, density, sound;
   };
   // Density kg/m^3, speed of sound m/s.
-  for (const Row& row : {Row{0, 1.22500, 340.294}, Row{1000, 1.11164, 336.434}, Row{2000, 1.00649, 332.529},
-                         Row{5000, 0.736116, 320.529}, Row{8000, 0.525168, 308.063}, Row{11000, 0.363918, 295.070}}) {
+  for (const Row& row :
+       {Row{0, 1.22500, 340.294}, Row{1000, 1.11164, 336.434}, Row{2000, 1.00649, 332.529},
+        Row{5000, 0.736116, 320.529}, Row{8000, 0.525168, 308.063}, Row{11000, 0.363918, 295.070}}) {
     const Air<double> air = standard_air(row.altitude);
     CHECK_REL(air.density, row.density, 1e-4);
     CHECK_REL(air.speed_of_sound, row.sound, 1e-5);
@@ -26,7 +27,8 @@ TEST(atmosphere_sea_level_of_the_printed_runs) {
   CHECK_REL(air.speed_of_sound / 0.3048, 1116.45, 1e-5);
 }
 
-// Hydrostatic balance dp = -rho g dh with p = rho R T, by finite differences: exponent and lapse rate belong together.
+// Hydrostatic balance dp = -rho g dh with p = rho R T, by finite differences: exponent and lapse rate belong
+// together.
 TEST(atmosphere_is_hydrostatic) {
   const auto pressure = [](double h) {
     const Air<double> air = standard_air(h);

@@ -1,5 +1,5 @@
-// Stations of the blade-element integrals: they tile the blade, stay inside their regions, integrate polynomials, and
-// the azimuth weights are the blades.
+// Stations of the blade-element integrals: they tile the blade, stay inside their regions, integrate
+// polynomials, and the azimuth weights are the blades.
 #include "flight_cases.hpp"
 
 using namespace flight_cases;
@@ -79,7 +79,8 @@ TEST(blade_grid_chord_and_twist) {
   CHECK_EQ(blade_twist(rotor, TwistSource::table, 0.75), 0.0);
   CHECK_LT(blade_twist(rotor, TwistSource::table, 1.0), 0.0);
   CHECK_NEAR((blade_twist(rotor, TwistSource::linear, 1.0) - blade_twist(rotor, TwistSource::linear, 0.0)) *
-                 kDegree<double>, -41.0, 1e-9);
+                 kDegree<double>,
+             -41.0, 1e-9);
   CHECK_EQ(blade_twist(rotor, TwistSource::linear, 0.75), 0.0);
 }
 

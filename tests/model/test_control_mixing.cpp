@@ -9,7 +9,8 @@ namespace {
 
 constexpr double kDeg = kRadian<double>;
 
-BladeControls<double> mixed(double mast, const Controls<double>& u, double speed_kt, const Options& options = Options{}) {
+BladeControls<double> mixed(double mast, const Controls<double>& u, double speed_kt,
+                            const Options& options = Options{}) {
   return mix_controls(configuration(mast, options), u, Vec3<double>{speed_kt * 1852 / 3600, 0, 0});
 }
 
@@ -66,7 +67,8 @@ TEST(control_mixing_superposition_of_increments) {
              u.diff_collective - c.gearing.lateral_collective * u.lat_stick, 1e-15);
   CHECK_NEAR((b.long_cyclic[right] + b.long_cyclic[left]) / 2,
              u.long_cyclic + c.gearing.long_cyclic * u.long_stick, 1e-15);
-  CHECK_NEAR((b.long_cyclic[right] - b.long_cyclic[left]) / 2, u.diff_long_cyclic - pedal_cyclic * u.pedal, 1e-15);
+  CHECK_NEAR((b.long_cyclic[right] - b.long_cyclic[left]) / 2, u.diff_long_cyclic - pedal_cyclic * u.pedal,
+             1e-15);
   CHECK_EQ(b.lateral_cyclic[right], u.lateral_cyclic);
   CHECK_EQ(b.lateral_cyclic[left], u.lateral_cyclic);
   CHECK_NEAR(b.elevator, u.elevator + c.gearing.elevator * u.long_stick, 1e-15);
@@ -86,8 +88,9 @@ TEST(control_mixing_signs_of_the_aircraft) {
     s.x.velocity = mast > 0 ? Vec3<double>{90, 0, 4} : Vec3<double>{0, 0, 0};
     for (int side = 0; side < 2; ++side) s.x.rotor[side].n0 = mast > 0 ? 0.002 : 0.07;
     s.u.collective = mast > 0 ? 0.54 : 0.2;
-    for (const Sign& test : {Sign{&Controls<double>::long_stick, 1, -1}, Sign{&Controls<double>::lat_stick, 0, 1},
-                             Sign{&Controls<double>::pedal, 2, 1}}) {
+    for (const Sign& test :
+         {Sign{&Controls<double>::long_stick, 1, -1}, Sign{&Controls<double>::lat_stick, 0, 1},
+          Sign{&Controls<double>::pedal, 2, 1}}) {
       // With the disks tilted as far as the cyclic asks: the gimbal follows within a revolution.
       State<double> rates[2];
       for (int k = 0; k < 2; ++k) {

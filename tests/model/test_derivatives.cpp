@@ -1,7 +1,7 @@
-// Exact derivatives of the complete model: dual numbers against complex steps, whose arithmetic shares nothing with
-// them, and against central differences. All 31 states and all 14 controls, every mast angle, exact hover and exact
-// zero sideslip among the states: it is there that a smoothed absolute value, a square root at zero or a table that
-// starts at zero silently kills or breaks a derivative.
+// Exact derivatives of the complete model: dual numbers against complex steps, whose arithmetic shares
+// nothing with them, and against central differences. All 31 states and all 14 controls, every mast angle,
+// exact hover and exact zero sideslip among the states: it is there that a smoothed absolute value, a square
+// root at zero or a table that starts at zero silently kills or breaks a derivative.
 #include <algorithm>
 #include <vector>
 
@@ -24,7 +24,8 @@ double column_scale(int column) {
   }
   if (column < ix_p) return 1.0;
   if (column < ix_rotor_right) return 0.1;
-  if (column < ix_downwash) return (column - ix_rotor_right) % 7 < 2 ? 0.02 : (column - ix_rotor_right) % 7 < 4 ? 0.5 : 0.01;
+  if (column < ix_downwash)
+    return (column - ix_rotor_right) % 7 < 2 ? 0.02 : (column - ix_rotor_right) % 7 < 4 ? 0.5 : 0.01;
   if (column == ix_downwash) return 0.05;
   if (column < ix_position) return (column - ix_coning_right) % 2 == 0 ? 0.02 : 0.5;
   return 1.0;
@@ -37,7 +38,8 @@ Options all_states() {
   return options;
 }
 
-// The states of the comparison: every tenth exact hover, every tenth exactly symmetric flow with neutral controls.
+// The states of the comparison: every tenth exact hover, every tenth exactly symmetric flow with neutral
+// controls.
 StateAndControls<double> test_case(Generator& random, const Configuration<double>& c, int n) {
   StateAndControls<double> s = random_case(random, c);
   if (n % 10 == 0) {
@@ -56,13 +58,15 @@ StateAndControls<double> test_case(Generator& random, const Configuration<double
 struct Jacobian {
   std::vector<double> entry = std::vector<double>(static_cast<std::size_t>(state_count * kColumns));
   double& operator()(int row, int column) { return entry[static_cast<std::size_t>(row * kColumns + column)]; }
-  double operator()(int row, int column) const { return entry[static_cast<std::size_t>(row * kColumns + column)]; }
+  double operator()(int row, int column) const {
+    return entry[static_cast<std::size_t>(row * kColumns + column)];
+  }
 };
 
 // Values of f come back in `values`.
 template <int N>
-void dual_columns(const Configuration<double>& c, const StateAndControls<double>& s, int first, Jacobian& jacobian,
-                  State<double>& values) {
+void dual_columns(const Configuration<double>& c, const StateAndControls<double>& s, int first,
+                  Jacobian& jacobian, State<double>& values) {
   using T = Dual<double, N>;
   State<T> x = converted<T>(s.x);
   Controls<T> u = converted<T>(s.u);
@@ -84,7 +88,8 @@ void dual_columns(const Configuration<double>& c, const StateAndControls<double>
   values = converted<double>(rates);
 }
 
-Jacobian dual_jacobian(const Configuration<double>& c, const StateAndControls<double>& s, State<double>& values) {
+Jacobian dual_jacobian(const Configuration<double>& c, const StateAndControls<double>& s,
+                       State<double>& values) {
   Jacobian jacobian;
   dual_columns<31>(c, s, 0, jacobian, values);
   dual_columns<31>(c, s, 31, jacobian, values);
@@ -116,8 +121,8 @@ std::array<double, state_count> complex_step_column(const Configuration<double>&
   return d;
 }
 
-std::array<double, state_count> central_column(const Configuration<double>& c, const StateAndControls<double>& s,
-                                               int column) {
+std::array<double, state_count> central_column(const Configuration<double>& c,
+                                               const StateAndControls<double>& s, int column) {
   const double step = 2e-6 * column_scale(column);
   std::array<double, state_count> side[2];
   for (int k = 0; k < 2; ++k) {
@@ -143,7 +148,8 @@ struct Comparison {
     for (int i = 0; i < state_count; ++i) {
       double scale = 1e-3 * rates[static_cast<std::size_t>(i)];
       for (int k = 0; k < kColumns; ++k) scale = std::max(scale, std::abs(dual(i, k)) * column_scale(k));
-      const double error = std::abs(dual(i, j) - other[static_cast<std::size_t>(i)]) * column_scale(j) / scale;
+      const double error =
+          std::abs(dual(i, j) - other[static_cast<std::size_t>(i)]) * column_scale(j) / scale;
       CHECK_LE(error, tolerance);
       if (!(error <= worst)) {
         worst = error;
@@ -194,7 +200,8 @@ void compare(int complex_columns, int central_columns) {
 }
 
 // d loads / d v of a component at the symmetric flow (u, 0, w), in linear tables.
-Loads<Dual<double, 1>> sideslip_derivative(Component component, double mast_deg, double u, double w, bool at_zero_wash) {
+Loads<Dual<double, 1>> sideslip_derivative(Component component, double mast_deg, double u, double w,
+                                           bool at_zero_wash) {
   using T = Dual<double, 1>;
   Configuration<double> c = configuration(mast_deg, linear_tables());
   Generator random(5);
@@ -218,8 +225,9 @@ TEST(derivatives_complex_step) { compare(2, 0); }
 TEST(derivatives_central_difference) { compare(0, 2); }
 TEST(slow_derivatives_every_column) { compare(kColumns, 9); }
 
-// Table slopes at zero sideslip by hand: CR-166536 tables 3-VII, 3-VIII, 3-IX at 10 deg (-14.5 ft2, -75 ft3, -202 ft3), odd, so the slope at zero is
-// that of the first interval. Force and moment in stability axes, moments turned by alpha, force at the reference point.
+// Table slopes at zero sideslip by hand: CR-166536 tables 3-VII, 3-VIII, 3-IX at 10 deg (-14.5 ft2, -75 ft3,
+// -202 ft3), odd, so the slope at zero is that of the first interval. Force and moment in stability axes,
+// moments turned by alpha, force at the reference point.
 TEST(derivatives_fuselage_at_zero_sideslip) {
   const double foot = 0.3048;
   const double u = 40;
@@ -250,7 +258,8 @@ TEST(derivatives_lateral_columns_at_zero_sideslip) {
       CHECK_LT(1e-3, std::abs(d.moment.z.d.get(0)));
       if (component != wing_free) CHECK_LT(1e-2, std::abs(d.force.y.d.get(0)));
     }
-    // Fins at the tail: a side force towards the lee, so weathercock yaw stability and positive roll damping arms.
+    // Fins at the tail: a side force towards the lee, so weathercock yaw stability and positive roll damping
+    // arms.
     const auto fin = sideslip_derivative(fin_right, mast, 60 + mast, 0, false);
     CHECK_LT(fin.force.y.d.get(0), 0.0);
     CHECK_LT(0.0, fin.moment.z.d.get(0));
@@ -262,7 +271,8 @@ TEST(derivatives_exact_hover_is_finite) {
     for (const Interpolation tables : {Interpolation::c1, Interpolation::linear}) {
       Options options = all_states();
       options.tables = tables;
-      options.side_by_side = options.sideward_flight = options.lateral_cyclic = options.disk_plane_inflow = true;
+      options.side_by_side = options.sideward_flight = options.lateral_cyclic = options.disk_plane_inflow =
+          true;
       const Configuration<double> c = configuration(mast, options);
       StateAndControls<double> s{};  // everything zero, the inflow too
       s.u.collective = 0.2;
@@ -270,7 +280,8 @@ TEST(derivatives_exact_hover_is_finite) {
       const Jacobian dual = dual_jacobian(c, s, values);
       for (const double entry : dual.entry) CHECK(std::isfinite(entry));
       for (const double rate : flat(values)) CHECK(std::isfinite(rate));
-      CHECK_LT(1.0, std::abs(dual(ix_w, state_count + iu_collective)) + std::abs(dual(ix_u, state_count + iu_collective)));
+      CHECK_LT(1.0, std::abs(dual(ix_w, state_count + iu_collective)) +
+                        std::abs(dual(ix_u, state_count + iu_collective)));
     }
   }
 }
@@ -323,8 +334,8 @@ TEST(derivatives_float_close_to_double) {
     const auto actual = flat(rates_f);
     const auto scale = rate_scale(c);
     for (std::size_t i = 0; i < state_count; ++i) {
-      const double error = std::abs(static_cast<double>(actual[i]) - expected[i]) /
-                           std::max(scale[i], std::abs(expected[i]));
+      const double error =
+          std::abs(static_cast<double>(actual[i]) - expected[i]) / std::max(scale[i], std::abs(expected[i]));
       CHECK_LE(error, 1e-3);
       worst = std::max(worst, error);
     }
@@ -340,7 +351,8 @@ TEST(derivatives_float_close_to_double) {
     derivative(cf, converted<F>(s.x), uf1, out_f);
     derivative(c, converted<D>(s.x), u1, out);
     const double slope = out.velocity.z.d.get(0);
-    const double slope_error = std::abs(static_cast<double>(out_f.velocity.z.d.get(0)) - slope) / (10 + std::abs(slope));
+    const double slope_error =
+        std::abs(static_cast<double>(out_f.velocity.z.d.get(0)) - slope) / (10 + std::abs(slope));
     CHECK_LE(slope_error, 1e-2);
     worst_slope = std::max(worst_slope, slope_error);
   }

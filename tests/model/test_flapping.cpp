@@ -1,5 +1,5 @@
-// Gimbal and coning equations: a single rigid blade followed through space by finite differences, closed forms of the
-// textbook rotor, the first-order limit, the coning balance.
+// Gimbal and coning equations: a single rigid blade followed through space by finite differences, closed
+// forms of the textbook rotor, the first-order limit, the coning balance.
 #include "settled_rotor.hpp"
 
 using namespace flight_cases;
@@ -7,8 +7,8 @@ using namespace settled_rotor;
 
 namespace {
 
-// Acceleration normal to a blade element at radius 1, by differences of its position in space. The hub frame turns with
-// the constant rate w; the blade turns with omega in it and flaps as b(t).
+// Acceleration normal to a blade element at radius 1, by differences of its position in space. The hub frame
+// turns with the constant rate w; the blade turns with omega in it and flaps as b(t).
 template <class Flap>
 double normal_acceleration(const Vec3<double>& w, double omega, double azimuth, Flap&& b) {
   using L = long double;
@@ -31,7 +31,8 @@ double normal_acceleration(const Vec3<double>& w, double omega, double azimuth, 
     const L ky = wy / turn;
     const L kz = wz / turn;
     const L d = kx * p.x + ky * p.y + kz * p.z;
-    return Place{p.x + s * (ky * p.z - kz * p.y) + v * (kx * d - p.x), p.y + s * (kz * p.x - kx * p.z) + v * (ky * d - p.y),
+    return Place{p.x + s * (ky * p.z - kz * p.y) + v * (kx * d - p.x),
+                 p.y + s * (kz * p.x - kx * p.z) + v * (ky * d - p.y),
                  p.z + s * (kx * p.y - ky * p.x) + v * (kz * d - p.z)};
   };
   const L h = 1e-5L;
@@ -43,7 +44,8 @@ double normal_acceleration(const Vec3<double>& w, double omega, double azimuth, 
   const L ay = (a.y - 2 * m.y + e.y) / (h * h);
   const L az = (a.z - 2 * m.z + e.z) / (h * h);
   const L psi = static_cast<L>(azimuth);
-  return static_cast<double>(-std::sin(flap) * (ax * std::cos(psi) + ay * std::sin(psi)) + std::cos(flap) * az);
+  return static_cast<double>(-std::sin(flap) * (ax * std::cos(psi) + ay * std::sin(psi)) +
+                             std::cos(flap) * az);
 }
 
 }  // namespace
@@ -101,8 +103,8 @@ TEST(flapping_hub_spring_and_damping) {
   CHECK_REL(configuration(0, options).hub_spring, 2 * c.hub_spring, 1e-15);
 }
 
-// Closed form for the uniform blade in hover with the inflow held: cyclic pitch becomes tilt 90 deg later, rates lag by
-// 16/(gamma Omega).
+// Closed form for the uniform blade in hover with the inflow held: cyclic pitch becomes tilt 90 deg later,
+// rates lag by 16/(gamma Omega).
 TEST(flapping_textbook_limit) {
   const TextbookRotor rotor;
   const Configuration<double> c = rotor.configuration();
@@ -119,8 +121,8 @@ TEST(flapping_textbook_limit) {
     return settled(c, moved, true).state;
   };
   const double small = 1e-3;
-  const RotorState<double> lateral = tilt(-small, 0, 0, 0);        // th1c
-  const RotorState<double> longitudinal = tilt(0, -small, 0, 0);   // th1s
+  const RotorState<double> lateral = tilt(-small, 0, 0, 0);       // th1c
+  const RotorState<double> longitudinal = tilt(0, -small, 0, 0);  // th1s
   const RotorState<double> roll = tilt(0, 0, small, 0);
   const RotorState<double> pitch = tilt(0, 0, 0, small);
   CHECK_NEAR(lateral.b1s / small, 1.0, 3e-3);
@@ -133,14 +135,14 @@ TEST(flapping_textbook_limit) {
   CHECK_NEAR(pitch.b1s / small * omega, 1.0, 0.02);
 }
 
-// The complete rotor in hover at 7334 lb: tilt per cyclic with and without spring and coupling, and per pitch rate
-// (values of an independent second program).
+// The complete rotor in hover at 7334 lb: tilt per cyclic with and without spring and coupling, and per pitch
+// rate (values of an independent second program).
 TEST(flapping_steady_tilt_in_hover) {
   const double small = 1e-4;
   const auto answer = [&](const Configuration<double>& c, const char* what) {
     const RotorInput<double> in = settled_at_thrust(c, hover_input(c), 7334 * kPound);
     RotorInput<double> moved = in;
-    if (*what == 's') moved.long_cyclic -= small;   // th1s = -B1
+    if (*what == 's') moved.long_cyclic -= small;  // th1s = -B1
     if (*what == 'c') moved.lateral_cyclic -= small;
     if (*what == 'q') moved.rates.y += small;
     const RotorState<double> a = settled(c, in).state;
@@ -167,7 +169,9 @@ TEST(flapping_steady_tilt_in_hover) {
 TEST(flapping_pitch_coupling) {
   const Configuration<double> c = configuration(0);
   RotorInput<double> in = hover_input(c);
-  const auto pitch = [&](double cosine, double sine) { return blade_flow(c, in, 0.0, 1.0, cosine, sine).pitch; };
+  const auto pitch = [&](double cosine, double sine) {
+    return blade_flow(c, in, 0.0, 1.0, cosine, sine).pitch;
+  };
   const double flat = pitch(1, 0);
   in.state.b1c = 0.1;
   CHECK_NEAR(pitch(1, 0) - flat, 0.0268, 1e-4);
@@ -194,7 +198,8 @@ TEST(flapping_first_order_limit) {
     CHECK_NEAR(b.flapping.b1s_rate, 0.0, 1e-9);
     CHECK_NEAR(b.loads.force.x, a.loads.force.x, 1e-6);
     CHECK_NEAR(b.loads.force.z, a.loads.force.z, 1e-6);
-    // Away from it the tilt returns: the rate is that of the slow mode, gamma Omega / 16 = 15 1/s within a third.
+    // Away from it the tilt returns: the rate is that of the slow mode, gamma Omega / 16 = 15 1/s within a
+    // third.
     const double away = 0.01;
     RotorInput<double> tilted = in;
     tilted.state.b1c += away;

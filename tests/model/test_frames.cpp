@@ -1,5 +1,5 @@
-// Frames of the tilting masts: hand-written rotations, hub positions from the stations of the drawings, the mirror
-// between the two rotors, and the motion of the hub by finite differences of positions.
+// Frames of the tilting masts: hand-written rotations, hub positions from the stations of the drawings, the
+// mirror between the two rotors, and the motion of the hub by finite differences of positions.
 #include "flight_cases.hpp"
 
 using namespace flight_cases;
@@ -21,7 +21,8 @@ TEST(frames_hub_axes_are_a_rotation) {
   for (const double mast : {0.0, 20.0, 45.0, 77.0, 90.0}) {
     for (const double cant_deg : {0.0, 1.0, 5.0}) {
       for (const int side : {right, left}) {
-        const HubFrame<double> f = hub_frame(mast * kRadian<double>, cant_deg * kRadian<double>, side, V{0, 0, 0}, 1.0);
+        const HubFrame<double> f =
+            hub_frame(mast * kRadian<double>, cant_deg * kRadian<double>, side, V{0, 0, 0}, 1.0);
         const Rotation<double>& r = f.from_body;
         for (const V& row : {r.row_x, r.row_y, r.row_z}) CHECK_NEAR(dot(row, row), 1.0, 1e-15);
         check_vector(cross(r.row_x, r.row_y), r.row_z, 1e-15);  // right-handed

@@ -1,5 +1,5 @@
-// Dynamic inflow: the angle-free gain matrix against the wind-axis matrix inverted and turned explicitly, momentum
-// theory in hover, climb and edgewise flight, rotation of the wind, the switches.
+// Dynamic inflow: the angle-free gain matrix against the wind-axis matrix inverted and turned explicitly,
+// momentum theory in hover, climb and edgewise flight, rotation of the wind, the switches.
 #include "settled_rotor.hpp"
 
 using namespace flight_cases;
@@ -31,7 +31,8 @@ TEST(inflow_gain_matrix_by_inversion_and_rotation) {
     const double cosine = std::cos(direction);
     const double sine = std::sin(direction);
     // Rows and columns (0, downstream, across) of Pitt and Peters.
-    const double wind[3][3] = {{kappa / 2, -kGain * x, 0}, {kGain * x, 2 * (1 - x * x), 0}, {0, 0, 2 * (1 + x * x)}};
+    const double wind[3][3] = {
+        {kappa / 2, -kGain * x, 0}, {kGain * x, 2 * (1 - x * x), 0}, {0, 0, 2 * (1 + x * x)}};
     const double turn[3][3] = {{1, 0, 0}, {0, cosine, sine}, {0, -sine, cosine}};  // hub -> wind
     std::array<std::array<double, 3>, 3> hub{};
     for (std::size_t i = 0; i < 3; ++i) {
@@ -109,16 +110,16 @@ TEST(inflow_turns_with_the_wind) {
     const double angle = n % 2 == 0 ? kPi<double> / 2 : random.between(-3, 3);
     const double cosine = std::cos(angle);
     const double sine = std::sin(angle);
-    const InflowForcing<double> f{random.between(0, 0.02),   random.between(-2e-3, 2e-3), random.between(-2e-3, 2e-3),
-                                  random.between(-0.3, 0.3), random.between(-0.3, 0.3),   random.between(-0.1, 0.3)};
+    const InflowForcing<double> f{random.between(0, 0.02),     random.between(-2e-3, 2e-3),
+                                  random.between(-2e-3, 2e-3), random.between(-0.3, 0.3),
+                                  random.between(-0.3, 0.3),   random.between(-0.1, 0.3)};
     const double n0 = random.between(0, 0.1);
     const double nc = random.between(-0.03, 0.03);
     const double ns = random.between(-0.03, 0.03);
     const InflowRates<double> a = rates(c, n0, nc, ns, f);
-    const InflowRates<double> b =
-        rates(c, n0, cosine * nc - sine * ns, sine * nc + cosine * ns,
-              {f.c0, cosine * f.cc - sine * f.cs, sine * f.cc + cosine * f.cs, cosine * f.mx - sine * f.my,
-               sine * f.mx + cosine * f.my, f.mz});
+    const InflowRates<double> b = rates(c, n0, cosine * nc - sine * ns, sine * nc + cosine * ns,
+                                        {f.c0, cosine * f.cc - sine * f.cs, sine * f.cc + cosine * f.cs,
+                                         cosine * f.mx - sine * f.my, sine * f.mx + cosine * f.my, f.mz});
     CHECK_NEAR(b.n0, a.n0, 1e-12);
     CHECK_NEAR(b.nc, cosine * a.nc - sine * a.ns, 1e-12);
     CHECK_NEAR(b.ns, sine * a.nc + cosine * a.ns, 1e-12);
@@ -160,7 +161,8 @@ TEST(inflow_uniform_and_induced_power_factor) {
   options.inflow = InflowShape::pitt_peters;
   const Configuration<double> three = configuration(0, options);
   const double n0 = 0.07;
-  CHECK_NEAR(rates(three, n0, 0, 0, {2 * n0 * std::sqrt(n0 * n0 + 1e-6) / 1.1, 0, 0, 0, 0, 0}).n0, 0.0, 1e-12);
+  CHECK_NEAR(rates(three, n0, 0, 0, {2 * n0 * std::sqrt(n0 * n0 + 1e-6) / 1.1, 0, 0, 0, 0, 0}).n0, 0.0,
+             1e-12);
 }
 
 // Exact hover and descent through the rotor's own wake: no division by nothing.
@@ -172,7 +174,8 @@ TEST(inflow_is_finite_everywhere) {
       RotorState<T> x{};
       x.n0 = T::variable(n0, 0);
       x.nc = T::variable(0, 1);
-      const InflowForcing<T> f{T(0.01), T(0.0), T(0.0), T::variable(0, 2), T::variable(0, 3), T::variable(mz, 4)};
+      const InflowForcing<T> f{T(0.01),           T(0.0), T(0.0), T::variable(0, 2), T::variable(0, 3),
+                               T::variable(mz, 4)};
       const InflowRates<T> r = inflow_rates(c, x, f);
       for (const T& rate : {r.n0, r.nc, r.ns}) {
         CHECK(std::isfinite(rate.v));

@@ -1,4 +1,5 @@
-// CG and inertia against mast angle: printed values, the motion of the tilting mass about the conversion axis, switches.
+// CG and inertia against mast angle: printed values, the motion of the tilting mass about the conversion
+// axis, switches.
 #include "tiltrotor/model/mass_properties.hpp"
 
 #include "check.hpp"
@@ -24,20 +25,22 @@ TEST(mass_properties_printed_stations) {
   struct Row {
     double mast, sl, wl;
   };
-  for (const Row& row : {Row{0, 300, 81.65}, Row{30, 297.45, 79.53}, Row{60, 296.30, 76.42}, Row{90, 296.87, 73.15}}) {
+  for (const Row& row :
+       {Row{0, 300, 81.65}, Row{30, 297.45, 79.53}, Row{60, 296.30, 76.42}, Row{90, 296.87, 73.15}}) {
     CHECK_NEAR(at(row.mast, 300).sl_cg / kInch, row.sl, 0.006);
     CHECK_NEAR(at(row.mast, 300).wl_cg / kInch, row.wl, 0.006);
   }
 }
 
-// 4200 lb of 13000 lb turn about SL 300, WL 100; their own CG lies at SL 291.7, WL 118 with the mast up. Explicit
-// rotation of that point, nose down, and the moment balance of fixed and turning part.
+// 4200 lb of 13000 lb turn about SL 300, WL 100; their own CG lies at SL 291.7, WL 118 with the mast up.
+// Explicit rotation of that point, nose down, and the moment balance of fixed and turning part.
 TEST(mass_properties_by_rotation_of_the_nacelles) {
   for (double mast = 0; mast <= 90; mast += 7.5) {
     const double angle = mast * kRadian<double>;
     const double aft = 291.7 - 300;
     const double up = 118 - 100;
-    const double aft_turned = aft * std::cos(angle) - up * std::sin(angle);  // forward tilt moves an upper mass forward
+    const double aft_turned =
+        aft * std::cos(angle) - up * std::sin(angle);  // forward tilt moves an upper mass forward
     const double up_turned = up * std::cos(angle) + aft * std::sin(angle);
     const double share = 4200.0 / 13000;
     CHECK_NEAR(at(mast).sl_cg / kInch, 301.2 + share * (aft_turned - aft), 1e-9);

@@ -1,5 +1,5 @@
-// Left and right exchanged in state and controls must exchange left and right in the rates: every sign of every lateral
-// term, both rotors' mirrored frames, the cant of the masts and the gearing take part.
+// Left and right exchanged in state and controls must exchange left and right in the rates: every sign of
+// every lateral term, both rotors' mirrored frames, the cant of the masts and the gearing take part.
 #include <algorithm>
 
 #include "flight_cases.hpp"
@@ -76,6 +76,7 @@ TEST(mirror_symmetric_flight) {
     // A symmetric aircraft flies up and forward, not nowhere: the loads themselves are there.
     CHECK_LT(1.0, std::abs(out.loads.component[rotor_right].force.z) +
                       std::abs(out.loads.component[rotor_right].force.x));
-    CHECK_NEAR(out.loads.component[rotor_right].force.y, -out.loads.component[rotor_left].force.y, 1e-9 * force);
+    CHECK_NEAR(out.loads.component[rotor_right].force.y, -out.loads.component[rotor_left].force.y,
+               1e-9 * force);
   }
 }

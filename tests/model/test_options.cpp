@@ -1,5 +1,6 @@
-// Every switch of the model changes what it says and nothing else: the parts of one evaluation that change are listed
-// for each, all other numbers must stay bit for bit. Where a switch has a closed form, its size is checked too.
+// Every switch of the model changes what it says and nothing else: the parts of one evaluation that change
+// are listed for each, all other numbers must stay bit for bit. Where a switch has a closed form, its size is
+// checked too.
 #include "flight_cases.hpp"
 
 using namespace flight_cases;
@@ -8,8 +9,8 @@ namespace {
 
 // Parts of an evaluation.
 enum Part : unsigned {
-  rotor_forces = 1u << 0,   // sums over the blades
-  tilt = 1u << 1,           // rates of the flap states
+  rotor_forces = 1u << 0,  // sums over the blades
+  tilt = 1u << 1,          // rates of the flap states
   mean_inflow = 1u << 2,
   cyclic_inflow = 1u << 3,
   coning_rates = 1u << 4,
@@ -26,8 +27,8 @@ enum Part : unsigned {
   angular_acceleration = 1u << 15,
 };
 // Blade loads reach the free wing's flow through the rotor force.
-constexpr unsigned kBladeLoads = rotor_forces | tilt | mean_inflow | cyclic_inflow | hub_component | wing_in_free_stream |
-                                 downwash_rate | angular_acceleration;
+constexpr unsigned kBladeLoads = rotor_forces | tilt | mean_inflow | cyclic_inflow | hub_component |
+                                 wing_in_free_stream | downwash_rate | angular_acceleration;
 
 struct Condition {
   double mast = 30;
@@ -71,10 +72,13 @@ unsigned changed(const Evaluation<double>& a, const Evaluation<double>& b) {
     mark(x.b1c == y.b1c && x.b1s == y.b1s && x.b1c_rate == y.b1c_rate && x.b1s_rate == y.b1s_rate, tilt);
     mark(x.n0 == y.n0, mean_inflow);
     mark(x.nc == y.nc && x.ns == y.ns, cyclic_inflow);
-    mark(a.rates.coning[side].angle == b.rates.coning[side].angle && a.rates.coning[side].rate == b.rates.coning[side].rate,
+    mark(a.rates.coning[side].angle == b.rates.coning[side].angle &&
+             a.rates.coning[side].rate == b.rates.coning[side].rate,
          coning_rates);
   }
-  const auto component = [&](int k, unsigned part) { mark(same(a.loads.component[k], b.loads.component[k]), part); };
+  const auto component = [&](int k, unsigned part) {
+    mark(same(a.loads.component[k], b.loads.component[k]), part);
+  };
   component(rotor_right, hub_component);
   component(rotor_left, hub_component);
   component(wing_wake_right, wing_in_rotor_wake);
@@ -88,7 +92,8 @@ unsigned changed(const Evaluation<double>& a, const Evaluation<double>& b) {
   component(fin_right, fins);
   component(fin_left, fins);
   mark(a.rates.downwash == b.rates.downwash, downwash_rate);
-  mark(a.rates.rates.x == b.rates.rates.x && a.rates.rates.y == b.rates.rates.y && a.rates.rates.z == b.rates.rates.z,
+  mark(a.rates.rates.x == b.rates.rates.x && a.rates.rates.y == b.rates.rates.y &&
+           a.rates.rates.z == b.rates.rates.z,
        angular_acceleration);
   return parts;
 }
@@ -110,8 +115,9 @@ constexpr unsigned kAcceleration = angular_acceleration;
 TEST(options_defaults_are_the_first_choices) {
   // A default evaluation equals itself, and tables are C1: the comparison below is not blind.
   CHECK_EQ(changed(evaluated({}, Options{}), evaluated({}, Options{})), 0u);
-  check_switch({}, kBladeLoads | body | tailplane | fins, [](Options& o) { o.tables = Interpolation::linear; },
-               wing_in_rotor_wake | pylon_interference | side_plates);
+  check_switch(
+      {}, kBladeLoads | body | tailplane | fins, [](Options& o) { o.tables = Interpolation::linear; },
+      wing_in_rotor_wake | pylon_interference | side_plates);
 }
 
 TEST(options_of_the_rotor) {
@@ -123,8 +129,9 @@ TEST(options_of_the_rotor) {
   check_switch({}, kBladeLoads, [](Options& o) { o.chord = ChordSource::camrad; });
   check_switch({}, kBladeLoads, [](Options& o) { o.twist = TwistSource::linear; });
   check_switch({}, kBladeLoads | coning_rates, [](Options& o) { o.coning_states = true; });
-  check_switch({}, kBladeLoads, [](Options& o) { o.mast_cant = false; },
-               wing_in_rotor_wake | pylon_interference | spinner_drag);
+  check_switch(
+      {}, kBladeLoads, [](Options& o) { o.mast_cant = false; },
+      wing_in_rotor_wake | pylon_interference | spinner_drag);
   check_switch({}, tilt | hub_component | kAcceleration, [](Options& o) { o.hub_spring_factor = 1.5; });
 }
 
@@ -138,18 +145,25 @@ TEST(options_of_the_inflow) {
 }
 
 TEST(options_of_the_wing) {
+  check_switch(
+      {0}, wing_in_rotor_wake | wing_in_free_stream | kAcceleration,
+      [](Options& o) { o.wake = WakeModel::gtrs_empirical; }, pylon_interference);
   check_switch({0}, wing_in_rotor_wake | wing_in_free_stream | kAcceleration,
-               [](Options& o) { o.wake = WakeModel::gtrs_empirical; }, pylon_interference);
-  check_switch({0}, wing_in_rotor_wake | wing_in_free_stream | kAcceleration, [](Options& o) { o.wake_fade = false; });
+               [](Options& o) { o.wake_fade = false; });
   check_switch({0}, wing_in_rotor_wake | pylon_interference | wing_in_free_stream | kAcceleration,
                [](Options& o) { o.wash = WashFactor::vortex_cylinder; });
-  check_switch({0}, wing_in_rotor_wake | kAcceleration, [](Options& o) { o.wake_load = WakeLoadFactor::gtrs; });
-  check_switch({60}, wing_in_free_stream | kAcceleration, [](Options& o) { o.mast_drag = MastDrag::linear; },
-               wing_in_rotor_wake);
-  for (const double mast : {0.0, 90.0}) check_switch({mast}, 0, [](Options& o) { o.mast_drag = MastDrag::linear; });
+  check_switch({0}, wing_in_rotor_wake | kAcceleration,
+               [](Options& o) { o.wake_load = WakeLoadFactor::gtrs; });
+  check_switch(
+      {60}, wing_in_free_stream | kAcceleration, [](Options& o) { o.mast_drag = MastDrag::linear; },
+      wing_in_rotor_wake);
+  for (const double mast : {0.0, 90.0})
+    check_switch({mast}, 0, [](Options& o) { o.mast_drag = MastDrag::linear; });
   check_switch({0}, wing_in_free_stream | kAcceleration, [](Options& o) { o.rotor_lift_on_wing = false; });
-  check_switch({90}, 0, [](Options& o) { o.rotor_lift_on_wing = false; }, wing_in_free_stream | kAcceleration);
-  check_switch({0}, wing_in_free_stream | downwash_rate | kAcceleration, [](Options& o) { o.wing_rate_velocity = true; });
+  check_switch(
+      {90}, 0, [](Options& o) { o.rotor_lift_on_wing = false; }, wing_in_free_stream | kAcceleration);
+  check_switch({0}, wing_in_free_stream | downwash_rate | kAcceleration,
+               [](Options& o) { o.wing_rate_velocity = true; });
 }
 
 TEST(options_of_the_tail) {
@@ -159,7 +173,8 @@ TEST(options_of_the_tail) {
   check_switch({90}, 0, [](Options& o) { o.tail_pressure = TailPressure::constant; });
   check_switch({}, tailplane | fins | kAcceleration, [](Options& o) { o.tail_sideslip_loss = true; });
   check_switch({}, fins | kAcceleration, [](Options& o) { o.fin_area = FinArea::report; });
-  check_switch({}, tailplane | kAcceleration, [](Options& o) { o.elevator_gearing = ElevatorGearing::printed_runs; });
+  check_switch({}, tailplane | kAcceleration,
+               [](Options& o) { o.elevator_gearing = ElevatorGearing::printed_runs; });
 }
 
 TEST(options_of_mass_controls_and_states) {
@@ -179,14 +194,17 @@ TEST(options_sizes_in_closed_form) {
   const Evaluation<double> base = evaluated(helicopter, Options{});
   // K_FW = 1.4 - 0.0035 x 40 deg against 1.07.
   const Evaluation<double> load = with(helicopter, [](Options& o) { o.wake_load = WakeLoadFactor::gtrs; });
-  CHECK_REL(load.loads.component[wing_wake_right].force.z / base.loads.component[wing_wake_right].force.z, 1.26 / 1.07,
-            1e-12);
+  CHECK_REL(load.loads.component[wing_wake_right].force.z / base.loads.component[wing_wake_right].force.z,
+            1.26 / 1.07, 1e-12);
   // Fin area 20.25 of 25.25 ft2; tail pressure 0.8 at mast 0.
   const Evaluation<double> fin = with(helicopter, [](Options& o) { o.fin_area = FinArea::report; });
-  CHECK_REL(fin.loads.component[fin_left].force.y / base.loads.component[fin_left].force.y, 20.25 / 25.25, 1e-12);
-  const Evaluation<double> tail = with(helicopter, [](Options& o) { o.tail_pressure = TailPressure::constant; });
+  CHECK_REL(fin.loads.component[fin_left].force.y / base.loads.component[fin_left].force.y, 20.25 / 25.25,
+            1e-12);
+  const Evaluation<double> tail =
+      with(helicopter, [](Options& o) { o.tail_pressure = TailPressure::constant; });
   CHECK_REL(tail.loads.component[htail].moment.y / base.loads.component[htail].moment.y, 0.8, 1e-12);
-  // Angular acceleration of the hub: b1c'' + wy', b1s'' - wx' in each rotor's frame (mast 0, no cant: y = q', x = -+p').
+  // Angular acceleration of the hub: b1c'' + wy', b1s'' - wx' in each rotor's frame (mast 0, no cant: y = q',
+  // x = -+p').
   const auto inertial = [](Options& o) { o.mast_cant = false; };
   const Evaluation<double> still = with(helicopter, inertial);
   const Evaluation<double> moving = with(helicopter, [&](Options& o) {

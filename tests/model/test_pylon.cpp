@@ -35,7 +35,8 @@ TEST(pylon_spinner_drag_areas) {
   CHECK_REL(across.moment.y, -across.force.x * (156.004 - 81.65) * kFoot / 12, 3e-4);
   // 45 deg: sin^3.
   in.velocity = {50, 0, 50};
-  const double tilted = std::hypot(spinner_loads(helicopter, in).force.x, spinner_loads(helicopter, in).force.z);
+  const double tilted =
+      std::hypot(spinner_loads(helicopter, in).force.x, spinner_loads(helicopter, in).force.z);
   CHECK_REL(tilted, 2 * q * 2 * (1 + 5.5 * std::pow(0.5, 1.5)) * square_foot, 1e-3);
 }
 

@@ -1,11 +1,11 @@
-// Case-by-case comparison with tests/reference/, the outputs of a second, independent implementation of the same
-// equations on the same tables: rotor loads, component loads, state derivatives, with C1 and with linear tables.
-// The files give 12 digits. A difference counts relative to the number itself, or to a thousandth of the largest number
-// of its kind in the same case, whichever is larger.
+// Case-by-case comparison with tests/reference/, the outputs of a second, independent implementation of the
+// same equations on the same tables: rotor loads, component loads, state derivatives, with C1 and with linear
+// tables. The files give 12 digits. A difference counts relative to the number itself, or to a thousandth of
+// the largest number of its kind in the same case, whichever is larger.
 //
-// That implementation converts units with eight digits (1 slug = 14.593903 kg, 1 lbf = 4.4482216 N). With the same
-// rounding in the masses, inertias and the hub spring the two agree to the digits of the files; as built they agree to
-// that rounding, amplified where large terms cancel.
+// That implementation converts units with eight digits (1 slug = 14.593903 kg, 1 lbf = 4.4482216 N). With the
+// same rounding in the masses, inertias and the hub spring the two agree to the digits of the files; as built
+// they agree to that rounding, amplified where large terms cancel.
 #include <algorithm>
 #include <string>
 #include <vector>
@@ -106,14 +106,14 @@ void replay_rotor_loads(const Replay& replay, const std::string& tables) {
     const double moment = std::abs(at("M0_nm"));
     const double flap = std::hypot(at("dd_b1c"), at("dd_b1s"));
     const double inflow = std::max({std::abs(at("d_n0")), std::abs(at("d_nc")), std::abs(at("d_ns"))});
-    for (const Entry& e : {Entry{"Fx_A_n", out.loads.force.x, force}, Entry{"Fy_A_n", out.loads.force.y, force},
-                           Entry{"Fz_A_n", out.loads.force.z, force}, Entry{"Q_nm", out.loads.torque, moment},
-                           Entry{"Mc_nm", out.loads.mc, moment}, Entry{"Ms_nm", out.loads.ms, moment},
-                           Entry{"M0_nm", out.loads.m0, moment}, Entry{"d_b1c", out.flapping.b1c_rate, 0},
-                           Entry{"d_b1s", out.flapping.b1s_rate, 0},
-                           Entry{"dd_b1c", out.flapping.b1c_acceleration, flap},
-                           Entry{"dd_b1s", out.flapping.b1s_acceleration, flap}, Entry{"d_n0", out.inflow.n0, inflow},
-                           Entry{"d_nc", out.inflow.nc, inflow}, Entry{"d_ns", out.inflow.ns, inflow}}) {
+    for (const Entry& e :
+         {Entry{"Fx_A_n", out.loads.force.x, force}, Entry{"Fy_A_n", out.loads.force.y, force},
+          Entry{"Fz_A_n", out.loads.force.z, force}, Entry{"Q_nm", out.loads.torque, moment},
+          Entry{"Mc_nm", out.loads.mc, moment}, Entry{"Ms_nm", out.loads.ms, moment},
+          Entry{"M0_nm", out.loads.m0, moment}, Entry{"d_b1c", out.flapping.b1c_rate, 0},
+          Entry{"d_b1s", out.flapping.b1s_rate, 0}, Entry{"dd_b1c", out.flapping.b1c_acceleration, flap},
+          Entry{"dd_b1s", out.flapping.b1s_acceleration, flap}, Entry{"d_n0", out.inflow.n0, inflow},
+          Entry{"d_nc", out.inflow.nc, inflow}, Entry{"d_ns", out.inflow.ns, inflow}}) {
       difference.add(e.value, at(e.column), e.kind_scale, place(file, row, e.column));
     }
   }
@@ -127,7 +127,8 @@ struct ReferenceCase {
   Controls<double> u;
 };
 
-ReferenceCase read_case(const Replay& replay, const check::CsvFile& file, int row, const std::string& tables) {
+ReferenceCase read_case(const Replay& replay, const check::CsvFile& file, int row,
+                        const std::string& tables) {
   ReferenceCase r{};
   FlightSetup<double> setup = flight_setup(replay.aircraft, file.number(row, "mast_deg"));
   setup.options = table_options(tables);
@@ -165,7 +166,8 @@ void replay_state_derivatives(const Replay& replay, const std::string& tables) {
           kind = std::max(kind, std::abs(file.number(row, std::string("d_") + kStateNames[k].name)));
         }
       }
-      difference.add(actual[static_cast<std::size_t>(i)], file.number(row, column), kind, place(file, row, column));
+      difference.add(actual[static_cast<std::size_t>(i)], file.number(row, column), kind,
+                     place(file, row, column));
     }
   }
   difference.note(name);

@@ -1,5 +1,5 @@
-// Rigid body: NASA NESC check cases (NASA/TM-2015-218675, trajectories of simulation 4), conservation laws, the moment
-// equations as a matrix, Euler kinematics from the turning of a rotation matrix.
+// Rigid body: NASA NESC check cases (NASA/TM-2015-218675, trajectories of simulation 4), conservation laws,
+// the moment equations as a matrix, Euler kinematics from the turning of a rotation matrix.
 #include "tiltrotor/model/rigid_body.hpp"
 
 #include <algorithm>
@@ -24,8 +24,8 @@ struct Body {
 };
 
 Body plus(const Body& a, double h, const RigidBodyRates<double>& d) {
-  return {a.velocity + h * d.velocity, a.rates + h * d.rates,       a.roll + h * d.roll,
-          a.pitch + h * d.pitch,       a.yaw + h * d.yaw, a.position + h * d.position};
+  return {a.velocity + h * d.velocity, a.rates + h * d.rates, a.roll + h * d.roll,
+          a.pitch + h * d.pitch,       a.yaw + h * d.yaw,     a.position + h * d.position};
 }
 
 // Classical Runge-Kutta of fourth order; `loads(body, time)`.
@@ -43,7 +43,8 @@ Body step(const MassProperties<double>& mass, const Body& b, double t, double h,
 
 // Body axes -> north east down, the three turns one after the other: yaw, then pitch, then roll.
 V to_earth(const V& a, double roll, double pitch, double yaw) {
-  const V after_roll{a.x, std::cos(roll) * a.y - std::sin(roll) * a.z, std::sin(roll) * a.y + std::cos(roll) * a.z};
+  const V after_roll{a.x, std::cos(roll) * a.y - std::sin(roll) * a.z,
+                     std::sin(roll) * a.y + std::cos(roll) * a.z};
   const V after_pitch{std::cos(pitch) * after_roll.x + std::sin(pitch) * after_roll.z, after_roll.y,
                       -std::sin(pitch) * after_roll.x + std::cos(pitch) * after_roll.z};
   return {std::cos(yaw) * after_pitch.x - std::sin(yaw) * after_pitch.y,
@@ -99,8 +100,9 @@ TEST(rigid_body_nesc_tumbling_brick) {
   check_body_rates(points, 1e-9, [](const Body&, double) { return Loads<double>{}; });
 }
 
-// Atmos_03_TumblingBrickDamping, simulation 4: C_lp = C_mq = C_nr = -1, falling from 30000 ft without drag. Airspeed and
-// altitude of the fall follow the same file (159.977557353 ft/s at 5 s, 960.293064507 ft/s at 30 s).
+// Atmos_03_TumblingBrickDamping, simulation 4: C_lp = C_mq = C_nr = -1, falling from 30000 ft without drag.
+// Airspeed and altitude of the fall follow the same file (159.977557353 ft/s at 5 s, 960.293064507 ft/s at 30
+// s).
 TEST(rigid_body_nesc_tumbling_brick_damped) {
   const Point points[] = {{5, -4.13498073581, 3.19020857135, 21.7249722576},
                           {10, -0.119673377375, -0.0458085531177, 8.42554174543},
@@ -119,8 +121,8 @@ TEST(rigid_body_nesc_tumbling_brick_damped) {
     const auto damping = [&](double rate, double length) {
       return -0.25 * density * speed * 0.22222 * length * length * rate;
     };
-    return Loads<double>{{0, 0, 0},
-                         {damping(x.rates.x, 0.33333), damping(x.rates.y, 0.66667), damping(x.rates.z, 0.33333)}};
+    return Loads<double>{
+        {0, 0, 0}, {damping(x.rates.x, 0.33333), damping(x.rates.y, 0.66667), damping(x.rates.z, 0.33333)}};
   };
   check_body_rates(points, 3e-3, loads);
 }
@@ -131,7 +133,9 @@ TEST(rigid_body_torque_free_conservation) {
   mass.mass = 5900;
   mass.inertia = {71580, 28960, 89940, 1673};
   Body body{{0, 0, 0}, {0.3, -0.2, 0.25}, 0.2, -0.3, 0.5, {0, 0, 0}};
-  const auto momentum = [&] { return to_earth(angular_momentum(mass.inertia, body.rates), body.roll, body.pitch, body.yaw); };
+  const auto momentum = [&] {
+    return to_earth(angular_momentum(mass.inertia, body.rates), body.roll, body.pitch, body.yaw);
+  };
   const auto energy = [&] { return 0.5 * dot(body.rates, angular_momentum(mass.inertia, body.rates)); };
   const V h0 = momentum();
   const double e0 = energy();

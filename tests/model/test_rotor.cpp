@@ -1,5 +1,6 @@
-// Rotor loads: section velocities by finite differences of positions in body axes, forces summed there by hand for both
-// rotors, energy balance, symmetries, convergence, hover values of an independent second program.
+// Rotor loads: section velocities by finite differences of positions in body axes, forces summed there by
+// hand for both rotors, energy balance, symmetries, convergence, hover values of an independent second
+// program.
 #include "settled_rotor.hpp"
 
 using namespace flight_cases;
@@ -13,7 +14,8 @@ constexpr double kRadius = 12.5 * 0.3048;
 
 V unit(int axis) { return {axis == 0 ? 1.0 : 0.0, axis == 1 ? 1.0 : 0.0, axis == 2 ? 1.0 : 0.0}; }
 
-// Axes of the rotor frame A in body axes, written out: x aft, y to the advancing (outboard) side, z up the shaft.
+// Axes of the rotor frame A in body axes, written out: x aft, y to the advancing (outboard) side, z up the
+// shaft.
 struct RotorAxes {
   V aft, outboard, up;
 };
@@ -33,12 +35,14 @@ struct Blade {
 Blade blade_axes(const RotorAxes& a, double azimuth, double flap) {
   const V radial = std::cos(azimuth) * a.aft + std::sin(azimuth) * a.outboard;
   const V forward = std::cos(azimuth) * a.outboard - std::sin(azimuth) * a.aft;
-  return {std::cos(flap) * radial + std::sin(flap) * a.up, forward, std::cos(flap) * a.up - std::sin(flap) * radial};
+  return {std::cos(flap) * radial + std::sin(flap) * a.up, forward,
+          std::cos(flap) * a.up - std::sin(flap) * radial};
 }
 
 }  // namespace
 
-// A blade element followed through space from the aircraft's CG: velocity by differences, wash added along the shaft.
+// A blade element followed through space from the aircraft's CG: velocity by differences, wash added along
+// the shaft.
 TEST(rotor_section_velocities_from_positions) {
   NOTE("seed 33");
   Generator random(33);
@@ -58,20 +62,22 @@ TEST(rotor_section_velocities_from_positions) {
         const double radius = random.between(0.4, 3.8);
         const auto flap_at = [&](double t) {
           const double psi = azimuth + omega * t;
-          return s.x.coning[side].angle + s.x.coning[side].rate * t + (x.b1c + x.b1c_rate * t) * std::cos(psi) +
-                 (x.b1s + x.b1s_rate * t) * std::sin(psi);
+          return s.x.coning[side].angle + s.x.coning[side].rate * t +
+                 (x.b1c + x.b1c_rate * t) * std::cos(psi) + (x.b1s + x.b1s_rate * t) * std::sin(psi);
         };
         const auto position = [&](double t) {  // from the CG, body axes
           return c.hub[side].arm + radius * blade_axes(axes, azimuth + omega * t, flap_at(t)).along;
         };
         const double h = 1e-6;
         const V here = position(0);
-        const V velocity = s.x.velocity + cross(s.x.rates, here) + (1 / (2 * h)) * (position(h) - position(-h));
-        const double wash = c.tip_speed * (x.n0 + radius / kRadius * (x.nc * std::cos(azimuth) + x.ns * std::sin(azimuth)));
+        const V velocity =
+            s.x.velocity + cross(s.x.rates, here) + (1 / (2 * h)) * (position(h) - position(-h));
+        const double wash =
+            c.tip_speed * (x.n0 + radius / kRadius * (x.nc * std::cos(azimuth) + x.ns * std::sin(azimuth)));
         const V relative = velocity + wash * axes.up;  // the air goes down the shaft
         const Blade blade = blade_axes(axes, azimuth, flap_at(0));
-        const BladeFlow<double> flow = blade_flow(c, in, std::sin(flap_at(0)), std::cos(flap_at(0)), std::cos(azimuth),
-                                                  std::sin(azimuth));
+        const BladeFlow<double> flow = blade_flow(c, in, std::sin(flap_at(0)), std::cos(flap_at(0)),
+                                                  std::cos(azimuth), std::sin(azimuth));
         CHECK_NEAR(flow.tangential_0 + radius * flow.tangential_r, dot(relative, blade.forward), 2e-6);
         CHECK_NEAR(flow.normal_0 + radius * flow.normal_r, dot(relative, blade.normal), 2e-6);
       }
@@ -79,8 +85,8 @@ TEST(rotor_section_velocities_from_positions) {
   }
 }
 
-// Element forces added up in body axes at their own places: force on the aircraft, shaft torque with its sign, spring
-// moment of the tilted disk.
+// Element forces added up in body axes at their own places: force on the aircraft, shaft torque with its
+// sign, spring moment of the tilted disk.
 TEST(rotor_hub_loads_by_hand_in_body_axes) {
   NOTE("seed 34");
   Generator random(34);
@@ -99,9 +105,10 @@ TEST(rotor_hub_loads_by_hand_in_body_axes) {
         const double gimbal = x.b1c * std::cos(psi) + x.b1s * std::sin(psi);
         const double flap = c.coning + gimbal;
         const Blade blade = blade_axes(axes, psi, flap);
-        const BladeFlow<double> flow = blade_flow(c, in, std::sin(flap), std::cos(flap), std::cos(psi), std::sin(psi));
-        const double pitch = in.collective - in.lateral_cyclic * std::cos(psi) - in.long_cyclic * std::sin(psi) +
-                             std::tan(15 * kRadian<double>) * gimbal;
+        const BladeFlow<double> flow =
+            blade_flow(c, in, std::sin(flap), std::cos(flap), std::cos(psi), std::sin(psi));
+        const double pitch = in.collective - in.lateral_cyclic * std::cos(psi) -
+                             in.long_cyclic * std::sin(psi) + std::tan(15 * kRadian<double>) * gimbal;
         CHECK_NEAR(flow.pitch, pitch, 1e-14);
         int region = 0;
         for (int i = 0; i < c.blade.count; ++i) {
@@ -112,8 +119,8 @@ TEST(rotor_hub_loads_by_hand_in_body_axes) {
           const double speed = std::sqrt(ut * ut + up * up + 0.01);
           const double inflow_angle = std::atan2(up, ut);
           const double alpha = std::remainder(pitch + station.twist - inflow_angle, 2 * kPi<double>);
-          const SectionCoefficients<double> k2 =
-              section_coefficients(c.aircraft->rotor, Interpolation::linear, region, alpha, speed / c.air.speed_of_sound);
+          const SectionCoefficients<double> k2 = section_coefficients(
+              c.aircraft->rotor, Interpolation::linear, region, alpha, speed / c.air.speed_of_sound);
           // Lift at right angles to the flow, drag along it.
           const double q = c.air.density * speed * speed * station.half_chord_dr;
           const double lift = q * k2.lift * station.lift_weight;
@@ -136,8 +143,8 @@ TEST(rotor_hub_loads_by_hand_in_body_axes) {
       CHECK_NEAR(loads.force.z, force.z, 1e-9 * scale);
       const V at_hub = loads.moment - cross(c.hub[side].arm, force);
       CHECK_NEAR(dot(at_hub, axes.up), shaft_moment, 1e-8 * (1 + std::abs(shaft_moment)));
-      // Spring: a disk with its aft side up (tilted forward) pulls the nose down; with its outboard side up (tilted
-      // inboard) it rolls the aircraft to the other side.
+      // Spring: a disk with its aft side up (tilted forward) pulls the nose down; with its outboard side up
+      // (tilted inboard) it rolls the aircraft to the other side.
       const double sigma = side == right ? 1 : -1;
       CHECK_NEAR(dot(at_hub, sigma * axes.outboard), -c.hub_spring * x.b1c, 1e-9 * c.hub_spring);
       CHECK_NEAR(-dot(at_hub, axes.aft), -sigma * c.hub_spring * x.b1s, 1e-9 * c.hub_spring);
@@ -145,8 +152,8 @@ TEST(rotor_hub_loads_by_hand_in_body_axes) {
   }
 }
 
-// Power = drag of the sections times their speed + work of the hub force against hub speed and wash. Exact for a flat
-// disk with uniform wash, at any angle of the wind.
+// Power = drag of the sections times their speed + work of the hub force against hub speed and wash. Exact
+// for a flat disk with uniform wash, at any angle of the wind.
 TEST(rotor_energy_balance) {
   for (const V& velocity : {V{0, 0, 0}, V{0, 0, 8}, V{-40, 0, 4}, V{-30, 15, -5}, V{0, 0, 90}}) {
     const Configuration<double> c = configuration(0, linear_tables());
@@ -163,13 +170,15 @@ TEST(rotor_energy_balance) {
       for (int i = 0; i < c.blade.count; ++i) {
         while (i >= c.blade.region_end[region]) ++region;
         const BladeStation<double>& s = c.blade.station[i];
-        const double ut = c.setup.rotor_speed * s.radius - velocity.x * std::sin(psi) + velocity.y * std::cos(psi);
+        const double ut =
+            c.setup.rotor_speed * s.radius - velocity.x * std::sin(psi) + velocity.y * std::cos(psi);
         const double up = velocity.z + c.tip_speed * in.state.n0;
         const double speed = std::sqrt(ut * ut + up * up + 0.01);
-        const double alpha = std::remainder(in.collective - in.long_cyclic * std::sin(psi) + s.twist - std::atan2(up, ut),
-                                            2 * kPi<double>);
+        const double alpha = std::remainder(
+            in.collective - in.long_cyclic * std::sin(psi) + s.twist - std::atan2(up, ut), 2 * kPi<double>);
         const double cd = section_coefficients(c.aircraft->rotor, Interpolation::linear, region, alpha,
-                                               speed / c.air.speed_of_sound).drag;
+                                               speed / c.air.speed_of_sound)
+                              .drag;
         profile += 3.0 / 24 * c.air.density * s.half_chord_dr * cd * speed * (ut * ut + up * up);
       }
     }
@@ -191,7 +200,8 @@ TEST(rotor_hover_power_and_derivatives) {
   // Mean drag coefficient 0.0095..0.012 on sigma = 0.0891: profile power sigma cd/8 rho A (Omega R)^3.
   const double profile_unit = 0.0891 / 8 * 1.225 * kPi<double> * kRadius * kRadius * std::pow(c.tip_speed, 3);
   CHECK(power > induced + 0.0095 * profile_unit && power < induced + 0.0150 * profile_unit);
-  // An independent second program with the same tables: 11.69 deg, 890 hp, and derivatives of the settled rotor.
+  // An independent second program with the same tables: 11.69 deg, 890 hp, and derivatives of the settled
+  // rotor.
   const double horsepower = 745.70;
   CHECK_NEAR(in.collective * kDegree<double>, 11.69, 0.02);
   CHECK_REL(power / horsepower, 890, 0.003);
@@ -222,7 +232,8 @@ TEST(rotor_textbook_thrust_and_torque) {
       const RotorLoads<double> loads = rotor_loads(c, in, c.azimuth);
       const double ct = sigma * TextbookRotor::kLiftSlope / 2 * (theta / 3 - lambda / 2);
       CHECK_REL(loads.force.z / scale, ct, 2e-3);
-      CHECK_NEAR(loads.torque / (scale * kRadius), lambda * ct, 2e-3 * lambda * ct + 1e-9);  // no drag: induced alone
+      CHECK_NEAR(loads.torque / (scale * kRadius), lambda * ct,
+                 2e-3 * lambda * ct + 1e-9);  // no drag: induced alone
       CHECK_NEAR(loads.mc, 0.0, 1e-8 * loads.m0);
       CHECK_NEAR(loads.force.x, 0.0, 1e-8 * loads.force.z);
     }
@@ -242,7 +253,8 @@ TEST(rotor_textbook_thrust_and_torque) {
   CHECK_NEAR(loads.mc, 0.0, 1e-6 * moment);
 }
 
-// Axial flow in airplane mode: no force in the plane, no load harmonics; the torques of the two rotors cancel.
+// Axial flow in airplane mode: no force in the plane, no load harmonics; the torques of the two rotors
+// cancel.
 TEST(rotor_axial_flow_is_axisymmetric) {
   const Configuration<double> c = configuration(90);
   RotorInput<double> in{};
@@ -261,11 +273,14 @@ TEST(rotor_axial_flow_is_axisymmetric) {
   const Loads<double> l = hub_loads(c, left, in.state, out.loads);
   CHECK_NEAR((r.moment + l.moment).x, 0.0, 1e-9);
   CHECK_NEAR((r.moment + l.moment).z, 0.0, 1e-9);
-  // The right rotor turns counter-clockwise seen from above at mast 0: the airframe feels its torque nose right.
+  // The right rotor turns counter-clockwise seen from above at mast 0: the airframe feels its torque nose
+  // right.
   const Configuration<double> up = configuration(0);
-  const Loads<double> hover = hub_loads(up, right, RotorState<double>{}, RotorLoads<double>{V{0, 0, 0}, 1000, 0, 0, 0});
+  const Loads<double> hover =
+      hub_loads(up, right, RotorState<double>{}, RotorLoads<double>{V{0, 0, 0}, 1000, 0, 0, 0});
   CHECK_LT(990.0, hover.moment.z);
-  CHECK_REL(r.moment.x - (c.hub[right].arm.y * r.force.z - c.hub[right].arm.z * r.force.y), -out.loads.torque, 1e-12);
+  CHECK_REL(r.moment.x - (c.hub[right].arm.y * r.force.z - c.hub[right].arm.z * r.force.y), -out.loads.torque,
+            1e-12);
 }
 
 // Everything turned by 90 deg about the shaft gives everything turned by 90 deg.
@@ -278,7 +293,7 @@ TEST(rotor_turns_with_the_wind) {
     in.velocity = {random.between(-50, 50), random.between(-50, 50), random.between(-5, 20)};
     in.rates = {random.between(-0.5, 0.5), random.between(-0.5, 0.5), random.between(-0.5, 0.5)};
     in.state = {random.between(-0.05, 0.05), random.between(-0.05, 0.05), random.between(-0.5, 0.5),
-                random.between(-0.5, 0.5), random.between(0, 0.08), random.between(-0.02, 0.02),
+                random.between(-0.5, 0.5),   random.between(0, 0.08),     random.between(-0.02, 0.02),
                 random.between(-0.02, 0.02)};
     in.coning = {0.04, 0.1};
     in.collective = 0.2;
@@ -328,7 +343,8 @@ TEST(rotor_individual_blades_average_to_the_mean) {
     lowest = std::min(lowest, r.loads.force.z);
     highest = std::max(highest, r.loads.force.z);
   }
-  for (std::size_t i = 0; i < mean.size(); ++i) CHECK_NEAR(sum[i], mean[i], 1e-12 * (std::abs(mean[i]) + 1e3));
+  for (std::size_t i = 0; i < mean.size(); ++i)
+    CHECK_NEAR(sum[i], mean[i], 1e-12 * (std::abs(mean[i]) + 1e3));
   CHECK_LT(10.0, highest - lowest);  // three-per-revolution loads are there
 }
 
@@ -368,7 +384,8 @@ TEST(rotor_section_coefficients_all_around) {
     double last_drag = 0;
     for (int k = 0; k <= 3600; ++k) {
       const double alpha = (-180 + 0.1 * k) * kRadian<double>;
-      const SectionCoefficients<double> s = section_coefficients(rotor, Interpolation::c1, region, alpha, 0.4);
+      const SectionCoefficients<double> s =
+          section_coefficients(rotor, Interpolation::c1, region, alpha, 0.4);
       if (k > 0) {
         CHECK_NEAR(s.lift, last_lift, 0.06);
         CHECK_NEAR(s.drag, last_drag, 0.06);
@@ -383,6 +400,7 @@ TEST(rotor_section_coefficients_all_around) {
   }
   // Small angles: the table's lift slope is that of a section, 5.5..6.7 per radian at Mach 0.4.
   const double slope = (section_coefficients(rotor, Interpolation::c1, 2, 0.03, 0.4).lift -
-                        section_coefficients(rotor, Interpolation::c1, 2, 0.0, 0.4).lift) / 0.03;
+                        section_coefficients(rotor, Interpolation::c1, 2, 0.0, 0.4).lift) /
+                       0.03;
   CHECK(slope > 5.3 && slope < 7.0);
 }

@@ -1,5 +1,5 @@
-// Rotor wake on the wing: development of the vortex cylinder, immersed area in hover and cruise, skew, speed fade, the
-// empirical law of the source, the load of the immersed part.
+// Rotor wake on the wing: development of the vortex cylinder, immersed area in hover and cruise, skew, speed
+// fade, the empirical law of the source, the load of the immersed part.
 #include "printed_runs.hpp"
 
 using namespace flight_cases;
@@ -18,7 +18,8 @@ constexpr double kSquareFoot = kFoot * kFoot;
 
 }  // namespace
 
-// Hover: 55.7 ft2 a side from 5.4 to 16.1 ft (the source lists a maximum of 56 ft2); wash ratio 1.371 at the wing.
+// Hover: 55.7 ft2 a side from 5.4 to 16.1 ft (the source lists a maximum of 56 ft2); wash ratio 1.371 at the
+// wing.
 TEST(rotor_wake_hover) {
   Options options;
   options.wash = WashFactor::vortex_cylinder;
@@ -53,7 +54,8 @@ TEST(rotor_wake_with_mast_angle) {
   }
 }
 
-// Wind from the right carries both wakes to the left: the left one is carried over the tip, the right one inboard.
+// Wind from the right carries both wakes to the left: the left one is carried over the tip, the right one
+// inboard.
 TEST(rotor_wake_side_wind) {
   const Configuration<double> c = configuration(0);
   const ImmersedWing<double> still = immersed_wing(c, flight(0, 0, 0, 17), right);
@@ -78,7 +80,8 @@ TEST(rotor_wake_fade) {
   CHECK_EQ(wake_fade(configuration(0, options), 30.0), 1.0);
 }
 
-// S = 56 ft2 (sin 1.386 x + cos 3.114 x)(98.4 - V)/98.4, x = 90 deg - mast: printed shape 1 .. 0 .. 1.04, 1.00.
+// S = 56 ft2 (sin 1.386 x + cos 3.114 x)(98.4 - V)/98.4, x = 90 deg - mast: printed shape 1 .. 0
+// .. 1.04, 1.00.
 TEST(rotor_wake_empirical_law) {
   Options options;
   options.wake = WakeModel::gtrs_empirical;
@@ -94,7 +97,8 @@ TEST(rotor_wake_empirical_law) {
   CHECK_NEAR(area(0, 35), 0, 0.3);
 }
 
-// Hover download by hand: K_FW q S CD with K_FW 1.07, CD 1.44, q of 1.6 v0; 11 % of the thrust with the pylons' 0.9 %.
+// Hover download by hand: K_FW q S CD with K_FW 1.07, CD 1.44, q of 1.6 v0; 11 % of the thrust with the
+// pylons' 0.9 %.
 TEST(rotor_wake_download_in_hover) {
   const Configuration<double> c = configuration(0);
   const double wash = 56.3 * kFoot;

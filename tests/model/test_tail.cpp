@@ -1,4 +1,5 @@
-// Horizontal tail and fins: printed loads, signs of elevator, rudder and sideslip, downwash, blends, tables at hand.
+// Horizontal tail and fins: printed loads, signs of elevator, rudder and sideslip, downwash, blends, tables
+// at hand.
 #include "printed_runs.hpp"
 
 using namespace flight_cases;
@@ -34,7 +35,8 @@ TEST(tail_printed_loads) {
     CHECK_REL(load.m, p.horizontal_tail.m, 0.05);
     NOTE(p.speed_kt << " kt: Z " << load.z << " (" << p.horizontal_tail.z << "), M " << load.m << " ("
                     << p.horizontal_tail.m << ")");
-    // Both fins: X printed as 2.227, -1.595, -8.512 lb (sidewash details of the source); nothing sideways in the sum.
+    // Both fins: X printed as 2.227, -1.595, -8.512 lb (sidewash details of the source); nothing sideways in
+    // the sum.
     const double fins_x = p.speed_kt < 50 ? 2.227 : p.speed_kt < 80 ? -1.595 : -8.512;
     const Loads<double> r_fin = fin(r.c, r.in, right);
     const Loads<double> l_fin = fin(r.c, r.in, left);
@@ -62,7 +64,8 @@ TEST(tail_signs) {
   CHECK_LT(tail(c, in).moment.y, neutral.moment.y);
 }
 
-// Damping by the arm: the tail meets q times 258.8 in (SL 560 - 301.2, less the shift of the CG) as angle of attack.
+// Damping by the arm: the tail meets q times 258.8 in (SL 560 - 301.2, less the shift of the CG) as angle of
+// attack.
 TEST(tail_pitch_rate_is_an_angle) {
   const Configuration<double> c = configuration(90, linear_tables());
   const AirframeInput<double> level = cruise(90, 0, 2);
@@ -87,13 +90,13 @@ TEST(tail_fins_sideslip_and_rudder) {
   const Configuration<double> c = configuration(90);
   AirframeInput<double> in = cruise(90, 4, 2);
   const Loads<double> slip = fin(c, in, right) + fin(c, in, left);
-  CHECK_LT(slip.force.y, 0.0);        // wind from the right pushes to the left
-  CHECK_LT(0.0, slip.moment.z);       // nose into the wind
-  CHECK_LT(slip.moment.x, 0.0);       // fins above the CG: rolls to the left
+  CHECK_LT(slip.force.y, 0.0);   // wind from the right pushes to the left
+  CHECK_LT(0.0, slip.moment.z);  // nose into the wind
+  CHECK_LT(slip.moment.x, 0.0);  // fins above the CG: rolls to the left
   in = cruise(90, 0, 2);
   in.rudder = 5 * kRadian<double>;
   const Loads<double> rudder = fin(c, in, right) + fin(c, in, left);
-  CHECK_LT(0.0, rudder.moment.z);     // right pedal, nose right
+  CHECK_LT(0.0, rudder.moment.z);  // right pedal, nose right
   CHECK_LT(rudder.force.y, 0.0);
   in.rudder = 0;
   in.rates.z = 0.1;
@@ -140,7 +143,8 @@ TEST(tail_rotor_wash_can_be_upwash) {
   const Configuration<double> c = configuration(0);
   const double speed = 80 * 1852 / 3600.0;
   const double alpha = -12 * kRadian<double>;
-  const FreeStream<double> stream = free_stream(c, Vec3<double>{speed * std::cos(alpha), 0, speed * std::sin(alpha)});
+  const FreeStream<double> stream =
+      free_stream(c, Vec3<double>{speed * std::cos(alpha), 0, speed * std::sin(alpha)});
   CHECK_NEAR(tail_wash_ratio(c, stream), -1.13, 0.05);
   // The closed form at 100 kt and mast 0 is its first constant.
   Options options;

@@ -39,14 +39,15 @@ TEST(wing_printed_loads) {
     CHECK_NEAR(load.x, p.free_wing.x, 10.0);
     CHECK_NEAR(load.z, p.free_wing.z, 10.0);
     CHECK_NEAR(load.m, p.free_wing.m, 45.0);
-    NOTE(p.speed_kt << " kt: X " << load.x << " (" << p.free_wing.x << "), Z " << load.z << " (" << p.free_wing.z
-                    << "), M " << load.m << " (" << p.free_wing.m << ")");
+    NOTE(p.speed_kt << " kt: X " << load.x << " (" << p.free_wing.x << "), Z " << load.z << " ("
+                    << p.free_wing.z << "), M " << load.m << " (" << p.free_wing.m << ")");
     // From 40 kt the printed immersed loads are zero.
     for (const int side : {right, left}) CHECK_NEAR(r.wake[side].immersed.area, 0.0, 1e-9);
   }
 }
 
-// Angle of the free stream behind the rotors, by hand: alpha_F - 0.26 X_RW C_RF / mu^2 at 100 kt (mu above its floor).
+// Angle of the free stream behind the rotors, by hand: alpha_F - 0.26 X_RW C_RF / mu^2 at 100 kt (mu above
+// its floor).
 TEST(wing_rotor_induced_angle) {
   const Replay r = replay(kPoints[2]);
   const double alpha = std::atan2(-36.86, 164.7);
@@ -97,7 +98,8 @@ TEST(wing_drag_between_mast_angles) {
   options.mast_drag = MastDrag::linear;
   CHECK_NEAR(upright_pylon_weight(configuration(30, options), 0.1), 2.0 / 3, 1e-15);
   // A wing with upright pylons has more drag and never less.
-  CHECK_LT(wing_coefficients(configuration(60), 0.05, 0.2).drag, wing_coefficients(configuration(15), 0.05, 0.2).drag);
+  CHECK_LT(wing_coefficients(configuration(60), 0.05, 0.2).drag,
+           wing_coefficients(configuration(15), 0.05, 0.2).drag);
 }
 
 TEST(wing_flap_settings_blend) {

@@ -29,6 +29,7 @@ int main(int count, char** argument) {
     print(counts, duration);
   }
   std::printf("contract broken %zu times\n", breaches.text.size());
-  for (std::size_t i = 0; i < breaches.text.size() && i < 20; ++i) std::printf("  %s\n", breaches.text[i].c_str());
+  for (std::size_t i = 0; i < breaches.text.size() && i < 20; ++i)
+    std::printf("  %s\n", breaches.text[i].c_str());
   return breaches.text.empty() ? 0 : 1;
 }

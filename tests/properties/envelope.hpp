@@ -1,6 +1,6 @@
-// Random states and random flights, far past what an aircraft survives. The contract under test: whatever the numbers,
-// the library refuses them, or returns finite results, or says that they are not finite; a flight that diverges stops
-// with the time and the state that left its range.
+// Random states and random flights, far past what an aircraft survives. The contract under test: whatever the
+// numbers, the library refuses them, or returns finite results, or says that they are not finite; a flight
+// that diverges stops with the time and the state that left its range.
 #pragma once
 
 #include <algorithm>
@@ -48,12 +48,24 @@ inline bool finite(const double* x, std::size_t count) {
 
 // ---- states ----
 
-enum Corner { anywhere, vortex_ring, reverse_flow, sideways, inverted, at_the_edges, beyond, not_a_number, corner_count };
-inline constexpr const char* kCornerNames[corner_count] = {"anywhere",   "vortex_ring",  "reverse_flow", "sideways",
-                                                          "inverted",   "at_the_edges", "beyond",       "not_a_number"};
+enum Corner {
+  anywhere,
+  vortex_ring,
+  reverse_flow,
+  sideways,
+  inverted,
+  at_the_edges,
+  beyond,
+  not_a_number,
+  corner_count
+};
+inline constexpr const char* kCornerNames[corner_count] = {"anywhere", "vortex_ring", "reverse_flow",
+                                                           "sideways", "inverted",    "at_the_edges",
+                                                           "beyond",   "not_a_number"};
 
 struct StateCounts {
-  long tried[corner_count] = {}, finite[corner_count] = {}, refused[corner_count] = {}, not_finite[corner_count] = {};
+  long tried[corner_count] = {}, finite[corner_count] = {}, refused[corner_count] = {},
+       not_finite[corner_count] = {};
   long steps = 0, stopped = 0, linear_models = 0, setups = 0, setups_refused = 0;
 };
 
@@ -89,7 +101,8 @@ inline tr_state random_state(Generator& random, Corner corner, double hover_wash
     const double share = corner == at_the_edges ? edges[random.below(10)] : random.between(-1, 1);
     // Most flapping and inflow states of the corners are those of a working rotor.
     const bool rotor = i >= TR_ROTOR_RIGHT && i < TR_NORTH;
-    s.x[i] = share * bound(i) * (corner > anywhere && corner < at_the_edges && rotor && i != TR_DOWNWASH ? 0.05 : 1);
+    s.x[i] = share * bound(i) *
+             (corner > anywhere && corner < at_the_edges && rotor && i != TR_DOWNWASH ? 0.05 : 1);
   }
   for (double& u : s.u) u = random.chance(0.2) ? random.between(-100, 100) : random.between(-1, 1);
   s.u[TR_COLLECTIVE] = random.between(-1, 2);
@@ -110,7 +123,9 @@ inline tr_state random_state(Generator& random, Corner corner, double hover_wash
       v[TR_V] = (random.chance(0.5) ? 1 : -1) * random.between(1, 300);
       v[TR_W] = random.between(-1, 1);
       break;
-    case inverted: s.x[TR_ROLL] = 3.14159265358979 + random.between(-0.3, 0.3); break;
+    case inverted:
+      s.x[TR_ROLL] = 3.14159265358979 + random.between(-0.3, 0.3);
+      break;
     case beyond: {
       const int i = random.below(TR_STATES - 3);
       s.x[i] = (random.chance(0.5) ? 1 : -1) * bound(i) * std::pow(10, random.between(0.001, 300));
@@ -120,11 +135,13 @@ inline tr_state random_state(Generator& random, Corner corner, double hover_wash
     }
     case not_a_number: {
       const double bad[] = {std::nan(""), HUGE_VAL, -HUGE_VAL};
-      double* const place = random.chance(0.7) ? &s.x[random.below(TR_STATES)] : &s.u[random.below(TR_CONTROLS)];
+      double* const place =
+          random.chance(0.7) ? &s.x[random.below(TR_STATES)] : &s.u[random.below(TR_CONTROLS)];
       *place = bad[random.below(3)];
       break;
     }
-    default: break;
+    default:
+      break;
   }
   return s;
 }
@@ -168,9 +185,11 @@ inline void try_state(tr_sim& sim, tr_work& work, const tr_state& state, Corner 
   static tr_real a[room];
   static tr_real b[TR_MAX_LINEAR_STATES * TR_CONTROLS];
   tr_linear_shape shape;
-  const tr_status linear = tr_linearize(&here, &work, TR_ALL_CONTROLS, &shape, a, room, b, sizeof b / sizeof *b);
+  const tr_status linear =
+      tr_linearize(&here, &work, TR_ALL_CONTROLS, &shape, a, room, b, sizeof b / sizeof *b);
   const auto n = static_cast<std::size_t>(shape.states);
-  expect((linear == TR_OK) == (finite(a, n * n) && finite(b, n * TR_CONTROLS)), "status and linear model disagree");
+  expect((linear == TR_OK) == (finite(a, n * n) && finite(b, n * TR_CONTROLS)),
+         "status and linear model disagree");
   ++counts.linear_models;
 }
 
@@ -182,7 +201,8 @@ inline StateCounts try_states(std::uint64_t seed, long count, Breaches& breaches
   tr_sim bystander{};
   tr_setup setup;
   breaches.expect(tr_default_setup(&setup, TR_API_VERSION, TR_XV15, 45) == TR_OK &&
-                      tr_init(&bystander, TR_API_VERSION, &setup) == TR_OK, "no bystander");
+                      tr_init(&bystander, TR_API_VERSION, &setup) == TR_OK,
+                  "no bystander");
   const tr_sim bystander_before = bystander;
   for (long first = 0; first < count; first += 100) {
     Generator random(seed + static_cast<std::uint64_t>(first));
@@ -196,21 +216,23 @@ inline StateCounts try_states(std::uint64_t seed, long count, Breaches& breaches
     for (long k = first; k < std::min(first + 100, count); ++k) {
       const auto corner = static_cast<Corner>(k % corner_count);
       const tr_state state = random_state(random, corner, 12);
-      try_state(sim, *work, state, corner, k % 211 == 0, counts, breaches,
-                "seed " + std::to_string(seed) + " state " + std::to_string(k) + " (" + kCornerNames[corner] + ")");
+      try_state(
+          sim, *work, state, corner, k % 211 == 0, counts, breaches,
+          "seed " + std::to_string(seed) + " state " + std::to_string(k) + " (" + kCornerNames[corner] + ")");
     }
   }
-  breaches.expect(std::memcmp(&bystander, &bystander_before, sizeof bystander) == 0, "another aircraft was touched");
+  breaches.expect(std::memcmp(&bystander, &bystander_before, sizeof bystander) == 0,
+                  "another aircraft was touched");
   return counts;
 }
 
 inline void print(const StateCounts& counts) {
   std::printf("%-14s %10s %10s %10s %12s\n", "states", "tried", "finite", "refused", "not finite");
   for (int k = 0; k < corner_count; ++k)
-    std::printf("%-14s %10ld %10ld %10ld %12ld\n", kCornerNames[k], counts.tried[k], counts.finite[k], counts.refused[k],
-                counts.not_finite[k]);
-  std::printf("setups %ld, of which refused %ld; steps done %ld, stopped %ld; linear models %ld\n", counts.setups,
-              counts.setups_refused, counts.steps, counts.stopped, counts.linear_models);
+    std::printf("%-14s %10ld %10ld %10ld %12ld\n", kCornerNames[k], counts.tried[k], counts.finite[k],
+                counts.refused[k], counts.not_finite[k]);
+  std::printf("setups %ld, of which refused %ld; steps done %ld, stopped %ld; linear models %ld\n",
+              counts.setups, counts.setups_refused, counts.steps, counts.stopped, counts.linear_models);
 }
 
 // ---- flights ----
@@ -245,14 +267,16 @@ inline RandomFlight random_flight(Generator& random, FlightCounts& counts) {
     SteadyFlight<double> flight = {random.between(60 * mast, 45 + 75 * mast), random.between(-0.15, 0.15),
                                    random.between(-0.15, 0.15), random.between(-0.08, 0.08)};
     if (prepare(aircraft_data<double>(), setup, f.c) == Status::ok &&
-        is_trimmed(trim(f.c, flight, work, f.trim))) return f;
+        is_trimmed(trim(f.c, flight, work, f.trim)))
+      return f;
     ++counts.no_trim;
   }
   f.trim.status = TrimStatus::not_converged;
   return f;
 }
 
-inline Controls<double> piloted(const RandomFlight& f, const State<double>& x, const Controls<double>& disturbed) {
+inline Controls<double> piloted(const RandomFlight& f, const State<double>& x,
+                                const Controls<double>& disturbed) {
   Controls<double> u = disturbed;
   const State<double>& wanted = f.trim.state;
   const auto within = [](double value, double limit) { return std::max(-limit, std::min(limit, value)); };
@@ -271,7 +295,8 @@ inline Controls<double> random_controls(Generator& random, const RandomFlight& f
   u.pedal += 2 * size * random.between(-1, 1);
   u.elevator = 0.2 * size * random.between(-1, 1);
   u.lateral_cyclic = 0.05 * size * random.between(-1, 1);
-  u.gust = {10 * size * random.between(-1, 1), 10 * size * random.between(-1, 1), 10 * size * random.between(-1, 1)};
+  u.gust = {10 * size * random.between(-1, 1), 10 * size * random.between(-1, 1),
+            10 * size * random.between(-1, 1)};
   return u;
 }
 
@@ -311,18 +336,20 @@ inline void fly(std::uint64_t index, double duration, FlightCounts& counts, Brea
     double kept[state_count];
     pack(before.state, kept);
     expect(status == Status::out_of_range || status == Status::not_finite, "unknown status");
-    expect(std::memcmp(x, kept, sizeof x) == 0 && s.steps == before.steps, "a failed step moved the aircraft");
+    expect(std::memcmp(x, kept, sizeof x) == 0 && s.steps == before.steps,
+           "a failed step moved the aircraft");
     expect(s.fault_state >= 0 && s.fault_state < state_count, "divergence without the name of a state");
     expect(s.fault_time == current_time(before) + dt, "divergence without its time");
     expect(advance(f.c, work, s) == status && s.steps == before.steps, "a lost flight went on");
-    const char* const name = s.fault_state >= 0 && s.fault_state < state_count ? kStateNames[s.fault_state].name : "?";
+    const char* const name =
+        s.fault_state >= 0 && s.fault_state < state_count ? kStateNames[s.fault_state].name : "?";
     ++counts.diverged;
     ++counts.left_by[name];
     counts.times.push_back(s.fault_time);
     if (counts.example.empty()) {
       char line[160];
-      std::snprintf(line, sizeof line, "%s: mast %.1f deg, %s at %.2f s, state %s", where.c_str(), f.c.setup.mast_deg,
-                    status_word(status), s.fault_time, name);
+      std::snprintf(line, sizeof line, "%s: mast %.1f deg, %s at %.2f s, state %s", where.c_str(),
+                    f.c.setup.mast_deg, status_word(status), s.fault_time, name);
       counts.example = line;
     }
     counts.steps += s.steps;
@@ -333,15 +360,18 @@ inline void fly(std::uint64_t index, double duration, FlightCounts& counts, Brea
 }
 
 inline void print(const FlightCounts& counts, double duration) {
-  std::printf("flights flown %ld: to the end of %g s %ld, diverged and reported %ld; %.0f steps; conditions drawn without "
-              "a trim %ld\n", counts.flown, duration, counts.to_the_end, counts.diverged, counts.steps, counts.no_trim);
+  std::printf(
+      "flights flown %ld: to the end of %g s %ld, diverged and reported %ld; %.0f steps; conditions drawn "
+      "without "
+      "a trim %ld\n",
+      counts.flown, duration, counts.to_the_end, counts.diverged, counts.steps, counts.no_trim);
   std::printf("left their range by:");
   for (const auto& [name, count] : counts.left_by) std::printf("  %s %ld", name.c_str(), count);
   std::vector<double> times = counts.times;
   std::sort(times.begin(), times.end());
   if (!times.empty())
-    std::printf("\nafter %.2f s at the earliest, %.2f s in the median; first: %s", times.front(), times[times.size() / 2],
-                counts.example.c_str());
+    std::printf("\nafter %.2f s at the earliest, %.2f s in the median; first: %s", times.front(),
+                times[times.size() / 2], counts.example.c_str());
   std::printf("\n");
 }
 

@@ -1,8 +1,9 @@
 // The aircraft in another size: every length times L, every density times D, gravity unchanged.
 //
-// Froude's law keeps speed^2 / (gravity length): speeds and times go with sqrt(L), masses and forces with D L^3. With a
-// speed of sound times sqrt(L) the Mach numbers stay as well, so the scaled aircraft flies the same flight, scaled.
-// Speeds on table axes and widths of the smoothing are lengths over times like any other.
+// Froude's law keeps speed^2 / (gravity length): speeds and times go with sqrt(L), masses and forces with D
+// L^3. With a speed of sound times sqrt(L) the Mach numbers stay as well, so the scaled aircraft flies the
+// same flight, scaled. Speeds on table axes and widths of the smoothing are lengths over times like any
+// other.
 #pragma once
 
 #include <array>
@@ -85,7 +86,8 @@ class ScaledAircraft {
     MassTables<double>& m = aircraft_.mass;
     times(s_.mass(), m.gross, m.nacelles);
     times(s_.length, m.sl_cg, m.wl_cg, m.sl_nacelle, m.wl_nacelle);
-    for (Inertia<double>* i : {&m.inertia, &m.inertia_slope, &m.design_0, &m.design_90}) times(s_.inertia(), *i);
+    for (Inertia<double>* i : {&m.inertia, &m.inertia_slope, &m.design_0, &m.design_90})
+      times(s_.inertia(), *i);
     MastTables<double>& mast = aircraft_.mast;
     times(s_.length, mast.sl_pivot, mast.bl_pivot, mast.wl_pivot, mast.length);
   }
@@ -142,8 +144,8 @@ class ScaledAircraft {
   }
   void scale_smoothing() {
     SmoothingWidths<double>& e = aircraft_.smooth;
-    times(s_.speed(), e.section_speed, e.forward_speed, e.lateral_plane_speed, e.airspeed, e.rate_speed, e.wake_axis,
-          e.wake_radius, e.drag_speed, e.side_plate_speed, e.side_plate_axial);
+    times(s_.speed(), e.section_speed, e.forward_speed, e.lateral_plane_speed, e.airspeed, e.rate_speed,
+          e.wake_axis, e.wake_radius, e.drag_speed, e.side_plate_speed, e.side_plate_axial);
   }
 
   Aircraft<double> aircraft_;

@@ -1,5 +1,5 @@
-// Laws of linear algebra on random matrices of every size: what an eigenvalue solver must keep under similarity,
-// transposition, shift and scaling, and how it agrees with the LU factors.
+// Laws of linear algebra on random matrices of every size: what an eigenvalue solver must keep under
+// similarity, transposition, shift and scaling, and how it agrees with the LU factors.
 #include <algorithm>
 #include <complex>
 #include <random>
@@ -48,8 +48,8 @@ Spectrum spectrum(const Square& a, int n) {
 double distance(const Spectrum& a, Spectrum b) {
   double worst = 0;
   for (const std::complex<double>& x : a) {
-    const auto nearest =
-        std::min_element(b.begin(), b.end(), [&](const auto& p, const auto& q) { return std::abs(p - x) < std::abs(q - x); });
+    const auto nearest = std::min_element(
+        b.begin(), b.end(), [&](const auto& p, const auto& q) { return std::abs(p - x) < std::abs(q - x); });
     worst = std::max(worst, std::abs(*nearest - x));
     b.erase(nearest);
   }
@@ -116,7 +116,8 @@ TEST(property_eigenvalues_keep_under_similarity) {
   }
 }
 
-// The product of the eigenvalues is the determinant, with its sign: pivots of LU times the sign of the row exchanges.
+// The product of the eigenvalues is the determinant, with its sign: pivots of LU times the sign of the row
+// exchanges.
 TEST(property_eigenvalues_and_pivots_give_one_determinant) {
   NOTE("seed " << kSeed + 1);
   std::mt19937 engine(kSeed + 1);
@@ -130,7 +131,8 @@ TEST(property_eigenvalues_and_pivots_give_one_determinant) {
       for (int i = 0; i < n; ++i) {
         determinant /= r.lu.inverse_pivot[i];
         while (row[static_cast<std::size_t>(i)] != i) {  // sort by exchanges
-          std::swap(row[static_cast<std::size_t>(i)], row[static_cast<std::size_t>(row[static_cast<std::size_t>(i)])]);
+          std::swap(row[static_cast<std::size_t>(i)],
+                    row[static_cast<std::size_t>(row[static_cast<std::size_t>(i)])]);
           determinant = -determinant;
         }
       }

@@ -31,7 +31,8 @@ TEST(envelope_air_without_density_is_refused) {
   using namespace tiltrotor;
   FlightSetup<double> setup = flight_setup(aircraft_data<double>(), 0.0);
   static Configuration<double> c;
-  for (const double altitude : {11000.1, 44330.0, 44330.77, 44331.0, 1e6, -501.0, -1e9, std::nan(""), HUGE_VAL}) {
+  for (const double altitude :
+       {11000.1, 44330.0, 44330.77, 44331.0, 1e6, -501.0, -1e9, std::nan(""), HUGE_VAL}) {
     setup.altitude = altitude;
     CHECK(prepare(aircraft_data<double>(), setup, c) == Status::out_of_range);
     CHECK(c.aircraft == nullptr);  // nothing can be flown with it

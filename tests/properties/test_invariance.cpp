@@ -87,8 +87,8 @@ State<double> flown(const Configuration<double>& c, const State<double>& start, 
 
 }  // namespace
 
-// In a steady wind w every load is as in still air; the velocity gains the term -omega x (R w) of rotating axes, the
-// position drifts by w, and nothing else changes.
+// In a steady wind w every load is as in still air; the velocity gains the term -omega x (R w) of rotating
+// axes, the position drifts by w, and nothing else changes.
 TEST(property_steady_wind_changes_no_load) {
   NOTE("seed " << kSeed);
   Generator random(kSeed);
@@ -111,11 +111,13 @@ TEST(property_steady_wind_changes_no_load) {
     const auto ra = flat(a.rates);
     const auto rb = flat(b.rates);
     const auto scale = rate_scale(c);
-    for (std::size_t i = 3; i < ix_position; ++i) CHECK_NEAR(rb[i], ra[i], 1e-9 * scale[i] * (1 + std::fabs(ra[i])));
+    for (std::size_t i = 3; i < ix_position; ++i)
+      CHECK_NEAR(rb[i], ra[i], 1e-9 * scale[i] * (1 + std::fabs(ra[i])));
   }
 }
 
-// A trim holds in any wind, and a manoeuvre flown through the wind is the manoeuvre in still air, carried along.
+// A trim holds in any wind, and a manoeuvre flown through the wind is the manoeuvre in still air, carried
+// along.
 TEST(property_flight_is_carried_by_the_wind) {
   Options options;
   options.position_states = true;
@@ -148,7 +150,8 @@ TEST(property_flight_is_carried_by_the_wind) {
   }
 }
 
-// North is where the map says: heading and place leave everything bit for bit, and the track turns with the heading.
+// North is where the map says: heading and place leave everything bit for bit, and the track turns with the
+// heading.
 TEST(property_heading_and_place_do_not_matter) {
   NOTE("seed " << kSeed + 1);
   Generator random(kSeed + 1);
@@ -190,7 +193,8 @@ TEST(property_energy_changes_by_the_power_of_the_loads) {
     const Inertia<double>& i = c.mass.inertia;
     const V& w = e.rates.rates;
     const V momentum_rate = {i.xx * w.x - i.xz * w.z, i.yy * w.y, i.zz * w.z - i.xz * w.x};
-    const double energy_rate = c.mass.mass * dot(s.x.velocity, e.rates.velocity) + dot(s.x.rates, momentum_rate) -
+    const double energy_rate = c.mass.mass * dot(s.x.velocity, e.rates.velocity) +
+                               dot(s.x.rates, momentum_rate) -
                                c.mass.mass * kGravity<double> * e.rates.position.z;
     const double power = dot(force, s.x.velocity) + dot(moment, s.x.rates);
     const double size = std::sqrt(dot(force, force) * dot(s.x.velocity, s.x.velocity)) +
@@ -200,9 +204,9 @@ TEST(property_energy_changes_by_the_power_of_the_loads) {
   }
 }
 
-// Shaft power = thrust times the speed of the hub and of the inflow + work on flapping and coning + profile power, at
-// any state of a rotor whose hub does not turn. Section drag and the work on the harmonics of the inflow are summed
-// here; everything else is what the rotor reports.
+// Shaft power = thrust times the speed of the hub and of the inflow + work on flapping and coning + profile
+// power, at any state of a rotor whose hub does not turn. Section drag and the work on the harmonics of the
+// inflow are summed here; everything else is what the rotor reports.
 TEST(property_rotor_power_balance) {
   NOTE("seed " << kSeed + 3);
   Generator random(kSeed + 3);
@@ -213,8 +217,9 @@ TEST(property_rotor_power_balance) {
     in.collective = random.between(-0.1, 0.9);
     in.long_cyclic = random.between(-0.2, 0.2);
     in.lateral_cyclic = random.between(-0.2, 0.2);
-    in.state = {random.between(-0.2, 0.2), random.between(-0.2, 0.2), random.between(-2, 2),    random.between(-2, 2),
-                random.between(-0.05, 0.1), random.between(-0.05, 0.05), random.between(-0.05, 0.05)};
+    in.state = {random.between(-0.2, 0.2),  random.between(-0.2, 0.2),  random.between(-2, 2),
+                random.between(-2, 2),      random.between(-0.05, 0.1), random.between(-0.05, 0.05),
+                random.between(-0.05, 0.05)};
     in.coning = {random.between(-0.05, 0.15), random.between(-1, 1)};
     const RotorLoads<double> loads = rotor_loads(c, in, c.azimuth);
     const RotorState<double>& x = in.state;
@@ -229,7 +234,8 @@ TEST(property_rotor_power_balance) {
       const double flap = in.coning.angle + x.b1c * cosine + x.b1s * sine;
       const BladeFlow<double> flow = blade_flow(c, in, std::sin(flap), std::cos(flap), cosine, sine);
       const BladeLoads<double> blade = blade_loads(c, flow);
-      harmonics += c.azimuth.weight * std::cos(flap) * omega * (x.nc * cosine + x.ns * sine) * blade.normal_moment;
+      harmonics +=
+          c.azimuth.weight * std::cos(flap) * omega * (x.nc * cosine + x.ns * sine) * blade.normal_moment;
       int region = 0;
       for (int i = 0; i < c.blade.count; ++i) {
         while (i >= c.blade.region_end[region]) ++region;
@@ -239,8 +245,10 @@ TEST(property_rotor_power_balance) {
         const double speed = std::hypot(std::hypot(ut, up), c.aircraft->smooth.section_speed);
         const double alpha = std::remainder(flow.pitch + s.twist - std::atan2(up, ut), 2 * kPi<double>);
         const double cd = section_coefficients(c.aircraft->rotor, c.setup.options.tables, region, alpha,
-                                               speed / c.air.speed_of_sound).drag;
-        const double element = c.azimuth.weight * c.air.density * s.half_chord_dr * speed * (ut * ut + up * up);
+                                               speed / c.air.speed_of_sound)
+                              .drag;
+        const double element =
+            c.azimuth.weight * c.air.density * s.half_chord_dr * speed * (ut * ut + up * up);
         profile += element * cd;
         gross += element;
       }
@@ -248,7 +256,8 @@ TEST(property_rotor_power_balance) {
     const double induced = loads.force.z * c.tip_speed * x.n0 + harmonics;
     const double flapping = in.coning.rate * loads.m0 + x.b1c_rate * loads.mc + x.b1s_rate * loads.ms +
                             omega * (x.b1s * loads.mc - x.b1c * loads.ms);
-    CHECK_NEAR(loads.torque * omega, dot(loads.force, in.velocity) + induced + flapping + profile, 1e-10 * gross);
+    CHECK_NEAR(loads.torque * omega, dot(loads.force, in.velocity) + induced + flapping + profile,
+               1e-10 * gross);
     CHECK_LT(0.0, profile);
   }
 }

@@ -1,6 +1,6 @@
-// Dimensional analysis of the whole model: an aircraft of another size in other air, scaled by the laws of Froude and
-// Mach, flies the same flight. A forgotten power of a length, a constant with a hidden unit or a width of smoothing in
-// the wrong dimension breaks it.
+// Dimensional analysis of the whole model: an aircraft of another size in other air, scaled by the laws of
+// Froude and Mach, flies the same flight. A forgotten power of a length, a constant with a hidden unit or a
+// width of smoothing in the wrong dimension breaks it.
 #include "analysis/analysis_case.hpp"
 #include "check.hpp"
 #include "model/flight_cases.hpp"
@@ -88,7 +88,8 @@ TEST(property_scaled_aircraft_has_scaled_loads_and_rates) {
   }
 }
 
-// The trim search meets constants of its own (first guess, step limits): the solution must not depend on them.
+// The trim search meets constants of its own (first guess, step limits): the solution must not depend on
+// them.
 TEST(property_scaled_aircraft_has_the_scaled_trim) {
   for (const Scale& s : kScales) {
     const ScaledAircraft small(flight_cases::aircraft(), s);

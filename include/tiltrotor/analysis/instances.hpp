@@ -36,8 +36,8 @@
   TILTROTOR_COMMON_INSTANCES(PREFIX, R)
 
 namespace tiltrotor {
-// The layout of work areas depends on the lanes of the instruction set. The library defines this function for its own
-// lanes alone: a program compiled for others cannot be linked with it.
+// The layout of work areas depends on the lanes of the instruction set. The library defines this function for
+// its own lanes alone: a program compiled for others cannot be linked with it.
 template <int VectorBytes>
 void library_has_these_lanes();
 }  // namespace tiltrotor

@@ -45,7 +45,8 @@ SteadyFlightField first_invalid(const SteadyFlight<R>& flight) {
 // Nothing is divided by V: in hover the formulas hold and the velocity is zero. No attitude beyond Q = 0 has
 // that sideslip: the result is NaN there.
 template <class T>
-TILTROTOR_NOINLINE Vec3<T> steady_velocity(const SteadyFlight<Real<T>>& flight, const T& roll, const T& pitch) {
+TILTROTOR_NOINLINE Vec3<T> steady_velocity(const SteadyFlight<Real<T>>& flight, const T& roll,
+                                           const T& pitch) {
   using R = Real<T>;
   const T sr = sin(roll);
   const T cr = cos(roll);

@@ -42,10 +42,16 @@ struct LimitName {
   const char* name;
   const char* unit;
 };
-inline constexpr LimitName kLimitNames[] = {
-    {"none", ""},      {"wing angle of attack", "deg"}, {"longitudinal stick", "in"}, {"lateral stick", "in"},
-    {"pedal", "in"},              {"elevator", "deg"},          {"aileron", "deg"},
-    {"rudder", "deg"}, {"right gimbal tilt", "deg"},    {"left gimbal tilt", "deg"}};
+inline constexpr LimitName kLimitNames[] = {{"none", ""},
+                                            {"wing angle of attack", "deg"},
+                                            {"longitudinal stick", "in"},
+                                            {"lateral stick", "in"},
+                                            {"pedal", "in"},
+                                            {"elevator", "deg"},
+                                            {"aileron", "deg"},
+                                            {"rudder", "deg"},
+                                            {"right gimbal tilt", "deg"},
+                                            {"left gimbal tilt", "deg"}};
 static_assert(sizeof(kLimitNames) / sizeof(kLimitNames[0]) == static_cast<unsigned>(TrimLimit::count),
               "one name per limit");
 }  // namespace trim_detail
@@ -79,8 +85,8 @@ struct LimitCheck {
   R value, bound;  // rad, in
 };
 
-// The first limit exceeded, in the order: wing, controls, surfaces, gimbals. The lower limit of the power lever
-// (Gearing::collective_floor) is none of them: the rotor governor adds to what the lever asks for.
+// The first limit exceeded, in the order: wing, controls, surfaces, gimbals. The lower limit of the power
+// lever (Gearing::collective_floor) is none of them: the rotor governor adds to what the lever asks for.
 template <class R>
 LimitCheck<R> check_limits(const Configuration<R>& c, R speed, R wing_angle, const State<R>& x,
                            const Controls<R>& u, const BladeControls<R>& blades) {

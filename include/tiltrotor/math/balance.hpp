@@ -1,10 +1,10 @@
 // Balancing: permutation and powers of two that bring a matrix near to equal row and column norms.
 //
 // A P D = P D B: first a permutation P collects eigenvalues that can be read off (a row or column without
-// off-diagonal entries), which leaves an active block low..high; then a diagonal D of powers of two, exact in binary
-// arithmetic, equalises row and column sums of that block (Osborne's iteration). Eigenvalues are unchanged;
-// eigenvectors of A are P D times those of B. Without it, a matrix whose states have mixed units (metres, radians,
-// newtons) loses its small eigenvalues to rounding of the large entries.
+// off-diagonal entries), which leaves an active block low..high; then a diagonal D of powers of two, exact in
+// binary arithmetic, equalises row and column sums of that block (Osborne's iteration). Eigenvalues are
+// unchanged; eigenvectors of A are P D times those of B. Without it, a matrix whose states have mixed units
+// (metres, radians, newtons) loses its small eigenvalues to rounding of the large entries.
 #pragma once
 
 #include <cmath>
@@ -15,8 +15,8 @@ namespace tiltrotor {
 
 template <class R, int N>
 struct Balance {
-  R scale[N];    // diagonal of D, ones outside low..high
-  int swap[N];   // row and column exchanged with each place outside low..high
+  R scale[N];     // diagonal of D, ones outside low..high
+  int swap[N];    // row and column exchanged with each place outside low..high
   int low, high;  // active block, inclusive
 };
 
@@ -72,8 +72,8 @@ inline void permute(PaddedSquare<R, N>& a, int n, Balance<R, N>& b) {
   }
 }
 
-// A change by the nearest power of two pays when it lowers the sum of the two norms by 5 %, which is the case from
-// this ratio of the norms on: with factor 2, 2 c + r/2 < 0.95 (c + r).
+// A change by the nearest power of two pays when it lowers the sum of the two norms by 5 %, which is the case
+// from this ratio of the norms on: with factor 2, 2 c + r/2 < 0.95 (c + r).
 template <class R>
 inline bool unequal(R column, R row) {
   constexpr R kRatio = R(2.4);
@@ -137,8 +137,8 @@ inline void scale_once(PaddedSquare<R, N>& a, int n, Balance<R, N>& b) {
 
 }  // namespace balance_detail
 
-// Balances the leading n x n part of `a` in place. Bounded: n permutation passes, kBalanceSweeps scaling sweeps;
-// a matrix still unbalanced then is only less well scaled.
+// Balances the leading n x n part of `a` in place. Bounded: n permutation passes, kBalanceSweeps scaling
+// sweeps; a matrix still unbalanced then is only less well scaled.
 inline constexpr int kBalanceSweeps = 24;
 
 template <class R, int N>
@@ -148,12 +148,13 @@ inline void balance(Matrix<R, N, lane_ceil<R>(N)>& a, int n, Balance<R, N>& b) {
     b.swap[i] = i;
   }
   balance_detail::permute<R, N>(a, n, b);
-  for (int sweep = 0; sweep < kBalanceSweeps && balance_detail::needs_scaling<R, N>(a, b.low, b.high); ++sweep)
+  for (int sweep = 0; sweep < kBalanceSweeps && balance_detail::needs_scaling<R, N>(a, b.low, b.high);
+       ++sweep)
     balance_detail::scale_once<R, N>(a, n, b);
 }
 
-// Takes the rows of a matrix of eigenvectors back to the states of A: right vectors are multiplied by P D, left
-// vectors by P D^-1.
+// Takes the rows of a matrix of eigenvectors back to the states of A: right vectors are multiplied by P D,
+// left vectors by P D^-1.
 template <class R, int N>
 inline void undo_balance(const Balance<R, N>& b, int n, bool left, Matrix<R, N, lane_ceil<R>(N)>& vectors) {
   const int end = lane_ceil<R>(n);

@@ -1,10 +1,12 @@
-// Eigenvalues and right and left eigenvectors of a real nonsymmetric matrix, in fixed memory and bounded time.
+// Eigenvalues and right and left eigenvectors of a real nonsymmetric matrix, in fixed memory and bounded
+// time.
 //
 //   balance (balance.hpp) -> Hessenberg form (hessenberg.hpp) -> double-shift QR to the real Schur form
 //   (francis.hpp) -> eigenvectors by back substitution (eigenvectors.hpp)
 //
-// Every step is backward stable: a computed eigenvalue is exact for a matrix within a few eps |A| of the balanced
-// one. How far an eigenvalue itself may move is `condition` times that; a defective one has no finite condition.
+// Every step is backward stable: a computed eigenvalue is exact for a matrix within a few eps |A| of the
+// balanced one. How far an eigenvalue itself may move is `condition` times that; a defective one has no
+// finite condition.
 #pragma once
 
 #include <cmath>
@@ -35,9 +37,9 @@ struct ComplexEntry {
   R real, imag;
 };
 
-// Vectors have unit 2-norm. Packed in columns: a real eigenvalue k has its vector in column k; a pair k, k+1 shares
-// columns k (real part) and k+1 (imaginary part) for the eigenvalue with positive imaginary part, the vectors of
-// the other one are the conjugates. right_entry() and left_entry() unpack.
+// Vectors have unit 2-norm. Packed in columns: a real eigenvalue k has its vector in column k; a pair k, k+1
+// shares columns k (real part) and k+1 (imaginary part) for the eigenvalue with positive imaginary part, the
+// vectors of the other one are the conjugates. right_entry() and left_entry() unpack.
 template <class R, int N>
 struct Eigensystem {
   Eigenvalues<R, N> values;
@@ -74,8 +76,8 @@ inline void set_nan(Eigensystem<R, N>& system) {
   for (R& x : system.condition) x = nan;
 }
 
-// Copies A with zeros beside it. When the squares of its entries might overflow or vanish it is scaled by a power
-// of two, whose exponent is returned for the way back.
+// Copies A with zeros beside it. When the squares of its entries might overflow or vanish it is scaled by a
+// power of two, whose exponent is returned for the way back.
 template <class R, int N>
 inline int load(const Matrix<R, N, N>& a, int n, PaddedSquare<R, N>& h) {
   R largest = R(0);
@@ -108,8 +110,8 @@ inline Status schur(const Matrix<R, N, N>& a, int n, EigenWorkspace<R, N>& work,
   const int exponent = load(a, n, work.schur);
   balance(work.schur, n, work.balance);
   hessenberg<kWithBasis>(work.schur, n, work.balance.low, work.balance.high, work.basis, work.scratch);
-  const FrancisResult outcome = francis<kWithBasis>(work.schur, n, work.balance.low, work.balance.high, work.basis,
-                                                    values.real, values.imag);
+  const FrancisResult outcome = francis<kWithBasis>(work.schur, n, work.balance.low, work.balance.high,
+                                                    work.basis, values.real, values.imag);
   values.converged = outcome.converged;
   values.sweeps = outcome.sweeps;
   bool finite = true;
@@ -125,18 +127,20 @@ inline Status schur(const Matrix<R, N, N>& a, int n, EigenWorkspace<R, N>& work,
 }  // namespace eigen_detail
 
 // Eigenvalues of the leading n x n part of `a`.
-// Status: ok; not_finite (NaN or infinity in `a`: detected first, all outputs NaN); not_converged (the eigenvalues
-// not found are NaN); bad_argument (n outside 1..N).
-// Cost: about 8 n^3 multiplications, at most 30 n QR sweeps.
+// Status: ok; not_finite (NaN or infinity in `a`: detected first, all outputs NaN); not_converged (the
+// eigenvalues not found are NaN); bad_argument (n outside 1..N). Cost: about 8 n^3 multiplications, at most
+// 30 n QR sweeps.
 template <class R, int N>
-inline Status eigenvalues(const Matrix<R, N, N>& a, int n, EigenWorkspace<R, N>& work, Eigenvalues<R, N>& values) {
+inline Status eigenvalues(const Matrix<R, N, N>& a, int n, EigenWorkspace<R, N>& work,
+                          Eigenvalues<R, N>& values) {
   return eigen_detail::schur<false>(a, n, work, values);
 }
 
 // The same with right and left eigenvectors and condition numbers; unless ok, vectors and conditions are NaN.
 // Cost: about 25 n^3 multiplications.
 template <class R, int N>
-inline Status eigensystem(const Matrix<R, N, N>& a, int n, EigenWorkspace<R, N>& work, Eigensystem<R, N>& system) {
+inline Status eigensystem(const Matrix<R, N, N>& a, int n, EigenWorkspace<R, N>& work,
+                          Eigensystem<R, N>& system) {
   const Status status = eigen_detail::schur<true>(a, n, work, system.values);
   if (status != Status::ok) {
     eigen_detail::set_nan(system);

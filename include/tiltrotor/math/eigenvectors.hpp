@@ -1,7 +1,8 @@
 // Eigenvectors of a real Schur form by back substitution, and their way back to the states of the matrix.
 //
-// All eigenvectors are solved for at once, row by row from below: the row of the solution matrix holds one number
-// per eigenvector (two for a complex pair, real part in the first column), so the inner loops run over eigenvectors.
+// All eigenvectors are solved for at once, row by row from below: the row of the solution matrix holds one
+// number per eigenvector (two for a complex pair, real part in the first column), so the inner loops run over
+// eigenvectors.
 #pragma once
 
 #include <cmath>
@@ -13,8 +14,8 @@
 
 namespace tiltrotor {
 
-// m(i, j) = t(n-1-j, n-1-i): the transposed matrix with rows and columns in reversed order. Upper triangular stays
-// upper triangular; right eigenvectors of the mirror are left ones of `t`, read from the end.
+// m(i, j) = t(n-1-j, n-1-i): the transposed matrix with rows and columns in reversed order. Upper triangular
+// stays upper triangular; right eigenvectors of the mirror are left ones of `t`, read from the end.
 template <class R, int N>
 inline void mirror(const Matrix<R, N, lane_ceil<R>(N)>& t, int n, Matrix<R, N, lane_ceil<R>(N)>& m) {
   set_zero(m);
@@ -46,7 +47,8 @@ inline Complex<R> reciprocal(Complex<R> a, R smallest) {
   return {x * factor, -y * factor};
 }
 
-// Eigenvectors grow while they are solved for when eigenvalues are close; beyond this size a column is scaled down.
+// Eigenvectors grow while they are solved for when eigenvalues are close; beyond this size a column is scaled
+// down.
 template <class R>
 inline R large() {
   return R(1) / tiltrotor::sqrt(tiltrotor::sqrt(std::numeric_limits<R>::min()));
@@ -79,8 +81,9 @@ inline void accumulate(const PaddedSquare<R, N>& t, int row, int block_end, int 
 
 }  // namespace eigenvector_detail
 
-// Columns of `x`: eigenvectors of the quasi-triangular `t`, packed, not normalised, zero below their own block.
-// An eigenvalue met again further up is moved by eps |t|: a defective matrix gets parallel vectors, no division by 0.
+// Columns of `x`: eigenvectors of the quasi-triangular `t`, packed, not normalised, zero below their own
+// block. An eigenvalue met again further up is moved by eps |t|: a defective matrix gets parallel vectors, no
+// division by 0.
 template <class R, int N>
 inline void solve_triangular_eigenvectors(const Matrix<R, N, lane_ceil<R>(N)>& t, int n,
                                           Matrix<R, N, lane_ceil<R>(N)>& x) {
@@ -194,8 +197,9 @@ inline void normalise(Matrix<R, N, lane_ceil<R>(N)>& vectors, int n, const R* im
 
 // Right eigenvectors of A = P D (Q T Q^T) D^-1 P^T from those of T: v = P D Q x.
 template <class R, int N>
-inline void assemble_right(const Matrix<R, N, lane_ceil<R>(N)>& basis, const Matrix<R, N, lane_ceil<R>(N)>& x, int n,
-                           const Balance<R, N>& balance, const R* imag, Matrix<R, N, lane_ceil<R>(N)>& right) {
+inline void assemble_right(const Matrix<R, N, lane_ceil<R>(N)>& basis, const Matrix<R, N, lane_ceil<R>(N)>& x,
+                           int n, const Balance<R, N>& balance, const R* imag,
+                           Matrix<R, N, lane_ceil<R>(N)>& right) {
   set_zero(right);
   const int end = lane_ceil<R>(n);
   for (int i = 0; i < n; ++i)
@@ -206,11 +210,12 @@ inline void assemble_right(const Matrix<R, N, lane_ceil<R>(N)>& basis, const Mat
   normalise<R, N>(right, n, imag);
 }
 
-// Left eigenvectors from those of the mirrored T: w = P D^-1 Q y, y read from the end. The solution belongs to
-// w^T A = lambda w^T; the conjugate makes it w^H A = lambda w^H.
+// Left eigenvectors from those of the mirrored T: w = P D^-1 Q y, y read from the end. The solution belongs
+// to w^T A = lambda w^T; the conjugate makes it w^H A = lambda w^H.
 template <class R, int N>
-inline void assemble_left(const Matrix<R, N, lane_ceil<R>(N)>& basis, const Matrix<R, N, lane_ceil<R>(N)>& x, int n,
-                          const Balance<R, N>& balance, const R* imag, Matrix<R, N, lane_ceil<R>(N)>& left) {
+inline void assemble_left(const Matrix<R, N, lane_ceil<R>(N)>& basis, const Matrix<R, N, lane_ceil<R>(N)>& x,
+                          int n, const Balance<R, N>& balance, const R* imag,
+                          Matrix<R, N, lane_ceil<R>(N)>& left) {
   set_zero(left);
   const int end = lane_ceil<R>(n);
   alignas(64) R sum[lane_ceil<R>(N)];
@@ -236,7 +241,8 @@ inline void assemble_left(const Matrix<R, N, lane_ceil<R>(N)>& basis, const Matr
 // 1 / |w^H v| for vectors of unit length; at most 1 / the smallest normal number.
 template <class R, int N>
 inline void eigenvalue_conditions(const Matrix<R, N, lane_ceil<R>(N)>& right,
-                                  const Matrix<R, N, lane_ceil<R>(N)>& left, int n, const R* imag, R (&condition)[N]) {
+                                  const Matrix<R, N, lane_ceil<R>(N)>& left, int n, const R* imag,
+                                  R (&condition)[N]) {
   for (int e = 0; e < n; ++e) {
     R real_part = R(0), imag_part = R(0);
     if (imag[e] > R(0)) {

@@ -1,11 +1,12 @@
-// sin, cos and atan2 for double, float and packs of them (pack.hpp): short, branch-free, the same bits on every target.
+// sin, cos and atan2 for double, float and packs of them (pack.hpp): short, branch-free, the same bits on
+// every target.
 //
 // Libraries differ in the last bits of these functions and in the time they take. Here each is one argument
-// reduction and one polynomial (Chebyshev-fitted for the reduced interval), evaluated in a fixed order, so that a
-// flight computed on a workstation and on a microcontroller agrees bit for bit when the compiler does not contract
-// products and sums. Errors against the exact functions stay below 2 units in the last place (2.5 for
-// float beyond one turn; tested).
-// Angles beyond kLargestAngle have lost their meaning to rounding and return NaN.
+// reduction and one polynomial (Chebyshev-fitted for the reduced interval), evaluated in a fixed order, so
+// that a flight computed on a workstation and on a microcontroller agrees bit for bit when the compiler does
+// not contract products and sums. Errors against the exact functions stay below 2 units in the last place
+// (2.5 for float beyond one turn; tested). Angles beyond kLargestAngle have lost their meaning to rounding
+// and return NaN.
 #pragma once
 
 #include <cmath>
@@ -27,7 +28,8 @@ struct Elementary<double> {
   static constexpr double kHalfPi[3] = {1.5707963109016418, 1.5893254712295857e-08, 6.123233995736766e-17};
   static constexpr double kRoundToInteger = 6755399441055744.0;  // 1.5 * 2^52
 
-  // (sin x / x - 1) / x^2, (cos x - 1 + x^2/2) / x^4 in z = x^2, |x| <= pi/4;  (atan x / x - 1) / x^2, |x| <= 0.237.
+  // (sin x / x - 1) / x^2, (cos x - 1 + x^2/2) / x^4 in z = x^2, |x| <= pi/4;  (atan x / x - 1) / x^2, |x| <=
+  // 0.237.
   template <class V>
   static V sine_tail(const V& z) {
     const V z2 = z * z;
@@ -46,9 +48,9 @@ struct Elementary<double> {
   static V arctangent_tail(const V& z) {
     const V z2 = z * z;
     const V low = (-0.3333333333333332 + z * 0.1999999999997088) +
-                       z2 * (-0.14285714274772207 + z * 0.11111109541832018);
+                  z2 * (-0.14285714274772207 + z * 0.11111109541832018);
     const V high = (-0.090907982771159551 + z * 0.076880401178904503) +
-                        z2 * (-0.065748615249686435 + z * 0.048329233169324429);
+                   z2 * (-0.065748615249686435 + z * 0.048329233169324429);
     return low + (z2 * z2) * high;
   }
   static constexpr double kArctangentHalf[2] = {0.46364760900080609, 2.2698777452961687e-17};
@@ -125,7 +127,8 @@ SineCosine<V> sine_cosine(const V& x) {
   const auto left = (quadrant > R(0)) | (quadrant < R(-1));
   const auto in_range = (x <= V(E::kLargestAngle)) & (x >= V(-E::kLargestAngle));
   const V nan = std::numeric_limits<R>::quiet_NaN();
-  return {select(in_range, select(lower, -sine, sine), nan), select(in_range, select(left, -cosine, cosine), nan)};
+  return {select(in_range, select(lower, -sine, sine), nan),
+          select(in_range, select(left, -cosine, cosine), nan)};
 }
 
 // Angle of (x, y), -pi..pi, as std::atan2 for finite arguments (0 at the origin). V: plain number or pack.

@@ -1,7 +1,8 @@
-// Real Schur form of a Hessenberg matrix by the implicit double-shift QR iteration of Francis, and its eigenvalues.
+// Real Schur form of a Hessenberg matrix by the implicit double-shift QR iteration of Francis, and its
+// eigenvalues.
 //
-// A sweep chases a bulge of two shifts down the active block low..high with reflections of three rows and columns.
-// A subdiagonal entry that is negligible against its neighbours is set to zero and splits the block.
+// A sweep chases a bulge of two shifts down the active block low..high with reflections of three rows and
+// columns. A subdiagonal entry that is negligible against its neighbours is set to zero and splits the block.
 #pragma once
 
 #include <cmath>
@@ -24,12 +25,13 @@ namespace francis_detail {
 template <class R>
 inline constexpr R kEps = std::numeric_limits<R>::epsilon();
 
-// A subdiagonal entry this small counts as zero: 2^-484 in double precision. Squares of larger ones neither vanish nor
-// lose digits; the matrix is scaled so that this is far below eps |H|.
+// A subdiagonal entry this small counts as zero: 2^-484 in double precision. Squares of larger ones neither
+// vanish nor lose digits; the matrix is scaled so that this is far below eps |H|.
 template <class R>
 constexpr R negligible_size() {
   R size = R(1);
-  for (int i = 0; i < (-std::numeric_limits<R>::min_exponent - std::numeric_limits<R>::digits) / 2; ++i) size /= R(2);
+  for (int i = 0; i < (-std::numeric_limits<R>::min_exponent - std::numeric_limits<R>::digits) / 2; ++i)
+    size /= R(2);
   return size;
 }
 
@@ -112,7 +114,8 @@ inline void reflect_two_columns(const Reflection<R>& p, PaddedSquare<R, N>& h, i
 }
 
 // Whether h(k, k-1) may be set to zero: small against the diagonal, and (Ahues and Tisseur) its effect on the
-// eigenvalues of the 2x2 block around it is small too, which keeps small eigenvalues of graded matrices accurate.
+// eigenvalues of the 2x2 block around it is small too, which keeps small eigenvalues of graded matrices
+// accurate.
 template <class R, int N>
 inline bool negligible(const PaddedSquare<R, N>& h, int k) {
   const R below = std::fabs(h(k, k - 1));
@@ -125,8 +128,8 @@ inline bool negligible(const PaddedSquare<R, N>& h, int k) {
   const R large_diagonal = larger_of(std::fabs(d), std::fabs(a - d));
   const R small_diagonal = smaller_of(std::fabs(d), std::fabs(a - d));
   const R sum = larger + large_diagonal;
-  return smaller * (larger / sum) <= larger_of(std::numeric_limits<R>::min(),
-                                               kEps<R> * (small_diagonal * (large_diagonal / sum)));
+  return smaller * (larger / sum) <=
+         larger_of(std::numeric_limits<R>::min(), kEps<R> * (small_diagonal * (large_diagonal / sum)));
 }
 
 // Sum and product of the two shifts.
@@ -135,8 +138,8 @@ struct Shifts {
   R sum, product;
 };
 
-// Eigenvalues of the last 2x2 block; of two real ones the nearer to the last entry twice. Now and then arbitrary
-// ones, which break the rare cycles.
+// Eigenvalues of the last 2x2 block; of two real ones the nearer to the last entry twice. Now and then
+// arbitrary ones, which break the rare cycles.
 template <class R, int N>
 inline Shifts<R> shifts(const PaddedSquare<R, N>& h, int low, int high, int since_split) {
   constexpr int kExceptionalEvery = 10;
@@ -163,8 +166,8 @@ inline Shifts<R> shifts(const PaddedSquare<R, N>& h, int low, int high, int sinc
   return {nearest + nearest, nearest * nearest};
 }
 
-// Where the sweep may start, and the first column of (H - s1)(H - s2) there: below two small subdiagonal entries
-// in succession a start disturbs the entry above it by less than rounding.
+// Where the sweep may start, and the first column of (H - s1)(H - s2) there: below two small subdiagonal
+// entries in succession a start disturbs the entry above it by less than rounding.
 template <class R, int N>
 inline int start(const PaddedSquare<R, N>& h, int low, int high, const Shifts<R>& s, R& x, R& y, R& z) {
   for (int m = high - 2; m >= low; --m) {
@@ -182,7 +185,8 @@ inline int start(const PaddedSquare<R, N>& h, int low, int high, const Shifts<R>
 
 // One sweep over the active block. Without the basis only the block itself is kept up to date.
 template <bool kWithBasis, class R, int N>
-inline void sweep(PaddedSquare<R, N>& h, int n, int low, int high, int since_split, PaddedSquare<R, N>& basis) {
+inline void sweep(PaddedSquare<R, N>& h, int n, int low, int high, int since_split,
+                  PaddedSquare<R, N>& basis) {
   const Shifts<R> s = shifts<R, N>(h, low, high, since_split);
   R x = R(0), y = R(0), z = R(0);
   const int first = start<R, N>(h, low, high, s, x, y, z);
@@ -214,8 +218,8 @@ inline void sweep(PaddedSquare<R, N>& h, int n, int low, int high, int since_spl
   if constexpr (kWithBasis) reflect_rows(p, basis.row(k), basis.row(k + 1), 0, basis_end);
 }
 
-// Eigenvalues of the 2x2 block at k, k+1, which has been split off. With the basis a block with real eigenvalues is
-// made triangular by a rotation.
+// Eigenvalues of the 2x2 block at k, k+1, which has been split off. With the basis a block with real
+// eigenvalues is made triangular by a rotation.
 template <bool kWithBasis, class R, int N>
 inline void split_pair(PaddedSquare<R, N>& h, int n, int k, PaddedSquare<R, N>& basis, R* real, R* imag) {
   const R a = h(k, k), b = h(k, k + 1), c = h(k + 1, k), d = h(k + 1, k + 1);
@@ -267,8 +271,8 @@ inline void split_pair(PaddedSquare<R, N>& h, int n, int k, PaddedSquare<R, N>& 
 
 }  // namespace francis_detail
 
-// Eigenvalues of `h`, upper triangular outside low..high and Hessenberg within. With kWithBasis, `h` becomes the
-// real Schur form (2x2 blocks only for complex pairs) and `basis` its transposed basis. At most
+// Eigenvalues of `h`, upper triangular outside low..high and Hessenberg within. With kWithBasis, `h` becomes
+// the real Schur form (2x2 blocks only for complex pairs) and `basis` its transposed basis. At most
 // kSweepsPerEigenvalue n sweeps; places not reached keep what real and imag held before.
 template <bool kWithBasis, class R, int N>
 inline FrancisResult francis(Matrix<R, N, lane_ceil<R>(N)>& h, int n, int low, int high,

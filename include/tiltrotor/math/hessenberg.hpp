@@ -21,8 +21,8 @@ struct HessenbergWorkspace {
 
 namespace hessenberg_detail {
 
-// v and tau of the reflection that takes column k, rows k+1..high of `h`, to its first entry, which is returned.
-// v is zero outside these rows. tau is zero when there is nothing to annihilate.
+// v and tau of the reflection that takes column k, rows k+1..high of `h`, to its first entry, which is
+// returned. v is zero outside these rows. tau is zero when there is nothing to annihilate.
 template <class R, int N>
 inline R reflector(const PaddedSquare<R, N>& h, int k, int high, R* v, R& tau) {
   for (int i = 0; i < lane_ceil<R>(N); ++i) v[i] = R(0);
@@ -49,8 +49,8 @@ inline R reflector(const PaddedSquare<R, N>& h, int k, int high, R* v, R& tau) {
 
 }  // namespace hessenberg_detail
 
-// Reduces rows and columns low..high of `h`; what lies outside is upper triangular and takes part in the update.
-// With kWithBasis, `basis` becomes Q^T, row by row.
+// Reduces rows and columns low..high of `h`; what lies outside is upper triangular and takes part in the
+// update. With kWithBasis, `basis` becomes Q^T, row by row.
 template <bool kWithBasis, class R, int N>
 inline void hessenberg(Matrix<R, N, lane_ceil<R>(N)>& h, int n, int low, int high,
                        Matrix<R, N, lane_ceil<R>(N)>& basis, HessenbergWorkspace<R, N>& work) {
@@ -81,7 +81,8 @@ inline void hessenberg(Matrix<R, N, lane_ceil<R>(N)>& h, int n, int low, int hig
       if constexpr (kWithBasis) {
         for (int c = 0; c < end; ++c) work.w[c] = R(0);
         for (int i = k + 1; i <= high; ++i) padded::add_scaled(work.v[i], basis.row(i), work.w, 0, end);
-        for (int i = k + 1; i <= high; ++i) padded::add_scaled(-tau * work.v[i], work.w, basis.row(i), 0, end);
+        for (int i = k + 1; i <= high; ++i)
+          padded::add_scaled(-tau * work.v[i], work.w, basis.row(i), 0, end);
       }
     }
     h(k + 1, k) = head;

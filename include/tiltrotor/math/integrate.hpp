@@ -1,7 +1,7 @@
 // One step of an initial value problem x' = f(t, x): explicit Runge-Kutta (RK4) and Rosenbrock (RODAS3).
 //
-// The right side is a callable  Status f(R t, const R* x, R* xdot).  A step replaces x[n] only when every evaluation
-// returned ok and the result is finite; otherwise it returns the reason and x stays as it was.
+// The right side is a callable  Status f(R t, const R* x, R* xdot).  A step replaces x[n] only when every
+// evaluation returned ok and the result is finite; otherwise it returns the reason and x stays as it was.
 #pragma once
 
 #include "tiltrotor/math/lu.hpp"
@@ -52,7 +52,8 @@ inline Status rk4_step(RightSide&& f, R t, R dt, R* x, int n, RungeKuttaWorkspac
   const R node[4] = {R(0), R(0.5), R(0.5), R(1)};
   for (int s = 0; s < 4; ++s) {
     for (int i = 0; i < n; ++i) work.stage[i] = s == 0 ? x[i] : x[i] + node[s] * dt * work.slope[s - 1][i];
-    const Status status = f(t + node[s] * dt, static_cast<const R*>(work.stage), static_cast<R*>(work.slope[s]));
+    const Status status =
+        f(t + node[s] * dt, static_cast<const R*>(work.stage), static_cast<R*>(work.slope[s]));
     if (status != Status::ok) return status;
   }
   for (int i = 0; i < n; ++i) {
@@ -62,17 +63,18 @@ inline Status rk4_step(RightSide&& f, R t, R dt, R* x, int n, RungeKuttaWorkspac
   return integrate_detail::accept(work.stage, n, x);
 }
 
-// RODAS3: four stages, order 3, L-stable, stiffly accurate, gamma = 1/2 (Sandu et al., Atmospheric Environment 31,
-// 1997), in the form whose linear systems are (I / (gamma dt) - J) u_i = right side; three evaluations of f, one
-// LU factorisation and four solutions per step.
+// RODAS3: four stages, order 3, L-stable, stiffly accurate, gamma = 1/2 (Sandu et al., Atmospheric
+// Environment 31, 1997), in the form whose linear systems are (I / (gamma dt) - J) u_i = right side; three
+// evaluations of f, one LU factorisation and four solutions per step.
 //
-// `jacobian` is df/dx at (t, x); the order needs it exact. `time_slope` is df/dt[n] at (t, x), nullptr when f does
-// not depend on t: leaving it out for a right side that does lowers the order to 1, and 2 at best.
+// `jacobian` is df/dx at (t, x); the order needs it exact. `time_slope` is df/dt[n] at (t, x), nullptr when f
+// does not depend on t: leaving it out for a right side that does lowers the order to 1, and 2 at best.
 // `error`, when given, receives the difference to the embedded solution of order 2.
-// Status: that of f; singular; not_finite; bad_argument (n outside 1..N, dt = 0). `error` is written only with ok.
+// Status: that of f; singular; not_finite; bad_argument (n outside 1..N, dt = 0). `error` is written only
+// with ok.
 template <class R, int N, class RightSide>
-inline Status rodas3_step(RightSide&& f, const Matrix<R, N, N>& jacobian, const R* time_slope, R t, R dt, R* x, int n,
-                          RosenbrockWorkspace<R, N>& work, R* error = nullptr) {
+inline Status rodas3_step(RightSide&& f, const Matrix<R, N, N>& jacobian, const R* time_slope, R t, R dt,
+                          R* x, int n, RosenbrockWorkspace<R, N>& work, R* error = nullptr) {
   constexpr R kDiagonal = R(2);  // 1 / gamma
   constexpr R kNode[4] = {R(0), R(0), R(1), R(1)};
   constexpr R kTimeSlope[4] = {R(0.5), R(1.5), R(0), R(0)};

@@ -6,8 +6,8 @@
 // same order in both forms, so the results are the same. Padding lanes start at zero and stay unread.
 #pragma once
 
-// Inlining decides here: small functions on vectors must not pass them through memory; large ones must not add their
-// stack to that of their caller.
+// Inlining decides here: small functions on vectors must not pass them through memory; large ones must not
+// add their stack to that of their caller.
 #if defined(__GNUC__)
 #define TILTROTOR_INLINE inline __attribute__((always_inline))
 #define TILTROTOR_NOINLINE __attribute__((noinline))
@@ -80,7 +80,8 @@ struct Partials {
 
   Lane group[kGroups];
 
-  // Copied lane group by lane group: a copy in smaller pieces, as a compiler may make it, is slow to read back whole.
+  // Copied lane group by lane group: a copy in smaller pieces, as a compiler may make it, is slow to read
+  // back whole.
   Partials() = default;
   TILTROTOR_INLINE Partials(const Partials& other) {
     for (int g = 0; g < kGroups; ++g) group[g] = other.group[g];

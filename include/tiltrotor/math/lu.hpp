@@ -1,6 +1,8 @@
-// LU factorisation with partial pivoting, solution of linear systems, and an estimate of the condition number.
+// LU factorisation with partial pivoting, solution of linear systems, and an estimate of the condition
+// number.
 //
-// Rows are exchanged by index only: they stay where they are and `row` lists them in the order of elimination.
+// Rows are exchanged by index only: they stay where they are and `row` lists them in the order of
+// elimination.
 #pragma once
 
 #include <cmath>
@@ -14,8 +16,9 @@ namespace tiltrotor {
 // The factors of the leading `size` x `size` part of a matrix: P A = L U. Placed by the caller.
 template <class R, int N>
 struct LU {
-  // Row row[k] belongs to step k: `lower` holds L left of column k (ones on the diagonal not stored), `upper` U from
-  // column k on. Apart because a narrow store followed by a wide load of the same place stalls most processors.
+  // Row row[k] belongs to step k: `lower` holds L left of column k (ones on the diagonal not stored), `upper`
+  // U from column k on. Apart because a narrow store followed by a wide load of the same place stalls most
+  // processors.
   PaddedSquare<R, N> lower, upper;
   R inverse_pivot[N];
   int row[N];
@@ -38,8 +41,9 @@ struct Pivot {
   }
 };
 
-// Eliminates the columns of one group of lanes after another, so that every inner loop runs over whole groups and
-// their number is a constant to the compiler. The search for the next pivot runs along with the elimination.
+// Eliminates the columns of one group of lanes after another, so that every inner loop runs over whole groups
+// and their number is a constant to the compiler. The search for the next pivot runs along with the
+// elimination.
 template <int kGroup, class R, int N>
 inline bool eliminate_groups(LU<R, N>& lu, Pivot<R> pivot) {
   constexpr int kBegin = kGroup * kLane<R>;
@@ -79,8 +83,8 @@ inline R known_part(const R* row, const R* x, int begin, int end) {
   return begin < end ? padded::dot(row, x, begin, end) : R(0);
 }
 
-// Forward and backward substitution by groups of rows: the unknowns of other groups enter through scalar products
-// over whole groups, those of the own group one by one.
+// Forward and backward substitution by groups of rows: the unknowns of other groups enter through scalar
+// products over whole groups, those of the own group one by one.
 template <class R, int N>
 inline void substitute(const LU<R, N>& lu, R* x) {
   constexpr int kGroup = kLane<R>;
@@ -144,10 +148,9 @@ inline Status finite_or_nan(R* x, int n) {
 }  // namespace lu_detail
 
 // Factorises the leading n x n part of `a`.
-// Status: ok; not_finite (NaN or infinity in `a`, or overflow); singular (a pivot of zero, or below the smallest
-// normal number); bad_argument. Unless ok, `lu.size` is 0 and lu_solve refuses it. A matrix that is singular only up
-// to rounding passes: lu_reciprocal_condition() tells.
-// Cost: n^3 / 3 multiplications.
+// Status: ok; not_finite (NaN or infinity in `a`, or overflow); singular (a pivot of zero, or below the
+// smallest normal number); bad_argument. Unless ok, `lu.size` is 0 and lu_solve refuses it. A matrix that is
+// singular only up to rounding passes: lu_reciprocal_condition() tells. Cost: n^3 / 3 multiplications.
 template <class R, int N>
 inline Status lu_factor(const Matrix<R, N, N>& a, int n, LU<R, N>& lu) {
   lu.size = 0;
@@ -178,8 +181,8 @@ inline Status lu_factor(const Matrix<R, N, N>& a, int n, LU<R, N>& lu) {
   return finite ? Status::singular : Status::not_finite;
 }
 
-// Replaces b[n] by the solution of A x = b. Status: ok; not_finite (x is all NaN); bad_argument (no valid factors).
-// Cost: n^2 multiplications.
+// Replaces b[n] by the solution of A x = b. Status: ok; not_finite (x is all NaN); bad_argument (no valid
+// factors). Cost: n^2 multiplications.
 template <class R, int N>
 inline Status lu_solve(const LU<R, N>& lu, R* b) {
   if (lu.size < 1 || lu.size > N) return Status::bad_argument;
@@ -195,8 +198,8 @@ inline Status lu_solve_transposed(const LU<R, N>& lu, R* b) {
   return lu_detail::finite_or_nan(b, lu.size);
 }
 
-// Solves A X = B for `columns` right sides; X is another matrix than B. Rows of X beyond n and its other columns are
-// zero. Status as for one right side.
+// Solves A X = B for `columns` right sides; X is another matrix than B. Rows of X beyond n and its other
+// columns are zero. Status as for one right side.
 template <class R, int N, int M>
 inline Status lu_solve(const LU<R, N>& lu, const Matrix<R, N, M>& b, int columns, Matrix<R, N, M>& x) {
   set_zero(x);
@@ -228,8 +231,9 @@ inline Status lu_solve(const LU<R, N>& lu, const Matrix<R, N, M>& b, int columns
 inline constexpr int kConditionSteps = 5;
 
 // Estimates 1 / (|A|_1 |A^-1|_1) by Hager's gradient ascent on |A^-1 x|_1 over the unit 1-ball, with Higham's
-// alternating vector as a second lower bound. The estimate of |A^-1|_1 is never too large and seldom more than three
-// times too small. 0 when there are no valid factors or the inverse overflows. Cost: at most 11 solutions.
+// alternating vector as a second lower bound. The estimate of |A^-1|_1 is never too large and seldom more
+// than three times too small. 0 when there are no valid factors or the inverse overflows. Cost: at most 11
+// solutions.
 template <class R, int N>
 inline R lu_reciprocal_condition(const LU<R, N>& lu) {
   const int n = lu.size;

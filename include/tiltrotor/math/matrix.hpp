@@ -1,8 +1,8 @@
 // Matrix: fixed size, row-major, in place, and the few loops over padded rows that the solvers share.
 //
-// A matrix at least one 64-byte group wide has its rows padded to whole groups and aligned to 64 bytes, so that a
-// loop over a row runs in whole vector registers without a remainder. Padding is zero from `Matrix<R, m, n> a{}` on;
-// every function here keeps it zero and no result depends on it.
+// A matrix at least one 64-byte group wide has its rows padded to whole groups and aligned to 64 bytes, so
+// that a loop over a row runs in whole vector registers without a remainder. Padding is zero from `Matrix<R,
+// m, n> a{}` on; every function here keeps it zero and no result depends on it.
 #pragma once
 
 #include <cmath>
@@ -14,7 +14,8 @@ namespace tiltrotor {
 template <class R>
 inline constexpr int kLane = static_cast<int>(64 / sizeof(R));
 
-// The smallest whole number of groups that holds `n` numbers, and the start of the group that holds index `i`.
+// The smallest whole number of groups that holds `n` numbers, and the start of the group that holds index
+// `i`.
 template <class R>
 constexpr int lane_ceil(int n) {
   return (n + kLane<R> - 1) / kLane<R> * kLane<R>;
@@ -74,7 +75,8 @@ constexpr Matrix<R, Cols, Rows> transpose(const Matrix<R, Rows, Cols>& a) {
 
 // c = a b. `c` is another matrix than `a` and `b`.
 template <class R, int Rows, int Inner, int Cols>
-constexpr void multiply(const Matrix<R, Rows, Inner>& a, const Matrix<R, Inner, Cols>& b, Matrix<R, Rows, Cols>& c) {
+constexpr void multiply(const Matrix<R, Rows, Inner>& a, const Matrix<R, Inner, Cols>& b,
+                        Matrix<R, Rows, Cols>& c) {
   set_zero(c);
   for (int i = 0; i < Rows; ++i)
     for (int k = 0; k < Inner; ++k) {

@@ -1,9 +1,9 @@
 // Pack: several plain numbers computed together, as many as the target's vectors hold.
 //
-// A pack is a scalar of the model like any other: the formulas of a blade element, written once, run on one number, on
-// a pack, or on a dual number whose value and partials are packs. Each lane sees the operations of a plain number in the
-// same order, so its result is the plain result bit for bit, whatever the number of lanes.
-// Decisions are made lane by lane with select(): both sides are computed.
+// A pack is a scalar of the model like any other: the formulas of a blade element, written once, run on one
+// number, on a pack, or on a dual number whose value and partials are packs. Each lane sees the operations of
+// a plain number in the same order, so its result is the plain result bit for bit, whatever the number of
+// lanes. Decisions are made lane by lane with select(): both sides are computed.
 #pragma once
 
 #include <cmath>
@@ -59,16 +59,17 @@ struct PackStorage {
 }  // namespace detail
 
 // Body of an operation: on whole vectors where the compiler has them, else lane by lane.
-#define TILTROTOR_LANEWISE(RESULT, WHOLE, LANE)                            \
-  if constexpr (detail::kCompilerVectors && kLanes > 1) {                  \
-    return {WHOLE};                                                        \
-  } else {                                                                 \
-    RESULT r;                                                              \
-    for (int i = 0; i < kLanes; ++i) r.e[i] = LANE;                        \
-    return r;                                                              \
+#define TILTROTOR_LANEWISE(RESULT, WHOLE, LANE)           \
+  if constexpr (detail::kCompilerVectors && kLanes > 1) { \
+    return {WHOLE};                                       \
+  } else {                                                \
+    RESULT r;                                             \
+    for (int i = 0; i < kLanes; ++i) r.e[i] = LANE;       \
+    return r;                                             \
   }
 
-// Indices into an array, one for each lane. Plain integers: addresses are computed one by one on every target.
+// Indices into an array, one for each lane. Plain integers: addresses are computed one by one on every
+// target.
 template <class R>
 struct PackIndex {
   static constexpr int kLanes = kPackLanes<R>;
@@ -93,13 +94,11 @@ struct PackMask {
   using I = typename detail::IndexOf<R>::type;
   typename detail::PackStorage<I, kLanes>::type e;
 
-  TILTROTOR_INLINE friend PackMask operator&(const PackMask& a, const PackMask& b) {
-    TILTROTOR_LANEWISE(PackMask, a.e & b.e, a.e[i] & b.e[i])
-  }
-  TILTROTOR_INLINE friend PackMask operator|(const PackMask& a, const PackMask& b) {
-    TILTROTOR_LANEWISE(PackMask, a.e | b.e, a.e[i] | b.e[i])
-  }
-  TILTROTOR_INLINE friend bool any(const PackMask& a) {
+  TILTROTOR_INLINE friend PackMask operator&(const PackMask& a, const PackMask& b){
+      TILTROTOR_LANEWISE(PackMask, a.e& b.e, a.e[i] & b.e[i])} TILTROTOR_INLINE friend PackMask
+  operator|(const PackMask& a,
+            const PackMask& b){TILTROTOR_LANEWISE(PackMask, a.e | b.e, a.e[i] | b.e[i])} TILTROTOR_INLINE
+      friend bool any(const PackMask& a) {
     I all = 0;
     for (int i = 0; i < kLanes; ++i) all |= a.e[i];
     return all != 0;
@@ -126,25 +125,32 @@ struct Pack {
   R get(int lane) const { return e[lane]; }
   void set(int lane, R x) { e[lane] = x; }
 
-  TILTROTOR_INLINE friend Pack operator-(const Pack& a) { TILTROTOR_LANEWISE(Pack, Pack(-a.e), -a.e[i]) }
-  TILTROTOR_INLINE friend Pack operator+(const Pack& a, const Pack& b) { TILTROTOR_LANEWISE(Pack, Pack(a.e + b.e), a.e[i] + b.e[i]) }
-  TILTROTOR_INLINE friend Pack operator-(const Pack& a, const Pack& b) { TILTROTOR_LANEWISE(Pack, Pack(a.e - b.e), a.e[i] - b.e[i]) }
-  TILTROTOR_INLINE friend Pack operator*(const Pack& a, const Pack& b) { TILTROTOR_LANEWISE(Pack, Pack(a.e * b.e), a.e[i] * b.e[i]) }
-  TILTROTOR_INLINE friend Pack operator/(const Pack& a, const Pack& b) { TILTROTOR_LANEWISE(Pack, Pack(a.e / b.e), a.e[i] / b.e[i]) }
-  Pack& operator+=(const Pack& b) { return *this = *this + b; }
+  TILTROTOR_INLINE friend Pack operator-(const Pack& a){
+      TILTROTOR_LANEWISE(Pack, Pack(-a.e), -a.e[i])} TILTROTOR_INLINE friend Pack
+  operator+(const Pack& a, const Pack& b){
+      TILTROTOR_LANEWISE(Pack, Pack(a.e + b.e), a.e[i] + b.e[i])} TILTROTOR_INLINE friend Pack
+  operator-(const Pack& a, const Pack& b){
+      TILTROTOR_LANEWISE(Pack, Pack(a.e - b.e), a.e[i] - b.e[i])} TILTROTOR_INLINE friend Pack
+  operator*(const Pack& a, const Pack& b){
+      TILTROTOR_LANEWISE(Pack, Pack(a.e* b.e), a.e[i] * b.e[i])} TILTROTOR_INLINE friend Pack
+  operator/(const Pack& a, const Pack& b){TILTROTOR_LANEWISE(Pack, Pack(a.e / b.e), a.e[i] / b.e[i])} Pack&
+  operator+=(const Pack& b) {
+    return *this = *this + b;
+  }
   Pack& operator-=(const Pack& b) { return *this = *this - b; }
 
-  TILTROTOR_INLINE friend Mask operator<(const Pack& a, const Pack& b) {
-    TILTROTOR_LANEWISE(Mask, a.e < b.e, -static_cast<I>(a.e[i] < b.e[i]))
+  TILTROTOR_INLINE friend Mask operator<(const Pack& a, const Pack& b){
+      TILTROTOR_LANEWISE(Mask, a.e < b.e, -static_cast<I>(a.e[i] < b.e[i]))} TILTROTOR_INLINE friend Mask
+  operator>(const Pack& a, const Pack& b) {
+    return b < a;
   }
-  TILTROTOR_INLINE friend Mask operator>(const Pack& a, const Pack& b) { return b < a; }
-  TILTROTOR_INLINE friend Mask operator<=(const Pack& a, const Pack& b) {
-    TILTROTOR_LANEWISE(Mask, a.e <= b.e, -static_cast<I>(a.e[i] <= b.e[i]))
+  TILTROTOR_INLINE friend Mask operator<=(const Pack& a, const Pack& b){
+      TILTROTOR_LANEWISE(Mask, a.e <= b.e, -static_cast<I>(a.e[i] <= b.e[i]))} TILTROTOR_INLINE friend Mask
+  operator>=(const Pack& a, const Pack& b) {
+    return b <= a;
   }
-  TILTROTOR_INLINE friend Mask operator>=(const Pack& a, const Pack& b) { return b <= a; }
-  TILTROTOR_INLINE friend Mask operator==(const Pack& a, const Pack& b) {
-    TILTROTOR_LANEWISE(Mask, a.e == b.e, -static_cast<I>(a.e[i] == b.e[i]))
-  }
+  TILTROTOR_INLINE friend Mask operator==(const Pack& a, const Pack& b){
+      TILTROTOR_LANEWISE(Mask, a.e == b.e, -static_cast<I>(a.e[i] == b.e[i]))}
 
   TILTROTOR_INLINE friend Pack select(const Mask& m, const Pack& a, const Pack& b) {
     TILTROTOR_LANEWISE(Pack, Pack(m.e ? a.e : b.e), m.e[i] != 0 ? a.e[i] : b.e[i])
@@ -155,10 +161,12 @@ struct Pack {
 
 // The dual number of the chosen side.
 template <class R, int N>
-TILTROTOR_INLINE Dual<Pack<R>, N> select(const PackMask<R>& m, const Dual<Pack<R>, N>& a, const Dual<Pack<R>, N>& b) {
+TILTROTOR_INLINE Dual<Pack<R>, N> select(const PackMask<R>& m, const Dual<Pack<R>, N>& a,
+                                         const Dual<Pack<R>, N>& b) {
   Dual<Pack<R>, N> r;
   r.v = select(m, a.v, b.v);
-  for (int g = 0; g < Partials<Pack<R>, N>::kGroups; ++g) r.d.group[g] = select(m, a.d.group[g], b.d.group[g]);
+  for (int g = 0; g < Partials<Pack<R>, N>::kGroups; ++g)
+    r.d.group[g] = select(m, a.d.group[g], b.d.group[g]);
   return r;
 }
 
@@ -166,9 +174,11 @@ TILTROTOR_INLINE Dual<Pack<R>, N> select(const PackMask<R>& m, const Dual<Pack<R
 namespace detail {
 
 template <class R, int... Lane>
-TILTROTOR_INLINE Pack<R> pick_lanes(const R* array, const PackIndex<R>& index, std::integer_sequence<int, Lane...>) {
+TILTROTOR_INLINE Pack<R> pick_lanes(const R* array, const PackIndex<R>& index,
+                                    std::integer_sequence<int, Lane...>) {
   Pack<R> r;
-  ((r.e[Lane] = array[index.e[Lane]]), ...);  // one by one: faster than the gather instructions of many processors
+  ((r.e[Lane] = array[index.e[Lane]]),
+   ...);  // one by one: faster than the gather instructions of many processors
   return r;
 }
 
@@ -195,7 +205,9 @@ TILTROTOR_INLINE void pick_four(const double* array, const PackIndex<double>& in
     return r;
   };
 #if defined(__AVX512F__)
-  const auto both = [&](int lane) { return __builtin_shufflevector(row(lane), row(lane + 4), 0, 1, 2, 3, 4, 5, 6, 7); };
+  const auto both = [&](int lane) {
+    return __builtin_shufflevector(row(lane), row(lane + 4), 0, 1, 2, 3, 4, 5, 6, 7);
+  };
   const auto a = both(0);
   const auto b = both(1);
   const auto c = both(2);

@@ -1,19 +1,15 @@
 // Status: the one outcome type of every fallible function of the library.
 //
 // A function that can fail returns a Status and documents which words it can return. Adding a word: add the
-// enumerator before `count`, and one row to kStatusTable in the same place; the static_assert watches the length.
+// enumerator before `count`, and one row to kStatusTable in the same place; the static_assert watches the
+// length.
 #pragma once
 
 namespace tiltrotor {
 
-enum class [[nodiscard]] Status : unsigned char {
-  ok,
-  not_converged,
-  singular,
-  not_finite,
-  out_of_range,
-  bad_argument,
-  count  // number of words above; never returned
+enum class [[nodiscard]] Status : unsigned char{
+    ok,   not_converged, singular, not_finite, out_of_range, bad_argument,
+    count  // number of words above; never returned
 };
 
 namespace status_detail {
@@ -35,13 +31,16 @@ inline constexpr Row kStatusTable[] = {
 static_assert(sizeof(kStatusTable) / sizeof(kStatusTable[0]) == static_cast<unsigned>(Status::count),
               "one row per status word");
 
-constexpr bool known(Status status) { return static_cast<unsigned>(status) < static_cast<unsigned>(Status::count); }
+constexpr bool known(Status status) {
+  return static_cast<unsigned>(status) < static_cast<unsigned>(Status::count);
+}
 
 }  // namespace status_detail
 
 // One word, as printed in the `status` column of every output.
 constexpr const char* status_word(Status status) {
-  return status_detail::known(status) ? status_detail::kStatusTable[static_cast<unsigned>(status)].word : "unknown";
+  return status_detail::known(status) ? status_detail::kStatusTable[static_cast<unsigned>(status)].word
+                                      : "unknown";
 }
 
 // One sentence for a person.

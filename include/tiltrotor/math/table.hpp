@@ -1,10 +1,10 @@
 // Interpolation tables on a rectangular grid, 1 to 4 dimensions, linear or C1 monotone cubic.
 //
-// A table has Smooth axes, which take any scalar and may be interpolated with C1 cubics, and Linear axes, which
-// take plain numbers fixed within a run (mast angle, flap) and are always linear. Each node stores the value and
-// the mixed slopes along the smooth axes (2^Smooth numbers: f, f_x, f_y, f_xy for two), computed beforehand by
-// table_slopes.hpp, so that a look-up evaluates one local polynomial.
-// Outside the grid the end value holds with zero slope; on the end node itself the last interval counts.
+// A table has Smooth axes, which take any scalar and may be interpolated with C1 cubics, and Linear axes,
+// which take plain numbers fixed within a run (mast angle, flap) and are always linear. Each node stores the
+// value and the mixed slopes along the smooth axes (2^Smooth numbers: f, f_x, f_y, f_xy for two), computed
+// beforehand by table_slopes.hpp, so that a look-up evaluates one local polynomial. Outside the grid the end
+// value holds with zero slope; on the end node itself the last interval counts.
 #pragma once
 
 #include <type_traits>
@@ -22,15 +22,16 @@ template <class R>
 struct Axis {
   int count;      // knots, 1..kMaxKnots
   const R* knot;  // strictly increasing
-  // Optional index, written by the table generator: equal buckets narrower than the narrowest interval, each with the
-  // interval just before its left end. A search is then one multiplication and one comparison, whatever the argument.
+  // Optional index, written by the table generator: equal buckets narrower than the narrowest interval, each
+  // with the interval just before its left end. A search is then one multiplication and one comparison,
+  // whatever the argument.
   const unsigned char* bucket = nullptr;
   int buckets = 0;
   R per_width = 0;  // buckets per unit of the argument
 };
 
-// Nodes are stored with the linear axes outermost, then the smooth axes in order, then the 2^Smooth numbers of
-// a node: bit a of the index set means derivative along smooth axis a.
+// Nodes are stored with the linear axes outermost, then the smooth axes in order, then the 2^Smooth numbers
+// of a node: bit a of the index set means derivative along smooth axis a.
 template <class R, int Smooth, int Linear = 0>
 struct Table {
   static_assert(Smooth >= 1 && Smooth + Linear <= 4, "tables have 1 to 4 axes");
@@ -46,8 +47,8 @@ struct Place {
   R fraction;
 };
 
-// Largest i <= count - 2 with knot[i] <= x; 0 when x lies before the grid or is NaN. x lies on the grid when the axis
-// has an index.
+// Largest i <= count - 2 with knot[i] <= x; 0 when x lies before the grid or is NaN. x lies on the grid when
+// the axis has an index.
 template <class R>
 int find_interval(const Axis<R>& axis, R x) {
   if (axis.bucket != nullptr) {
@@ -82,7 +83,8 @@ TILTROTOR_INLINE PackIndex<R> find_interval(const Axis<R>& axis, const Pack<R>& 
   for (int lane = 0; lane < lanes; ++lane) i.e[lane] = static_cast<int>(held.get(lane));
   for (int lane = 0; lane < lanes; ++lane) {
     const int k = axis.bucket[i.e[lane]];
-    i.e[lane] = k + (static_cast<int>(k < axis.count - 2) & static_cast<int>(x.get(lane) >= axis.knot[k + 1]));
+    i.e[lane] =
+        k + (static_cast<int>(k < axis.count - 2) & static_cast<int>(x.get(lane) >= axis.knot[k + 1]));
   }
   return i;
 }
@@ -105,8 +107,8 @@ void pick_four(const R* array, int index, R* out) {
   for (int k = 0; k < 4; ++k) out[k] = array[index + k];
 }
 
-// An argument found on a smooth axis, with the weights of the four numbers that interpolate there: value at the left
-// and right knot, slope at the left and right knot. Tables over the same axis share it.
+// An argument found on a smooth axis, with the weights of the four numbers that interpolate there: value at
+// the left and right knot, slope at the left and right knot. Tables over the same axis share it.
 //   T  scalar of the argument: plain number, pack, dual number, complex
 //   V  plain number or pack: what decisions and indices are made from
 //   W  scalar of the weights: dual numbers take plain weights and their slopes, the others weigh themselves
@@ -189,8 +191,8 @@ TILTROTOR_INLINE void unrolled(Function&& f) {
 
 constexpr int power_of_4(int n) { return n == 0 ? 1 : 4 * power_of_4(n - 1); }
 
-// The local polynomial of a cell has 4^Smooth coefficients: base-4 digit a of a coefficient's number selects, on smooth
-// axis a, {left value, right value, left slope, right slope}.
+// The local polynomial of a cell has 4^Smooth coefficients: base-4 digit a of a coefficient's number selects,
+// on smooth axis a, {left value, right value, left slope, right slope}.
 template <class T, int Smooth>
 struct CellCoefficients {
   using V = typename Located<T>::V;
@@ -198,7 +200,9 @@ struct CellCoefficients {
   typename Located<T>::Index place;  // of the corner where every axis is left
   int step[Smooth];                  // to the right end of each axis
 
-  TILTROTOR_INLINE CellCoefficients(const Axis<Real<T>>* axis, const Real<T>* block, const Located<T>* const* at) : node(block) {
+  TILTROTOR_INLINE CellCoefficients(const Axis<Real<T>>* axis, const Real<T>* block,
+                                    const Located<T>* const* at)
+      : node(block) {
     int stride = 1 << Smooth;
     for (int a = Smooth - 1; a >= 0; --a) {
       place = a == Smooth - 1 ? at[a]->interval * stride : place + at[a]->interval * stride;
@@ -246,8 +250,9 @@ TILTROTOR_INLINE typename Located<T>::W polynomial(const C* c, const Located<T>*
 }
 // The same with its slope along every axis.
 template <int Axes, class T>
-TILTROTOR_INLINE typename Located<T>::V polynomial_with_slopes(const typename Located<T>::V* c, const Located<T>* const* at,
-                                              typename Located<T>::V* slope) {
+TILTROTOR_INLINE typename Located<T>::V polynomial_with_slopes(const typename Located<T>::V* c,
+                                                               const Located<T>* const* at,
+                                                               typename Located<T>::V* slope) {
   using V = typename Located<T>::V;
   if constexpr (Axes == 0) {
     return c[0];
@@ -259,8 +264,8 @@ TILTROTOR_INLINE typename Located<T>::V polynomial_with_slopes(const typename Lo
       out[k] = weighed<V>(at[Axes - 1]->weight, c[k], c[k + rest], c[k + 2 * rest], c[k + 3 * rest]);
       steep[k] = weighed<V>(at[Axes - 1]->slope, c[k], c[k + rest], c[k + 2 * rest], c[k + 3 * rest]);
     });
-    slope[Axes - 1] =
-        select(at[Axes - 1]->outside, V(Real<T>(0)), polynomial<Axes - 1, T>(static_cast<const V*>(steep), at));
+    slope[Axes - 1] = select(at[Axes - 1]->outside, V(Real<T>(0)),
+                             polynomial<Axes - 1, T>(static_cast<const V*>(steep), at));
     return polynomial_with_slopes<Axes - 1, T>(out, at, slope);
   }
 }

@@ -1,8 +1,10 @@
-// Node slopes of the C1 monotone cubic interpolant (Fritsch and Butland 1984): computed once, before a table is used.
+// Node slopes of the C1 monotone cubic interpolant (Fritsch and Butland 1984): computed once, before a table
+// is used.
 //
 // Along one axis the inner slopes are the weighted harmonic mean of the neighbouring secants (zero where they
-// change sign), the end slopes one-sided and limited: no overshoot, nodes reproduced, first derivative continuous.
-// Mixed slopes are the mean over the orders of the axes, so that the interpolant does not depend on the order.
+// change sign), the end slopes one-sided and limited: no overshoot, nodes reproduced, first derivative
+// continuous. Mixed slopes are the mean over the orders of the axes, so that the interpolant does not depend
+// on the order.
 #pragma once
 
 #include "tiltrotor/math/table.hpp"
@@ -53,9 +55,9 @@ void monotone_slopes(int count, const R* knot, const R* f, R* m, int stride) {
   m[n * stride] = detail::end_slope(h(n - 1), h(n - 2), d(n - 1), d(n - 2));
 }
 
-// Fill the slopes of one smooth block whose values stand at node[i * 2^Smooth]. `scratch` is as large as `node`.
-// Slopes of a set of axes are the mean, over the axes of the set taken last, of the
-// slopes along that axis of the slopes of the others.
+// Fill the slopes of one smooth block whose values stand at node[i * 2^Smooth]. `scratch` is as large as
+// `node`. Slopes of a set of axes are the mean, over the axes of the set taken last, of the slopes along that
+// axis of the slopes of the others.
 template <class R, int Smooth>
 void fill_slopes(const Axis<R> (&axis)[Smooth], R* node, R* scratch) {
   constexpr int per_node = 1 << Smooth;
@@ -74,7 +76,8 @@ void fill_slopes(const Axis<R> (&axis)[Smooth], R* node, R* scratch) {
         if (i / step % axis[a].count != 0) continue;  // first node of a line along axis a
         R* line = node + i * per_node;
         monotone_slopes(axis[a].count, axis[a].knot, line + others, scratch, step * per_node);
-        for (int k = 0; k < axis[a].count; ++k) line[k * step * per_node + set] += scratch[k * step * per_node];
+        for (int k = 0; k < axis[a].count; ++k)
+          line[k * step * per_node + set] += scratch[k * step * per_node];
       }
     }
     for (int i = 0; i < nodes; ++i) node[i * per_node + set] /= static_cast<R>(members);

@@ -51,7 +51,8 @@ Vec3<T> rate_cross_arm(const Vec3<T>& rate, const Vec3<Real<T>>& arm) {
 // arm x force, with a plain arm: moment of a force.
 template <class T>
 Vec3<T> arm_cross_force(const Vec3<Real<T>>& arm, const Vec3<T>& force) {
-  return {force.z * arm.y - force.y * arm.z, force.x * arm.z - force.z * arm.x, force.y * arm.x - force.x * arm.y};
+  return {force.z * arm.y - force.y * arm.z, force.x * arm.z - force.z * arm.x,
+          force.y * arm.x - force.x * arm.y};
 }
 template <class T>
 Vec3<T> cross(const Vec3<T>& a, const Vec3<T>& b) {

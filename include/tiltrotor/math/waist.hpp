@@ -1,8 +1,8 @@
 // Waist: a place in the model where many state variables pass through few intermediate ones.
 //
 // A rotor sees 16 numbers, a blade 5, a tail a dozen, whatever the number of states behind them. With dual
-// numbers the function beyond the waist is evaluated with one seed for each of its own inputs and the result is
-// chained to the outer directions: the same derivative by the chain rule, with far fewer partials carried.
+// numbers the function beyond the waist is evaluated with one seed for each of its own inputs and the result
+// is chained to the outer directions: the same derivative by the chain rule, with far fewer partials carried.
 // For plain and complex scalars, and when nothing would be gained, the function is simply called.
 //
 // Inputs and outputs are structs templated on the scalar that list their members with `each`.
@@ -78,11 +78,12 @@ Out<T> chained(const Out<Dual<R, N>>& local, const T (&waist)[N]) {
 
 }  // namespace detail
 
-// Partials in groups of eight, not in the lanes of this machine: every machine then takes the same way and finds the same
-// bits.
+// Partials in groups of eight, not in the lanes of this machine: every machine then takes the same way and
+// finds the same bits.
 constexpr int groups_of_eight(int partials) { return (partials + 7) / 8; }
 
-// Scalar beyond the waist: a dual number of as many partials as the waist has inputs when that is fewer, else T itself.
+// Scalar beyond the waist: a dual number of as many partials as the waist has inputs when that is fewer, else
+// T itself.
 template <template <class> class In, class T>
 using WaistScalar =
     std::conditional_t<(groups_of_eight(In<T>::kCount) < groups_of_eight(OuterPartials<T>::count)),
@@ -100,7 +101,8 @@ struct WaistRoom<In, Out, T, T> {};
 
 // out = function(in), called as function(in, out) on whichever scalar is best.
 template <template <class> class In, template <class> class Out, class T, class Function>
-TILTROTOR_NOINLINE void through_waist(const In<T>& in, WaistRoom<In, Out, T>& room, Out<T>& out, Function&& function) {
+TILTROTOR_NOINLINE void through_waist(const In<T>& in, WaistRoom<In, Out, T>& room, Out<T>& out,
+                                      Function&& function) {
   using Local = WaistScalar<In, T>;
   if constexpr (std::is_same_v<Local, T>) {
     function(in, out);

@@ -11,12 +11,12 @@ namespace tiltrotor {
 // What the airframe components see of the aircraft: a waist of 14 numbers.
 template <class T>
 struct AirframeInput {
-  Vec3<T> velocity;         // CG relative to the air, B, m/s
-  Vec3<T> rates;            // rad/s
-  T mean_wash[2];           // v0 = n0 Omega R of each rotor, m/s
-  T rotor_force;            // C_RF: resultant forces of both rotors over rho pi Omega^2 R^4
-  T advance_ratio;          // mean in-plane advance ratio of the rotors
-  T downwash;               // lagged wing downwash at the tail, rad
+  Vec3<T> velocity;             // CG relative to the air, B, m/s
+  Vec3<T> rates;                // rad/s
+  T mean_wash[2];               // v0 = n0 Omega R of each rotor, m/s
+  T rotor_force;                // C_RF: resultant forces of both rotors over rho pi Omega^2 R^4
+  T advance_ratio;              // mean in-plane advance ratio of the rotors
+  T downwash;                   // lagged wing downwash at the tail, rad
   T elevator, aileron, rudder;  // rad
 
   static constexpr int kCount = 14;
@@ -53,16 +53,17 @@ T total_speed(const Vec3<T>& v, Real<T> e) {
 // Free-stream quantities shared by the components, from the CG's velocity.
 template <class T>
 struct FreeStream {
-  T speed;          // m/s, smoothed at rest
-  T speed_kt;       // the same, kt
-  T mach;           // held below the limit of the tables
-  T alpha, beta;    // rad
+  T speed;        // m/s, smoothed at rest
+  T speed_kt;     // the same, kt
+  T mach;         // held below the limit of the tables
+  T alpha, beta;  // rad
   T alpha_deg;
-  T abs_beta_deg;   // smoothed |beta|, zero at zero
+  T abs_beta_deg;  // smoothed |beta|, zero at zero
 };
 
 template <class R>
-inline constexpr R kKnot = R(0.5144444);  // m/s: the rounded factor of the tables' speed axes, 9e-8 below 1852/3600
+inline constexpr R kKnot =
+    R(0.5144444);  // m/s: the rounded factor of the tables' speed axes, 9e-8 below 1852/3600
 
 template <class T>
 TILTROTOR_NOINLINE FreeStream<T> free_stream(const Configuration<Real<T>>& c, const Vec3<T>& velocity) {
@@ -81,7 +82,8 @@ TILTROTOR_NOINLINE FreeStream<T> free_stream(const Configuration<Real<T>>& c, co
 
 // Force of lift, drag and side force Y' (wind axes at alpha, beta) in body axes.
 template <class T>
-TILTROTOR_NOINLINE Vec3<T> wind_force(const T& lift, const T& drag, const T& side, const T& alpha, const T& beta) {
+TILTROTOR_NOINLINE Vec3<T> wind_force(const T& lift, const T& drag, const T& side, const T& alpha,
+                                      const T& beta) {
   const T sa = sin(alpha);
   const T ca = cos(alpha);
   const T sb = sin(beta);

@@ -12,8 +12,8 @@ namespace tiltrotor {
 template <class T>
 struct AirframeResponse {
   Loads<T> total;
-  T wing_alpha;     // rad
-  T downwash;       // of the wing at the tail, not lagged, rad
+  T wing_alpha;  // rad
+  T downwash;    // of the wing at the tail, not lagged, rad
 
   static constexpr int kCount = 8;
   template <class Self, class Visit>

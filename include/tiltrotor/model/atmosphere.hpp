@@ -13,7 +13,8 @@ struct Air {
 
 namespace detail {
 
-// (1 + x)^exponent by the binomial series, |x| <= 0.25: the same bits on every machine, which pow() does not promise.
+// (1 + x)^exponent by the binomial series, |x| <= 0.25: the same bits on every machine, which pow() does not
+// promise.
 template <class R>
 R binomial_power(R x, R exponent) {
   const int terms = 28;  // the next is below 1e-18
@@ -36,7 +37,7 @@ Air<R> standard_air(R altitude_m) {
   const R sea_level_density = R(1.225);       // kg/m^3
   const R density_exponent = R(4.2559);       // g / (R_air lapse) - 1
   const R heat_ratio = R(1.4);
-  const R gas_constant = R(287.053);          // J/(kg K)
+  const R gas_constant = R(287.053);  // J/(kg K)
   const R temperature = sea_level_temperature - lapse_rate * altitude_m;
   const R lapse = -lapse_rate * altitude_m / sea_level_temperature;
   return {sea_level_density * detail::binomial_power(lapse, density_exponent),

@@ -1,12 +1,12 @@
 // Aerodynamic load of one blade element and of one blade.
 //
-// At a given azimuth the flow along a blade is linear in radius, so five numbers describe it whatever the state of
-// the aircraft: BladeFlow. That is the waist through which the derivatives of a blade pass; those of an element pass
-// through the three of ElementFlow.
+// At a given azimuth the flow along a blade is linear in radius, so five numbers describe it whatever the
+// state of the aircraft: BladeFlow. That is the waist through which the derivatives of a blade pass; those of
+// an element pass through the three of ElementFlow.
 #pragma once
 
-#include "tiltrotor/math/smooth.hpp"
 #include "tiltrotor/math/pack.hpp"
+#include "tiltrotor/math/smooth.hpp"
 #include "tiltrotor/model/configuration.hpp"
 
 namespace tiltrotor {
@@ -30,7 +30,8 @@ struct BladeFlow {
   }
 };
 
-// Loads of one blade: along the blade normal (up) and the direction of rotation, and their first radial moments.
+// Loads of one blade: along the blade normal (up) and the direction of rotation, and their first radial
+// moments.
 template <class T>
 struct BladeLoads {
   T normal, tangential;                // N
@@ -51,12 +52,13 @@ struct SectionCoefficients {
   T lift, drag;
 };
 
-// Section coefficients at angle of attack `alpha` (rad, -pi..pi) and Mach number: the table of the spanwise region
-// inside its range of alpha, blended over `stall_blend` degrees to a flat plate outside. Beyond the last Mach column
-// the column holds. Lift and drag share the search along the axes they have in common.
+// Section coefficients at angle of attack `alpha` (rad, -pi..pi) and Mach number: the table of the spanwise
+// region inside its range of alpha, blended over `stall_blend` degrees to a flat plate outside. Beyond the
+// last Mach column the column holds. Lift and drag share the search along the axes they have in common.
 template <class T>
-TILTROTOR_INLINE SectionCoefficients<T> section_coefficients(const RotorTables<Real<T>>& rotor, Interpolation mode, int region,
-                                            const T& alpha, const T& mach) {
+TILTROTOR_INLINE SectionCoefficients<T> section_coefficients(const RotorTables<Real<T>>& rotor,
+                                                             Interpolation mode, int region, const T& alpha,
+                                                             const T& mach) {
   using R = Real<T>;
   const Table<R, 2>& lift = rotor.section_lift[region];
   const Table<R, 2>& drag = rotor.section_drag[region];
@@ -100,22 +102,24 @@ struct ElementLoads {
 
 // Valid in reverse flow: the angle of attack runs over the full circle.
 template <class T>
-TILTROTOR_INLINE ElementLoads<T> element_loads(const Configuration<Real<T>>& c, int region, const BladeStation<Real<T>>& station,
-                              const ElementFlow<T>& flow) {
+TILTROTOR_INLINE ElementLoads<T> element_loads(const Configuration<Real<T>>& c, int region,
+                                               const BladeStation<Real<T>>& station,
+                                               const ElementFlow<T>& flow) {
   using R = Real<T>;
   const T& ut = flow.tangential;
   const T& up = flow.normal;
   const T speed = sqrt(T(ut * ut + up * up + square(c.aircraft->smooth.section_speed)));
   const T alpha = wrapped_difference(flow.pitch, atan2(up, ut));
-  const SectionCoefficients<T> k = section_coefficients(c.aircraft->rotor, c.setup.options.tables, region, alpha,
-                                                        T(speed * (R(1) / c.air.speed_of_sound)));
+  const SectionCoefficients<T> k = section_coefficients(c.aircraft->rotor, c.setup.options.tables, region,
+                                                        alpha, T(speed * (R(1) / c.air.speed_of_sound)));
   // dF_n = 1/2 rho U c dr (cl U_T - cd U_P),  dF_t = -1/2 rho U c dr (cl U_P + cd U_T)
   const T scale = (c.air.density * station.half_chord_dr) * speed;
   const T lift = station.lift_weight * k.lift;
   return {scale * (lift * ut - k.drag * up), -(scale * (lift * up + k.drag * ut))};
 }
 
-// Calls see(radius, loads) for every element of one blade, from the root to the tip. `flow_at(station)`: its flow.
+// Calls see(radius, loads) for every element of one blade, from the root to the tip. `flow_at(station)`: its
+// flow.
 template <class T, class FlowAt, class See>
 TILTROTOR_INLINE void each_element(const Configuration<Real<T>>& c, FlowAt&& flow_at, See&& see) {
   int i = 0;
@@ -129,8 +133,8 @@ TILTROTOR_INLINE void each_element(const Configuration<Real<T>>& c, FlowAt&& flo
 
 template <class T>
 ElementFlow<T> element_flow(const BladeFlow<T>& flow, const BladeStation<Real<T>>& station) {
-  return {flow.tangential_0 + station.radius * flow.tangential_r, flow.normal_0 + station.radius * flow.normal_r,
-          flow.pitch + station.twist};
+  return {flow.tangential_0 + station.radius * flow.tangential_r,
+          flow.normal_0 + station.radius * flow.normal_r, flow.pitch + station.twist};
 }
 
 // Sum over the stations of one blade.
@@ -149,11 +153,11 @@ TILTROTOR_NOINLINE BladeLoads<T> blade_loads(const Configuration<Real<T>>& c, co
   return sum;
 }
 
-// The same with its slopes along the five numbers of the flow. U_T and U_P are linear in the radius, so the slopes of
-// the sums are radial moments of the slopes of the elements, which have three.
+// The same with its slopes along the five numbers of the flow. U_T and U_P are linear in the radius, so the
+// slopes of the sums are radial moments of the slopes of the elements, which have three.
 template <class V>
-TILTROTOR_NOINLINE BladeLoads<Dual<V, BladeFlow<V>::kCount>> blade_loads_and_slopes(const Configuration<Real<V>>& c,
-                                                                 const BladeFlow<V>& flow) {
+TILTROTOR_NOINLINE BladeLoads<Dual<V, BladeFlow<V>::kCount>> blade_loads_and_slopes(
+    const Configuration<Real<V>>& c, const BladeFlow<V>& flow) {
   using R = Real<V>;
   using D = Dual<V, 3>;
   D normal[3] = {D(V(R(0))), D(V(R(0))), D(V(R(0)))};  // sums of the load times 1, r, r^2
@@ -162,7 +166,8 @@ TILTROTOR_NOINLINE BladeLoads<Dual<V, BladeFlow<V>::kCount>> blade_loads_and_slo
       c,
       [&flow](const BladeStation<R>& station) {
         const ElementFlow<V> at = element_flow(flow, station);
-        return ElementFlow<D>{D::variable(at.tangential, 0), D::variable(at.normal, 1), D::variable(at.pitch, 2)};
+        return ElementFlow<D>{D::variable(at.tangential, 0), D::variable(at.normal, 1),
+                              D::variable(at.pitch, 2)};
       },
       [&](R radius, const ElementLoads<D>& element) {
         const V weight[3] = {V(R(1)), V(radius), V(radius * radius)};

@@ -13,10 +13,10 @@ inline constexpr int kMaxAzimuthStations = 72;
 // One blade element: everything about it that does not change in flight.
 template <class R>
 struct BladeStation {
-  R radius;       // m
+  R radius;         // m
   R half_chord_dr;  // chord times quadrature width over two, m^2: half density times this is the load scale
-  R twist;        // pitch above that at the collective's reference radius, rad
-  R lift_weight;  // 1 inside the tip-loss radius, 0 outside
+  R twist;          // pitch above that at the collective's reference radius, rad
+  R lift_weight;    // 1 inside the tip-loss radius, 0 outside
 };
 
 template <class R>
@@ -50,23 +50,26 @@ R blade_chord(const RotorTables<R>& rotor, ChordSource source, R x) {
   return lookup(table, Interpolation::linear, x);
 }
 
-// The blade is integrated interval by interval: their ends are the end of the root's taper, the section regions and the
-// tip-loss radius, so that no station straddles a step and no interval a kink of the chord.
+// The blade is integrated interval by interval: their ends are the end of the root's taper, the section
+// regions and the tip-loss radius, so that no station straddles a step and no interval a kink of the chord.
 inline constexpr int kBladeIntervals = 6;
 inline constexpr double kTaperEnd = 0.25;  // r/R: last kink of the chord tables
 
-enum class RadialRule : unsigned char { midpoint, gauss };  // equal segments, or Gauss-Legendre points of the interval
+enum class RadialRule : unsigned char {
+  midpoint,
+  gauss
+};  // equal segments, or Gauss-Legendre points of the interval
 
-// How to sum over blade and azimuth. `radial`: stations in each interval, at most kMaxGaussPoints with the Gauss rule; 0
-// in the first joins it to the second.
+// How to sum over blade and azimuth. `radial`: stations in each interval, at most kMaxGaussPoints with the
+// Gauss rule; 0 in the first joins it to the second.
 struct Quadrature {
   RadialRule rule;
   int radial[kBladeIntervals];
   int azimuth;
 };
 
-// Specification grid: 20 radial by 24 azimuth stations. Real-time grid: 16 by 8, which keeps thrust within 0.1 % of half
-// the weight; the errors of both are found by bench/grid_convergence.cpp.
+// Specification grid: 20 radial by 24 azimuth stations. Real-time grid: 16 by 8, which keeps thrust within
+// 0.1 % of half the weight; the errors of both are found by bench/grid_convergence.cpp.
 inline constexpr Quadrature kSpecificationQuadrature = {RadialRule::midpoint, {0, 9, 5, 4, 1, 1}, 24};
 inline constexpr Quadrature kRealtimeQuadrature = {RadialRule::gauss, {3, 4, 4, 3, 1, 1}, 8};
 
@@ -86,23 +89,26 @@ struct GaussRule {
 inline constexpr GaussRule kGauss[kMaxGaussPoints] = {
     {{0.5}, {1.0}},
     {{0.21132486540518712, 0.78867513459481288}, {0.5, 0.5}},
-    {{0.11270166537925831, 0.5, 0.88729833462074169}, {0.27777777777777778, 0.44444444444444444, 0.27777777777777778}},
+    {{0.11270166537925831, 0.5, 0.88729833462074169},
+     {0.27777777777777778, 0.44444444444444444, 0.27777777777777778}},
     {{0.069431844202973712, 0.33000947820757187, 0.66999052179242813, 0.93056815579702629},
      {0.17392742256872693, 0.32607257743127307, 0.32607257743127307, 0.17392742256872693}},
     {{0.046910077030668004, 0.23076534494715845, 0.5, 0.76923465505284155, 0.95308992296933200},
-     {0.11846344252809454, 0.23931433524968324, 0.28444444444444444, 0.23931433524968324, 0.11846344252809454}}};
+     {0.11846344252809454, 0.23931433524968324, 0.28444444444444444, 0.23931433524968324,
+      0.11846344252809454}}};
 
 }  // namespace detail
 
-// Twist that the stations of one part of an interval see. The table has steps of rounding between its close knots, which
-// few stations would meet at random. They see instead the polynomial that, weighed with the square of the radius,
-// differs least from the table (degree one less than the points): the lift of the part is then that of the table.
+// Twist that the stations of one part of an interval see. The table has steps of rounding between its close
+// knots, which few stations would meet at random. They see instead the polynomial that, weighed with the
+// square of the radius, differs least from the table (degree one less than the points): the lift of the part
+// is then that of the table.
 template <class R>
-void smoothed_twist(const RotorTables<R>& rotor, TwistSource source, R inner, R outer, const detail::GaussRule& rule,
-                    int points, R* twist) {
+void smoothed_twist(const RotorTables<R>& rotor, TwistSource source, R inner, R outer,
+                    const detail::GaussRule& rule, int points, R* twist) {
   constexpr int samples = 64;
   constexpr int most = detail::kMaxGaussPoints;
-  R basis[samples][most];   // polynomials made orthogonal under the weight, one after the other
+  R basis[samples][most];  // polynomials made orthogonal under the weight, one after the other
   R at_point[most][most];
   for (int i = 0; i < points; ++i) twist[i] = R(0);
   for (int degree = 0; degree < points; ++degree) {
@@ -136,14 +142,18 @@ void smoothed_twist(const RotorTables<R>& rotor, TwistSource source, R inner, R 
   }
 }
 
-// Radial stations of a quadrature; `refinement` multiplies their number, by that many equal parts of each interval.
+// Radial stations of a quadrature; `refinement` multiplies their number, by that many equal parts of each
+// interval.
 template <class R>
-BladeStations<R> blade_stations(const RotorTables<R>& rotor, const Options& options, const Quadrature& quadrature,
-                                int refinement) {
+BladeStations<R> blade_stations(const RotorTables<R>& rotor, const Options& options,
+                                const Quadrature& quadrature, int refinement) {
   const bool joined = quadrature.radial[0] == 0;
-  const R edge[kBladeIntervals + 1] = {rotor.root_cutout,    joined ? rotor.root_cutout : R(kTaperEnd),
-                                       rotor.region_edge[0], rotor.region_edge[1],
-                                       rotor.region_edge[2], rotor.tip_loss,
+  const R edge[kBladeIntervals + 1] = {rotor.root_cutout,
+                                       joined ? rotor.root_cutout : R(kTaperEnd),
+                                       rotor.region_edge[0],
+                                       rotor.region_edge[1],
+                                       rotor.region_edge[2],
+                                       rotor.tip_loss,
                                        R(1)};
   const int region_of_interval[kBladeIntervals] = {0, 0, 1, 2, 3, 3};
   const bool gauss = quadrature.rule == RadialRule::gauss;

@@ -1,7 +1,8 @@
 // Blades at several azimuths, computed together: one in each lane of the target's vectors.
 //
-// The elements of these blades are nearly all the work of a rotor. They are computed on packs of plain numbers, with
-// slopes along the five numbers of BladeFlow when the rotor's scalar carries partials; the slopes are then chained.
+// The elements of these blades are nearly all the work of a rotor. They are computed on packs of plain
+// numbers, with slopes along the five numbers of BladeFlow when the rotor's scalar carries partials; the
+// slopes are then chained.
 #pragma once
 
 #include <complex>
@@ -93,7 +94,9 @@ class BladeGroup<std::complex<R>> {
   static constexpr int kBlades = 1;
   void begin(const RotorInput<T>&) {}
   void compute(const Configuration<R>&, const AzimuthStations<R>&, int) {}
-  BladeLoads<T> loads(const Configuration<R>& c, int, const BladeFlow<T>& flow) const { return blade_loads(c, flow); }
+  BladeLoads<T> loads(const Configuration<R>& c, int, const BladeFlow<T>& flow) const {
+    return blade_loads(c, flow);
+  }
 };
 
 }  // namespace tiltrotor

@@ -1,7 +1,7 @@
 // Configuration: everything about a flight that stays fixed while the state changes, computed once before it.
 //
-// Mast angle, flaps, rotor speed, altitude, mass and the model's switches; from them frames, arms, inertia, air,
-// gearing, blade stations, and the places on the tables' mast and flap axes. Plain numbers only.
+// Mast angle, flaps, rotor speed, altitude, mass and the model's switches; from them frames, arms, inertia,
+// air, gearing, blade stations, and the places on the tables' mast and flap axes. Plain numbers only.
 #pragma once
 
 #include "tiltrotor/math/status.hpp"
@@ -39,12 +39,12 @@ struct Gearing {
 // Wing-pylon coefficients that depend on mast and flap alone.
 template <class R>
 struct WingConstants {
-  R moment;              // Cm
+  R moment;  // Cm
   R roll_beta, roll_beta_per_lift;
   R zero_lift_drag;
   R aileron_roll, aileron_yaw_0, aileron_yaw, aileron_lift_loss;
-  R rotor_wash;          // X_RW
-  R wake_load_factor;    // K_FW
+  R rotor_wash;        // X_RW
+  R wake_load_factor;  // K_FW
   R aspect_ratio;
   int flap_below, flap_above;  // settings around the flap angle
   R flap_fraction;             // weight of the setting above
@@ -57,20 +57,20 @@ struct Configuration {
   R mast;  // rad
   Air<R> air;
   MassProperties<R> mass;
-  Vec3<R> nacelle_axis;        // (sin, 0, -cos) of the mast angle: thrust direction without cant
-  Vec3<R> pivot_arm;           // CG to conversion axis at the centre line, B, m
+  Vec3<R> nacelle_axis;  // (sin, 0, -cos) of the mast angle: thrust direction without cant
+  Vec3<R> pivot_arm;     // CG to conversion axis at the centre line, B, m
   HubFrame<R> hub[2];
-  R tip_speed;                 // m/s
-  R coning;                    // rad, when it is no state
-  R pitch_flap;                // tan(delta3): pitch per gimbal tilt, negative up
-  R hub_spring;                // N m/rad
-  R induced_power_factor;      // kappa_i
+  R tip_speed;             // m/s
+  R coning;                // rad, when it is no state
+  R pitch_flap;            // tan(delta3): pitch per gimbal tilt, negative up
+  R hub_spring;            // N m/rad
+  R induced_power_factor;  // kappa_i
   R apparent_mass_0;
   BladeStations<R> blade;
   AzimuthStations<R> azimuth;  // Averaged mode
   WingConstants<R> wing;
   Gearing<R> gearing;
-  Place<R> pedal_mast[1];          // places on the mast and flap axes of the tables
+  Place<R> pedal_mast[1];  // places on the mast and flap axes of the tables
   Place<R> downwash_mast_flap[2];
   Place<R> tail_wash_mast[1];
   Place<R> tail_wash_beta_mast[1];
@@ -78,13 +78,13 @@ struct Configuration {
   Place<R> sidewash_mast_flap[2];
 };
 
-// Default setup: 13000 lbf, CG of the printed runs, sea level; flap 40/25 and helicopter rotor speed at mast 0, 20/12.5
-// between, 0/0 and airplane rotor speed at mast 90.
+// Default setup: 13000 lbf, CG of the printed runs, sea level; flap 40/25 and helicopter rotor speed at mast
+// 0, 20/12.5 between, 0/0 and airplane rotor speed at mast 90.
 template <class R>
 FlightSetup<R> flight_setup(const Aircraft<R>& aircraft, R mast_deg) {
   FlightSetup<R> s{};
   s.mast_deg = mast_deg;
-  s.flap_deg = mast_deg <= R(0) ? aircraft.wing.flap_deg[2]
+  s.flap_deg = mast_deg <= R(0)   ? aircraft.wing.flap_deg[2]
                : mast_deg < R(90) ? aircraft.wing.flap_deg[1]
                                   : aircraft.wing.flap_deg[0];
   s.rotor_speed = mast_deg < R(90) ? aircraft.rotor.speed_helicopter : aircraft.rotor.speed_airplane;
@@ -104,11 +104,13 @@ bool within(R x, R low, R high) {
 template <class R>
 bool valid(const FlightSetup<R>& s) {
   const Options& o = s.options;
-  return within(s.mast_deg, R(0), R(90)) && within(s.mast_rate, R(-1), R(1)) && within(s.flap_deg, R(0), R(75)) &&
-         within(s.rotor_speed, R(20), R(80)) && within(s.altitude, R(-500), R(11000)) &&
-         within(s.mass, R(3000), R(10000)) && within(s.sl_cg, R(7), R(8)) && within(s.wl_cg, R(1.5), R(2.5)) &&
-         o.grid_refinement >= 1 && o.grid_refinement <= 4 &&
-         (o.azimuth_stations == 0 || (o.azimuth_stations >= 3 && o.azimuth_stations <= kMaxAzimuthStations)) &&
+  return within(s.mast_deg, R(0), R(90)) && within(s.mast_rate, R(-1), R(1)) &&
+         within(s.flap_deg, R(0), R(75)) && within(s.rotor_speed, R(20), R(80)) &&
+         within(s.altitude, R(-500), R(11000)) && within(s.mass, R(3000), R(10000)) &&
+         within(s.sl_cg, R(7), R(8)) && within(s.wl_cg, R(1.5), R(2.5)) && o.grid_refinement >= 1 &&
+         o.grid_refinement <= 4 &&
+         (o.azimuth_stations == 0 ||
+          (o.azimuth_stations >= 3 && o.azimuth_stations <= kMaxAzimuthStations)) &&
          within(o.hub_spring_factor, 0.0, 10.0) && within(o.induced_power_factor, 0.0, 2.0);
 }
 
@@ -130,9 +132,10 @@ WingConstants<R> wing_constants(const Aircraft<R>& aircraft, const FlightSetup<R
   c.aileron_yaw = at(w.aileron_yaw);
   c.aileron_lift_loss = lookup(w.aileron_lift_loss, Interpolation::linear, s.flap_deg);
   c.rotor_wash = w.rotor_wash_0 + s.mast_deg * (w.rotor_wash_1 + s.mast_deg * w.rotor_wash_2);
-  c.wake_load_factor = s.options.wake_load == WakeLoadFactor::calibrated
-                           ? aircraft.wake.load_factor.at(s.mast_deg)
-                           : aircraft.wake.gtrs_load_factor_0 + aircraft.wake.gtrs_load_factor_flap * s.flap_deg;
+  c.wake_load_factor =
+      s.options.wake_load == WakeLoadFactor::calibrated
+          ? aircraft.wake.load_factor.at(s.mast_deg)
+          : aircraft.wake.gtrs_load_factor_0 + aircraft.wake.gtrs_load_factor_flap * s.flap_deg;
   c.aspect_ratio = w.span * w.span / w.area;
   const Axis<R> settings{kFlapSettings, w.flap_deg, nullptr, 0, R(0)};
   const Place<R> flap = place_on(settings, s.flap_deg);
@@ -166,8 +169,8 @@ Vec3<R> station_arm(const MassProperties<R>& mass, R sl, R bl, R wl) {
   return {mass.sl_cg - sl, bl, mass.wl_cg - wl};
 }
 
-// Prepare a configuration. Status out_of_range (and `c` unusable) when a setting lies outside the ranges given at
-// FlightSetup. Cost: about one derivative.
+// Prepare a configuration. Status out_of_range (and `c` unusable) when a setting lies outside the ranges
+// given at FlightSetup. Cost: about one derivative.
 template <class R>
 Status prepare(const Aircraft<R>& aircraft, const FlightSetup<R>& setup, Configuration<R>& c) {
   c = Configuration<R>{};
@@ -184,7 +187,8 @@ Status prepare(const Aircraft<R>& aircraft, const FlightSetup<R>& setup, Configu
   c.pivot_arm = station_arm(c.mass, mast.sl_pivot, R(0), mast.wl_pivot);
   const R cant = o.mast_cant ? mast.cant * cos(c.mast) : R(0);
   for (int side = 0; side < 2; ++side) {
-    const Vec3<R> pivot = station_arm(c.mass, mast.sl_pivot, side_sign<R>(side) * mast.bl_pivot, mast.wl_pivot);
+    const Vec3<R> pivot =
+        station_arm(c.mass, mast.sl_pivot, side_sign<R>(side) * mast.bl_pivot, mast.wl_pivot);
     c.hub[side] = hub_frame(c.mast, cant, side, pivot, mast.length);
   }
 

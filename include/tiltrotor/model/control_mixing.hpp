@@ -1,4 +1,5 @@
-// Gearing from inceptors to blades and surfaces, phased with mast angle (NASA CR-166536 tables 8a-I to 8a-VIII, pp. B-88 to B-95).
+// Gearing from inceptors to blades and surfaces, phased with mast angle (NASA CR-166536 tables 8a-I to
+// 8a-VIII, pp. B-88 to B-95).
 #pragma once
 
 #include "tiltrotor/model/airflow.hpp"
@@ -6,11 +7,12 @@
 
 namespace tiltrotor {
 
-// `velocity`: CG relative to the air, body axes; the pedal's cyclic and the lateral cyclic schedule depend on speed.
-// Forward stick: disks forward, elevator down. Right stick: left rotor up, right aileron up. Right pedal: left disk
-// forward, right disk aft, rudder for nose right.
+// `velocity`: CG relative to the air, body axes; the pedal's cyclic and the lateral cyclic schedule depend on
+// speed. Forward stick: disks forward, elevator down. Right stick: left rotor up, right aileron up. Right
+// pedal: left disk forward, right disk aft, rudder for nose right.
 template <class T>
-TILTROTOR_NOINLINE BladeControls<T> mix_controls(const Configuration<Real<T>>& c, const Controls<T>& u, const Vec3<T>& velocity) {
+TILTROTOR_NOINLINE BladeControls<T> mix_controls(const Configuration<Real<T>>& c, const Controls<T>& u,
+                                                 const Vec3<T>& velocity) {
   using R = Real<T>;
   const Gearing<R>& g = c.gearing;
   const ControlTables<R>& t = c.aircraft->controls;
@@ -25,7 +27,8 @@ TILTROTOR_NOINLINE BladeControls<T> mix_controls(const Configuration<Real<T>>& c
   T lateral = u.lateral_cyclic;
   if (c.setup.options.lateral_cyclic) {
     // A1 = - schedule: disks tilt outboard above 40 kt.
-    lateral = lateral - g.lateral_cyclic_gain * lookup(t.lateral_cyclic, mode, T(velocity.x * (R(1) / kKnot<R>)));
+    lateral =
+        lateral - g.lateral_cyclic_gain * lookup(t.lateral_cyclic, mode, T(velocity.x * (R(1) / kKnot<R>)));
   }
   BladeControls<T> b;
   b.collective[right] = u.collective + half_collective;

@@ -14,19 +14,20 @@ namespace tiltrotor {
 // Everything one evaluation finds.
 template <class T>
 struct Evaluation {
-  State<T> rates;              // xdot, in the shape of the state
-  LoadRecord<T> loads;         // by component
-  RotorResponse<T> rotor[2];   // in the rotor frames A
-  T wing_alpha;                // rad
-  T wing_downwash;             // at the tail, not lagged, rad
+  State<T> rates;             // xdot, in the shape of the state
+  LoadRecord<T> loads;        // by component
+  RotorResponse<T> rotor[2];  // in the rotor frames A
+  T wing_alpha;               // rad
+  T wing_downwash;            // at the tail, not lagged, rad
 };
 
 namespace detail {
 
 // Hub motion and controls of one rotor in its own frame.
 template <class T>
-TILTROTOR_NOINLINE void rotor_input(const Configuration<Real<T>>& c, const State<T>& x, const Vec3<T>& velocity,
-                                    const BladeControls<T>& controls, int side, RotorInput<T>& in) {
+TILTROTOR_NOINLINE void rotor_input(const Configuration<Real<T>>& c, const State<T>& x,
+                                    const Vec3<T>& velocity, const BladeControls<T>& controls, int side,
+                                    RotorInput<T>& in) {
   using R = Real<T>;
   const HubFrame<R>& hub = c.hub[side];
   // A moving mast carries the hub along an arc about the conversion axis and pitches the hub frame nose down.
@@ -67,8 +68,12 @@ T advance_ratio(const Configuration<Real<T>>& c, const Vec3<T>& hub_velocity) {
 
 template <class T>
 void store_rotor_rates(const RotorResponse<T>& rotor, RotorState<T>& rates) {
-  rates = {rotor.flapping.b1c_rate,         rotor.flapping.b1s_rate, rotor.flapping.b1c_acceleration,
-           rotor.flapping.b1s_acceleration, rotor.inflow.n0,         rotor.inflow.nc,
+  rates = {rotor.flapping.b1c_rate,
+           rotor.flapping.b1s_rate,
+           rotor.flapping.b1c_acceleration,
+           rotor.flapping.b1s_acceleration,
+           rotor.inflow.n0,
+           rotor.inflow.nc,
            rotor.inflow.ns};
 }
 
@@ -76,7 +81,8 @@ void store_rotor_rates(const RotorResponse<T>& rotor, RotorState<T>& rates) {
 
 // Two memories that are not needed at the same time, in one place where their types allow it.
 template <class First, class Second,
-          bool = std::is_trivially_default_constructible_v<First> && std::is_trivially_default_constructible_v<Second>>
+          bool = std::is_trivially_default_constructible_v<First>&&
+              std::is_trivially_default_constructible_v<Second>>
 struct Overlay {
   union {
     First first;
@@ -101,8 +107,8 @@ struct BeyondAirframe {
   AirframeRoom<WaistScalar<AirframeInput, T>> room;
 };
 
-// Memory of one evaluation: placed by the caller, or on the stack by the functions without it (with many partials that is
-// some 60 kB).
+// Memory of one evaluation: placed by the caller, or on the stack by the functions without it (with many
+// partials that is some 60 kB).
 template <class T>
 struct DerivativeWorkspace {
   Vec3<T> velocity;  // of the CG relative to the air
@@ -147,8 +153,8 @@ TILTROTOR_NOINLINE void add_rotor(const Configuration<Real<T>>& c, const State<T
 }
 
 template <class T, class Record>
-TILTROTOR_NOINLINE void evaluate_rotor(const Configuration<Real<T>>& c, const State<T>& x, int side, Real<T> azimuth,
-                                       DerivativeWorkspace<T>& work, Record& record) {
+TILTROTOR_NOINLINE void evaluate_rotor(const Configuration<Real<T>>& c, const State<T>& x, int side,
+                                       Real<T> azimuth, DerivativeWorkspace<T>& work, Record& record) {
   using R = Real<T>;
   const bool averaged = c.setup.options.azimuth == AzimuthMode::averaged;
   rotor_input(c, x, work.velocity, work.controls, side, work.hub);
@@ -156,7 +162,8 @@ TILTROTOR_NOINLINE void evaluate_rotor(const Configuration<Real<T>>& c, const St
     if (averaged) {
       rotor_response(c, in, c.azimuth, work.beyond.first.room, out);
     } else {
-      rotor_response(c, in, individual_azimuth<R>(c.aircraft->rotor.blades, azimuth), work.beyond.first.room, out);
+      rotor_response(c, in, individual_azimuth<R>(c.aircraft->rotor.blades, azimuth), work.beyond.first.room,
+                     out);
     }
   });
   add_rotor(c, x, side, work);
@@ -185,7 +192,8 @@ TILTROTOR_NOINLINE void evaluate_airframe(const Configuration<Real<T>>& c, const
 
 // Motion of the rigid body under all loads.
 template <class T>
-TILTROTOR_NOINLINE void balance(const Configuration<Real<T>>& c, const State<T>& x, DerivativeWorkspace<T>& work) {
+TILTROTOR_NOINLINE void balance(const Configuration<Real<T>>& c, const State<T>& x,
+                                DerivativeWorkspace<T>& work) {
   work.total = work.total + work.airframe.total;
   work.body = rigid_body(c.mass, x.velocity, x.rates, x.roll, x.pitch, x.yaw, work.total);
 }
@@ -214,14 +222,16 @@ TILTROTOR_NOINLINE void store_rates(const Configuration<Real<T>>& c, const State
   }
   const WingTables<R>& wing = c.aircraft->wing;
   rates.downwash = o.downwash_lag ? (work.airframe.downwash - x.downwash) *
-                                        total_speed(work.velocity, wing.downwash_speed_floor) * (R(1) / wing.downwash_arm)
+                                        total_speed(work.velocity, wing.downwash_speed_floor) *
+                                        (R(1) / wing.downwash_arm)
                                   : T(R(0));
 }
 
 }  // namespace detail
 
-// xdot and, in the workspace, what leads to it; `record(component, loads)` sees the loads of every component. `azimuth`:
-// position of the right rotor's first blade (rad), used in the individual-blade mode alone; the left rotor mirrors it.
+// xdot and, in the workspace, what leads to it; `record(component, loads)` sees the loads of every component.
+// `azimuth`: position of the right rotor's first blade (rad), used in the individual-blade mode alone; the
+// left rotor mirrors it.
 template <class T, class Record>
 void evaluate(const Configuration<Real<T>>& c, const State<T>& x, const Controls<T>& u, Real<T> azimuth,
               DerivativeWorkspace<T>& work, State<T>& rates, Record&& record) {
@@ -235,8 +245,8 @@ void evaluate(const Configuration<Real<T>>& c, const State<T>& x, const Controls
 
 // Everything, by component.
 template <class T>
-void evaluate(const Configuration<Real<T>>& c, const State<T>& x, const Controls<T>& u, DerivativeWorkspace<T>& work,
-              Evaluation<T>& out, Real<T> azimuth = Real<T>(0)) {
+void evaluate(const Configuration<Real<T>>& c, const State<T>& x, const Controls<T>& u,
+              DerivativeWorkspace<T>& work, Evaluation<T>& out, Real<T> azimuth = Real<T>(0)) {
   evaluate(c, x, u, azimuth, work, out.rates,
            [&out](Component component, const Loads<T>& loads) { out.loads.component[component] = loads; });
   for (int side = 0; side < 2; ++side) out.rotor[side] = work.rotor[side];
@@ -252,8 +262,8 @@ void evaluate(const Configuration<Real<T>>& c, const State<T>& x, const Controls
 
 // xdot alone.
 template <class T>
-void derivative(const Configuration<Real<T>>& c, const State<T>& x, const Controls<T>& u, DerivativeWorkspace<T>& work,
-                State<T>& rates, Real<T> azimuth = Real<T>(0)) {
+void derivative(const Configuration<Real<T>>& c, const State<T>& x, const Controls<T>& u,
+                DerivativeWorkspace<T>& work, State<T>& rates, Real<T> azimuth = Real<T>(0)) {
   evaluate(c, x, u, azimuth, work, rates, [](Component, const auto&) {});
 }
 template <class T>

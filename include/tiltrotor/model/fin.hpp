@@ -1,4 +1,5 @@
-// One of the two vertical fins, with rudder, in the sidewash of body and rotors (NASA CR-166536 pp. B-69 to B-81).
+// One of the two vertical fins, with rudder, in the sidewash of body and rotors (NASA CR-166536 pp. B-69 to
+// B-81).
 #pragma once
 
 #include "tiltrotor/model/tail_flow.hpp"
@@ -6,15 +7,15 @@
 namespace tiltrotor {
 
 template <class T>
-TILTROTOR_NOINLINE Loads<T> fin_loads(const Configuration<Real<T>>& c, const AirframeInput<T>& in, const FreeStream<T>& stream,
-                   const T& wash_ratio, int side) {
+TILTROTOR_NOINLINE Loads<T> fin_loads(const Configuration<Real<T>>& c, const AirframeInput<T>& in,
+                                      const FreeStream<T>& stream, const T& wash_ratio, int side) {
   using R = Real<T>;
   const FinTables<R>& f = c.aircraft->fin;
   const SmoothingWidths<R>& e = c.aircraft->smooth;
   const Options& o = c.setup.options;
   const Vec3<R> arm = station_arm(c.mass, f.surface.sl, side_sign<R>(side) * f.surface.bl, f.surface.wl);
-  const Vec3<T> v = in.velocity + rate_cross_arm(in.rates, arm) +
-                    along(T(wash_ratio * in.mean_wash[side]), c.nacelle_axis);
+  const Vec3<T> v =
+      in.velocity + rate_cross_arm(in.rates, arm) + along(T(wash_ratio * in.mean_wash[side]), c.nacelle_axis);
   const T alpha = angle_of_attack(v, e);
 
   // Local sideslip: geometric, reduced by the rotors' and the body's sidewash, plus the roll-rate sidewash.
@@ -37,7 +38,8 @@ TILTROTOR_NOINLINE Loads<T> fin_loads(const Configuration<Real<T>>& c, const Air
   const R area = o.fin_area == FinArea::drawings ? f.surface.area : f.area_other;
   const T q = (R(0.5) * c.air.density * f.pressure * f.pressure_ratio) * dot(v, v);
   const T scale = q * area * tail_sideslip_factor(c, stream);
-  return force_at(arm, scale * wind_force(T(R(0)), drag_coefficient, T(-side_coefficient), alpha, sideslip_angle(v, e.lateral_plane_speed)));
+  return force_at(arm, scale * wind_force(T(R(0)), drag_coefficient, T(-side_coefficient), alpha,
+                                          sideslip_angle(v, e.lateral_plane_speed)));
 }
 
 }  // namespace tiltrotor

@@ -1,7 +1,7 @@
 // Gimbal tilt and coning of one rotor, in multiblade coordinates of the rotor frame A.
 //
-// Centrifugal stiffness cancels against the transformation to non-rotating coordinates: the gimbal is held by its
-// spring and the air alone.
+// Centrifugal stiffness cancels against the transformation to non-rotating coordinates: the gimbal is held by
+// its spring and the air alone.
 #pragma once
 
 #include "tiltrotor/math/vector.hpp"
@@ -19,8 +19,8 @@ struct FlapRates {
 // b1s'' = +2 Omega b1c' - (K b1s + C b1s' - Ms)/J - 2 Omega wy          J = N_b I_b / 2
 // The terms wy', -wx' of the hub's angular acceleration are added by the complete model when switched on.
 template <class T>
-TILTROTOR_NOINLINE FlapRates<T> flap_rates(const Configuration<Real<T>>& c, const RotorState<T>& x, const Vec3<T>& hub_rates,
-                        const T& mc, const T& ms) {
+TILTROTOR_NOINLINE FlapRates<T> flap_rates(const Configuration<Real<T>>& c, const RotorState<T>& x,
+                                           const Vec3<T>& hub_rates, const T& mc, const T& ms) {
   using R = Real<T>;
   const RotorTables<R>& rotor = c.aircraft->rotor;
   const R inverse_j = R(2) / (static_cast<R>(rotor.blades) * rotor.flap_inertia);
@@ -28,15 +28,19 @@ TILTROTOR_NOINLINE FlapRates<T> flap_rates(const Configuration<Real<T>>& c, cons
   const R spring = c.hub_spring * inverse_j;
   const R damping = rotor.hub_damping * inverse_j;
   return {x.b1c_rate, x.b1s_rate,
-          mc * inverse_j - two_omega * x.b1s_rate - spring * x.b1c - damping * x.b1c_rate - two_omega * hub_rates.x,
-          ms * inverse_j + two_omega * x.b1c_rate - spring * x.b1s - damping * x.b1s_rate - two_omega * hub_rates.y};
+          mc * inverse_j - two_omega * x.b1s_rate - spring * x.b1c - damping * x.b1c_rate -
+              two_omega * hub_rates.x,
+          ms * inverse_j + two_omega * x.b1c_rate - spring * x.b1s - damping * x.b1s_rate -
+              two_omega * hub_rates.y};
 }
 
-// First-order gimbal: tilt rates that balance the equations above without the acceleration, given the moments at zero
-// tilt rate. The aerodynamic damping J Omega gamma/8 is that of a uniform blade with the aircraft's mean lift slope.
+// First-order gimbal: tilt rates that balance the equations above without the acceleration, given the moments
+// at zero tilt rate. The aerodynamic damping J Omega gamma/8 is that of a uniform blade with the aircraft's
+// mean lift slope.
 template <class T>
-TILTROTOR_NOINLINE FlapRates<T> quasi_static_flap_rates(const Configuration<Real<T>>& c, const RotorState<T>& x, const Vec3<T>& hub_rates,
-                                     const T& mc_still, const T& ms_still) {
+TILTROTOR_NOINLINE FlapRates<T> quasi_static_flap_rates(const Configuration<Real<T>>& c,
+                                                        const RotorState<T>& x, const Vec3<T>& hub_rates,
+                                                        const T& mc_still, const T& ms_still) {
   using R = Real<T>;
   const RotorTables<R>& rotor = c.aircraft->rotor;
   RotorState<T> still = x;

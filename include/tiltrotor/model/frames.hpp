@@ -1,8 +1,9 @@
 // Frames of the tilting masts; mast geometry: NASA CR-166536 p. B-31.
 //
-// B: body axes. H: hub axes of one rotor, non-rotating: x_h forward at mast 0 and up at mast 90, z_h down the shaft.
-// A: rotor frame, x aft, y to the advancing side, z up the shaft; mirrored for the left rotor, so that one routine for
-// a counter-clockwise rotor serves both. Azimuth counts from blade aft in the sense of rotation.
+// B: body axes. H: hub axes of one rotor, non-rotating: x_h forward at mast 0 and up at mast 90, z_h down the
+// shaft. A: rotor frame, x aft, y to the advancing side, z up the shaft; mirrored for the left rotor, so that
+// one routine for a counter-clockwise rotor serves both. Azimuth counts from blade aft in the sense of
+// rotation.
 #pragma once
 
 #include "tiltrotor/math/vector.hpp"

@@ -1,4 +1,5 @@
-// Fuselage: drag areas and volumes against angle of attack and sideslip, tables 3-I to 3-IX (NASA CR-166536 p. A-44).
+// Fuselage: drag areas and volumes against angle of attack and sideslip, tables 3-I to 3-IX (NASA CR-166536
+// p. A-44).
 #pragma once
 
 #include "tiltrotor/model/airflow.hpp"
@@ -6,7 +7,8 @@
 namespace tiltrotor {
 
 template <class T>
-TILTROTOR_NOINLINE Loads<T> fuselage_loads(const Configuration<Real<T>>& c, const AirframeInput<T>& in, const FreeStream<T>& stream) {
+TILTROTOR_NOINLINE Loads<T> fuselage_loads(const Configuration<Real<T>>& c, const AirframeInput<T>& in,
+                                           const FreeStream<T>& stream) {
   using R = Real<T>;
   const FuselageTables<R>& f = c.aircraft->fuselage;
   const Interpolation mode = c.setup.options.tables;
@@ -19,9 +21,10 @@ TILTROTOR_NOINLINE Loads<T> fuselage_loads(const Configuration<Real<T>>& c, cons
 
   // Alpha and beta tables both hold the value at zero sideslip: it is subtracted once.
   const T lift = lookup(f.lift_alpha, mode, alpha) * cos2 + lookup(f.lift_beta, mode, abs_beta) - f.lift_zero;
-  const T drag = lookup(f.drag_alpha, mode, alpha) * cos2 + lookup(f.drag_beta, mode, abs_beta) - f.drag_zero +
-                 f.extra_drag;
-  const T pitch = lookup(f.moment_alpha, mode, alpha) * cos2 + lookup(f.moment_beta, mode, abs_beta) - f.moment_zero;
+  const T drag = lookup(f.drag_alpha, mode, alpha) * cos2 + lookup(f.drag_beta, mode, abs_beta) -
+                 f.drag_zero + f.extra_drag;
+  const T pitch =
+      lookup(f.moment_alpha, mode, alpha) * cos2 + lookup(f.moment_beta, mode, abs_beta) - f.moment_zero;
   const T side = lookup(f.side_beta, mode, beta);
   const T roll = lookup(f.roll_beta, mode, beta);
   const T yaw = lookup(f.yaw_beta, mode, beta);

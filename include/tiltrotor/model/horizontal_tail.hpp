@@ -1,4 +1,5 @@
-// Horizontal tail with elevator, in the wing's downwash and the rotors' wash (NASA CR-166536 pp. ).
+// Horizontal tail with elevator, in the wing's downwash and the rotors' wash (NASA CR-166536 pp. A-85 to
+//
 #pragma once
 
 #include "tiltrotor/model/tail_flow.hpp"
@@ -7,7 +8,8 @@ namespace tiltrotor {
 
 template <class T>
 TILTROTOR_NOINLINE Loads<T> horizontal_tail_loads(const Configuration<Real<T>>& c, const AirframeInput<T>& in,
-                               const FreeStream<T>& stream, const T& wash_ratio, const T& downwash) {
+                                                  const FreeStream<T>& stream, const T& wash_ratio,
+                                                  const T& downwash) {
   using R = Real<T>;
   const HorizontalTailTables<R>& h = c.aircraft->htail;
   const SmoothingWidths<R>& e = c.aircraft->smooth;
@@ -34,7 +36,8 @@ TILTROTOR_NOINLINE Loads<T> horizontal_tail_loads(const Configuration<Real<T>>& 
 
   const T arguments[2] = {stream.alpha_deg, stream.speed_kt};
   const T ratio = lookup(h.pressure_ratio, o.tables, c.tail_pressure_mast, arguments);
-  const R by_mast = o.tail_pressure == TailPressure::by_mast ? h.pressure.at(c.setup.mast_deg) : h.pressure.at_90;
+  const R by_mast =
+      o.tail_pressure == TailPressure::by_mast ? h.pressure.at(c.setup.mast_deg) : h.pressure.at_90;
   // Body velocity, not the local one: the pressure ratio holds the rest.
   const T q = (R(0.5) * c.air.density * by_mast) * ratio *
               (in.velocity.x * in.velocity.x + in.velocity.z * in.velocity.z);

@@ -2,8 +2,8 @@
 // Peters, Vertica 5 (1981); Peters and HaQuang, J. AHS 33 (1988).
 //
 // All quantities in the rotor frame A, over tip speed. The wake skew enters through the vector
-// (X_c, X_s) = (mu_x, mu_y) / (V_T + lambda_+), of length tan(chi/2) pointing downstream: no angle, no division by
-// the advance ratio, finite derivatives in hover.
+// (X_c, X_s) = (mu_x, mu_y) / (V_T + lambda_+), of length tan(chi/2) pointing downstream: no angle, no
+// division by the advance ratio, finite derivatives in hover.
 #pragma once
 
 #include "tiltrotor/math/smooth.hpp"
@@ -13,8 +13,8 @@ namespace tiltrotor {
 
 template <class T>
 struct InflowForcing {
-  T c0, cc, cs;       // thrust and load-harmonic coefficients, aerodynamic loads only
-  T mx, my, mz;       // in-plane wind (direction of the air), axial speed (+ climb)
+  T c0, cc, cs;  // thrust and load-harmonic coefficients, aerodynamic loads only
+  T mx, my, mz;  // in-plane wind (direction of the air), axial speed (+ climb)
 };
 
 template <class T>
@@ -52,7 +52,8 @@ InflowGainInverse<T> inflow_gain_inverse(const T& xc, const T& xs, Real<T> kappa
 
 // n' = Omega M^-1 [ C - diag(V_T, V_m, V_m) L^-1 n ]
 template <class T>
-TILTROTOR_NOINLINE InflowRates<T> inflow_rates(const Configuration<Real<T>>& c, const RotorState<T>& x, const InflowForcing<T>& f) {
+TILTROTOR_NOINLINE InflowRates<T> inflow_rates(const Configuration<Real<T>>& c, const RotorState<T>& x,
+                                               const InflowForcing<T>& f) {
   using R = Real<T>;
   const SmoothingWidths<R>& e = c.aircraft->smooth;
   const R omega = c.setup.rotor_speed;

@@ -31,8 +31,18 @@ Loads<T> force_at(const Vec3<Real<T>>& arm, const Vec3<T>& force) {
 }
 
 enum Component {
-  rotor_right, rotor_left, wing_wake_right, wing_wake_left, wing_free, pylon, spinners, pylon_side, fuselage, htail,
-  fin_right, fin_left,
+  rotor_right,
+  rotor_left,
+  wing_wake_right,
+  wing_wake_left,
+  wing_free,
+  pylon,
+  spinners,
+  pylon_side,
+  fuselage,
+  htail,
+  fin_right,
+  fin_left,
   component_count
 };
 

@@ -8,12 +8,13 @@ namespace tiltrotor {
 
 template <class R>
 struct MassProperties {
-  R mass;            // kg
-  R sl_cg, wl_cg;    // stations of the CG, m
+  R mass;              // kg
+  R sl_cg, wl_cg;      // stations of the CG, m
   Inertia<R> inertia;  // kg m^2
 };
 
-// `sl_cg0`, `wl_cg0`: CG at mast 0, m. The inertia belongs to the gross weight of the tables; it is not scaled.
+// `sl_cg0`, `wl_cg0`: CG at mast 0, m. The inertia belongs to the gross weight of the tables; it is not
+// scaled.
 template <class R>
 MassProperties<R> mass_properties(const Aircraft<R>& aircraft, R mast_deg, R mass, R sl_cg0, R wl_cg0,
                                   InertiaSet set) {

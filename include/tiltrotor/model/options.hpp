@@ -5,58 +5,58 @@
 
 namespace tiltrotor {
 
-enum class BladeGrid : unsigned char { specification, realtime };          // radial and azimuth stations
-enum class AzimuthMode : unsigned char { averaged, individual };           // rotor average or each blade
-enum class FlapOrder : unsigned char { second, first };                    // gimbal equations
-enum class InflowShape : unsigned char { pitt_peters, uniform };           // three states or the mean alone
-enum class ApparentMass : unsigned char { impermeable, loaded };           // 8/(3 pi) or 128/(75 pi)
-enum class WakeModel : unsigned char { geometric, gtrs_empirical };        // immersed area of the wing
-enum class WashFactor : unsigned char { constant, vortex_cylinder };       // wash speed on the immersed wing
-enum class WakeLoadFactor : unsigned char { calibrated, gtrs };            // K_FW
-enum class MastDrag : unsigned char { cross_flow, linear };                // wing-pylon CD between mast 0 and 90
-enum class TailWash : unsigned char { tables, closed_form };               // rotor wash at the horizontal tail
-enum class TailPressure : unsigned char { by_mast, constant };             // K_HNU faded in with mast angle, or always
+enum class BladeGrid : unsigned char { specification, realtime };     // radial and azimuth stations
+enum class AzimuthMode : unsigned char { averaged, individual };      // rotor average or each blade
+enum class FlapOrder : unsigned char { second, first };               // gimbal equations
+enum class InflowShape : unsigned char { pitt_peters, uniform };      // three states or the mean alone
+enum class ApparentMass : unsigned char { impermeable, loaded };      // 8/(3 pi) or 128/(75 pi)
+enum class WakeModel : unsigned char { geometric, gtrs_empirical };   // immersed area of the wing
+enum class WashFactor : unsigned char { constant, vortex_cylinder };  // wash speed on the immersed wing
+enum class WakeLoadFactor : unsigned char { calibrated, gtrs };       // K_FW
+enum class MastDrag : unsigned char { cross_flow, linear };           // wing-pylon CD between mast 0 and 90
+enum class TailWash : unsigned char { tables, closed_form };          // rotor wash at the horizontal tail
+enum class TailPressure : unsigned char { by_mast, constant };  // K_HNU faded in with mast angle, or always
 enum class InertiaSet : unsigned char { simulation, design_1975 };
-enum class FinArea : unsigned char { drawings, report };                   // 25.25 or 20.25 ft^2 a panel
+enum class FinArea : unsigned char { drawings, report };  // 25.25 or 20.25 ft^2 a panel
 enum class ChordSource : unsigned char { cutout, text, camrad };
 enum class TwistSource : unsigned char { table, linear };
-enum class ElevatorGearing : unsigned char { aircraft, printed_runs };     // 4.167 or 4.735 deg/in
+enum class ElevatorGearing : unsigned char { aircraft, printed_runs };  // 4.167 or 4.735 deg/in
 
 struct Options {
   Interpolation tables = Interpolation::c1;
   BladeGrid grid = BladeGrid::specification;
-  int grid_refinement = 1;             // multiplies the radial stations of the specification grid, 1..4
-  int azimuth_stations = 0;            // 0: the grid's own number; else 3..72
+  int grid_refinement = 1;   // multiplies the radial stations of the specification grid, 1..4
+  int azimuth_stations = 0;  // 0: the grid's own number; else 3..72
   AzimuthMode azimuth = AzimuthMode::averaged;
   FlapOrder flapping = FlapOrder::second;
   bool flap_angular_acceleration = false;  // keep the hub's angular acceleration in the flap equations
   bool coning_states = false;              // coning as two states a rotor instead of a constant
   bool mast_cant = true;
-  double hub_spring_factor = 1;            // multiplies the hub spring, whose value has no public source
+  double hub_spring_factor = 1;  // multiplies the hub spring, whose value has no public source
   InflowShape inflow = InflowShape::pitt_peters;
   ApparentMass apparent_mass = ApparentMass::impermeable;
-  bool disk_plane_inflow = false;          // through-flow normal to the tilted disk instead of the shaft
-  double induced_power_factor = 0;         // kappa_i; 0: the value of the aircraft's choices
-  bool side_by_side = false;               // X_SS of table 1-III on the thrust that forces the mean inflow
-  bool sideward_flight = false;            // X_SF of table 1-II likewise
+  bool disk_plane_inflow = false;   // through-flow normal to the tilted disk instead of the shaft
+  double induced_power_factor = 0;  // kappa_i; 0: the value of the aircraft's choices
+  bool side_by_side = false;        // X_SS of table 1-III on the thrust that forces the mean inflow
+  bool sideward_flight = false;     // X_SF of table 1-II likewise
   WakeModel wake = WakeModel::geometric;
-  bool wake_fade = true;                   // speed fade of the geometric wake
+  bool wake_fade = true;  // speed fade of the geometric wake
   WashFactor wash = WashFactor::constant;
   WakeLoadFactor wake_load = WakeLoadFactor::calibrated;
   MastDrag mast_drag = MastDrag::cross_flow;
-  bool rotor_lift_on_wing = true;          // K_RW: rotor-induced lift of the free wing
-  bool wing_rate_velocity = false;         // add the velocity due to body rates at the free wing's centre
-  bool downwash_lag = true;                // wing downwash reaches the tail through a state
+  bool rotor_lift_on_wing = true;   // K_RW: rotor-induced lift of the free wing
+  bool wing_rate_velocity = false;  // add the velocity due to body rates at the free wing's centre
+  bool downwash_lag = true;         // wing downwash reaches the tail through a state
   TailWash tail_wash = TailWash::tables;
   TailPressure tail_pressure = TailPressure::by_mast;
-  bool tail_sideslip_loss = false;         // table 5-VI on the tail loads
+  bool tail_sideslip_loss = false;  // table 5-VI on the tail loads
   InertiaSet inertia = InertiaSet::simulation;
   FinArea fin_area = FinArea::drawings;
   ChordSource chord = ChordSource::cutout;
   TwistSource twist = TwistSource::table;
-  bool lateral_cyclic = false;             // lateral cyclic schedule with airspeed, tables 8a-VII and 8a-VIII
+  bool lateral_cyclic = false;  // lateral cyclic schedule with airspeed, tables 8a-VII and 8a-VIII
   ElevatorGearing elevator_gearing = ElevatorGearing::aircraft;
-  bool position_states = false;            // earth position among the active states
+  bool position_states = false;  // earth position among the active states
 };
 
 }  // namespace tiltrotor

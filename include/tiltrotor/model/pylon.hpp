@@ -1,4 +1,5 @@
-// Small drag items of the pylons (NASA CR-166536 pp. ): spinners, pylon-wing interference, side plates.
+// Small drag items of the pylons (NASA CR-166536 pp. ): spinners, pylon-wing interference, side
+// plates.
 #pragma once
 
 #include "tiltrotor/model/wing_in_wake.hpp"
@@ -25,7 +26,8 @@ TILTROTOR_NOINLINE Loads<T> spinner_loads(const Configuration<Real<T>>& c, const
 
 // Interference drag of both pylons along the mean flow of the immersed wing parts, at the conversion axis.
 template <class T>
-TILTROTOR_NOINLINE Loads<T> pylon_interference_loads(const Configuration<Real<T>>& c, const WingInWake<T> (&wake)[2]) {
+TILTROTOR_NOINLINE Loads<T> pylon_interference_loads(const Configuration<Real<T>>& c,
+                                                     const WingInWake<T> (&wake)[2]) {
   using R = Real<T>;
   const R area = lookup(c.aircraft->pylon.interference, Interpolation::linear, c.setup.mast_deg);
   const T pressure = R(0.5) * (wake[right].pressure + wake[left].pressure);

@@ -1,4 +1,5 @@
-// Six-degree-of-freedom rigid body in body axes (Etkin, Dynamics of Atmospheric Flight, ch. 5). Symmetric aircraft: Ixy = Iyz = 0.
+// Six-degree-of-freedom rigid body in body axes (Etkin, Dynamics of Atmospheric Flight, ch. 5). Symmetric
+// aircraft: Ixy = Iyz = 0.
 #pragma once
 
 #include "tiltrotor/model/configuration.hpp"
@@ -11,16 +12,18 @@ inline constexpr R kGravity = R(9.80665);  // m/s^2, standard
 
 template <class T>
 struct RigidBodyRates {
-  Vec3<T> velocity;      // m/s^2
-  Vec3<T> rates;         // rad/s^2
-  T roll, pitch, yaw;    // rad/s
-  Vec3<T> position;      // m/s, north east down
+  Vec3<T> velocity;    // m/s^2
+  Vec3<T> rates;       // rad/s^2
+  T roll, pitch, yaw;  // rad/s
+  Vec3<T> position;    // m/s, north east down
 };
 
-// `total`: aerodynamic force and moment about the CG; weight is added here. Euler rates are singular at 90 deg pitch.
+// `total`: aerodynamic force and moment about the CG; weight is added here. Euler rates are singular at 90
+// deg pitch.
 template <class T>
-TILTROTOR_NOINLINE RigidBodyRates<T> rigid_body(const MassProperties<Real<T>>& mass, const Vec3<T>& v, const Vec3<T>& w, const T& roll,
-                             const T& pitch, const T& yaw, const Loads<T>& total) {
+TILTROTOR_NOINLINE RigidBodyRates<T> rigid_body(const MassProperties<Real<T>>& mass, const Vec3<T>& v,
+                                                const Vec3<T>& w, const T& roll, const T& pitch, const T& yaw,
+                                                const Loads<T>& total) {
   using R = Real<T>;
   const R g = kGravity<R>;
   const R inverse_mass = R(1) / mass.mass;
@@ -52,7 +55,8 @@ TILTROTOR_NOINLINE RigidBodyRates<T> rigid_body(const MassProperties<Real<T>>& m
   // R_eb v: 3-2-1 Euler angles.
   const T forward = cp * v.x + sp * (sr * v.y + cr * v.z);
   const T sideways = cr * v.y - sr * v.z;
-  d.position = {cy * forward - sy * sideways, sy * forward + cy * sideways, cp * (sr * v.y + cr * v.z) - sp * v.x};
+  d.position = {cy * forward - sy * sideways, sy * forward + cy * sideways,
+                cp * (sr * v.y + cr * v.z) - sp * v.x};
   return d;
 }
 

@@ -1,7 +1,7 @@
 // One rotor: from its hub motion, state and blade controls to loads, flap accelerations and inflow rates.
 //
-// Everything in the rotor frame A (frames.hpp): one routine serves both rotors. It sees RotorInput and nothing else of
-// the aircraft, which makes it a waist for derivatives.
+// Everything in the rotor frame A (frames.hpp): one routine serves both rotors. It sees RotorInput and
+// nothing else of the aircraft, which makes it a waist for derivatives.
 #pragma once
 
 #include "tiltrotor/model/blade_group.hpp"
@@ -14,9 +14,9 @@ namespace tiltrotor {
 // Sums over the blades.
 template <class T>
 struct RotorLoads {
-  Vec3<T> force;   // on the hub, N
-  T torque;        // about the shaft, absorbed, N m
-  T mc, ms, m0;    // sums of r dF_n times cos psi, sin psi, 1, N m
+  Vec3<T> force;  // on the hub, N
+  T torque;       // about the shaft, absorbed, N m
+  T mc, ms, m0;   // sums of r dF_n times cos psi, sin psi, 1, N m
 
   template <class Self, class Visit>
   static void each(Self& s, Visit&& visit) {
@@ -70,8 +70,8 @@ TILTROTOR_NOINLINE void add_blade(const Configuration<Real<T>>& c, const RotorIn
 
 // Blade-element loads of the rotor.
 template <class T>
-void rotor_loads(const Configuration<Real<T>>& c, const RotorInput<T>& in, const AzimuthStations<Real<T>>& azimuth,
-                 BladeGroup<T>& group, RotorLoads<T>& sum) {
+void rotor_loads(const Configuration<Real<T>>& c, const RotorInput<T>& in,
+                 const AzimuthStations<Real<T>>& azimuth, BladeGroup<T>& group, RotorLoads<T>& sum) {
   using R = Real<T>;
   RotorLoads<T>::each(sum, [](T& x) { x = T(R(0)); });
   group.begin(in);
@@ -94,13 +94,13 @@ RotorLoads<T> rotor_loads(const Configuration<Real<T>>& c, const RotorInput<T>& 
 
 // What drives the inflow: load coefficients and the motion of the hub through the air.
 template <class T>
-TILTROTOR_NOINLINE InflowForcing<T> inflow_forcing(const Configuration<Real<T>>& c, const RotorInput<T>& in, const RotorLoads<T>& loads) {
+TILTROTOR_NOINLINE InflowForcing<T> inflow_forcing(const Configuration<Real<T>>& c, const RotorInput<T>& in,
+                                                   const RotorLoads<T>& loads) {
   using R = Real<T>;
   const Options& o = c.setup.options;
   const RotorTables<R>& rotor = c.aircraft->rotor;
   const R inverse_tip = R(1) / c.tip_speed;
-  const R inverse_force =
-      R(1) / (c.air.density * kPi<R> * square(rotor.radius) * square(c.tip_speed));
+  const R inverse_force = R(1) / (c.air.density * kPi<R> * square(rotor.radius) * square(c.tip_speed));
   const R inverse_moment = inverse_force / rotor.radius;
   InflowForcing<T> f;
   f.mx = -(in.velocity.x * inverse_tip);
@@ -125,7 +125,7 @@ TILTROTOR_NOINLINE InflowForcing<T> inflow_forcing(const Configuration<Real<T>>&
 template <class T>
 struct RotorRoom {
   BladeGroup<T> group;
-  RotorInput<T> moving;   // first-order flapping alone
+  RotorInput<T> moving;  // first-order flapping alone
   RotorLoads<T> still;
 };
 
@@ -145,11 +145,11 @@ TILTROTOR_NOINLINE void quasi_static_rotor(const Configuration<Real<T>>& c, cons
   rotor_loads(c, room.moving, azimuth, room.group, out.loads);
 }
 
-// The complete rotor. `azimuth` holds the stations to sum over: the configuration's averaged set, or the blades.
-// Cost: one derivative is two of these and little more.
+// The complete rotor. `azimuth` holds the stations to sum over: the configuration's averaged set, or the
+// blades. Cost: one derivative is two of these and little more.
 template <class T>
-void rotor_response(const Configuration<Real<T>>& c, const RotorInput<T>& in, const AzimuthStations<Real<T>>& azimuth,
-                    RotorRoom<T>& room, RotorResponse<T>& out) {
+void rotor_response(const Configuration<Real<T>>& c, const RotorInput<T>& in,
+                    const AzimuthStations<Real<T>>& azimuth, RotorRoom<T>& room, RotorResponse<T>& out) {
   if (c.setup.options.flapping == FlapOrder::first) {
     quasi_static_rotor(c, in, azimuth, room, out);
   } else {
@@ -172,7 +172,8 @@ RotorResponse<T> rotor_response(const Configuration<Real<T>>& c, const RotorInpu
 // Hub force and moment on the airframe, body axes about the CG: force, spring moment and torque.
 // The load harmonics are balanced inside the gimbal and are not added again.
 template <class T>
-TILTROTOR_NOINLINE Loads<T> hub_loads(const Configuration<Real<T>>& c, int side, const RotorState<T>& x, const RotorLoads<T>& loads) {
+TILTROTOR_NOINLINE Loads<T> hub_loads(const Configuration<Real<T>>& c, int side, const RotorState<T>& x,
+                                      const RotorLoads<T>& loads) {
   const HubFrame<Real<T>>& hub = c.hub[side];
   const Vec3<T> moment_a = {c.hub_spring * x.b1s, -(c.hub_spring * x.b1c), -loads.torque};
   Loads<T> b = force_at(hub.arm, hub.from_body.apply_inverse(mirror_polar(loads.force, side)));

@@ -9,13 +9,13 @@ namespace tiltrotor {
 
 template <class T>
 struct RotorInput {
-  Vec3<T> velocity;      // hub relative to the air, m/s
-  Vec3<T> rates;         // of the hub frame, rad/s
+  Vec3<T> velocity;  // hub relative to the air, m/s
+  Vec3<T> rates;     // of the hub frame, rad/s
   RotorState<T> state;
   ConingState<T> coning;
-  T collective;          // blade pitch at the reference radius, rad
-  T lateral_cyclic;      // A1: pitch = ... - A1 cos psi - B1 sin psi, rad
-  T long_cyclic;         // B1
+  T collective;      // blade pitch at the reference radius, rad
+  T lateral_cyclic;  // A1: pitch = ... - A1 cos psi - B1 sin psi, rad
+  T long_cyclic;     // B1
 
   static constexpr int kCount = 18;
   template <class Self, class Visit>
@@ -46,13 +46,14 @@ T flap_angle(const RotorInput<T>& in, const Plain& cosine, const Plain& sine) {
 // Flow seen by the blade at one azimuth, no small angles.
 // `cosine`, `sine`: of the azimuth, a plain number or a pack of blades.
 template <class T, class Plain>
-BladeFlow<T> blade_flow(const Configuration<Real<T>>& c, const RotorInput<T>& in, const T& sin_flap, const T& cos_flap,
-                        const Plain& cosine, const Plain& sine) {
+BladeFlow<T> blade_flow(const Configuration<Real<T>>& c, const RotorInput<T>& in, const T& sin_flap,
+                        const T& cos_flap, const Plain& cosine, const Plain& sine) {
   using R = Real<T>;
   const R omega = c.setup.rotor_speed;
   const RotorState<T>& x = in.state;
   const T gimbal = x.b1c * cosine + x.b1s * sine;
-  const T flap_rate = in.coning.rate + x.b1c_rate * cosine + x.b1s_rate * sine + omega * (x.b1s * cosine - x.b1c * sine);
+  const T flap_rate =
+      in.coning.rate + x.b1c_rate * cosine + x.b1s_rate * sine + omega * (x.b1s * cosine - x.b1c * sine);
   BladeFlow<T> flow;
   flow.tangential_0 = in.velocity.y * cosine - in.velocity.x * sine;
   flow.tangential_r = cos_flap * (omega + in.rates.z) - sin_flap * (in.rates.x * cosine + in.rates.y * sine);
@@ -60,8 +61,7 @@ BladeFlow<T> blade_flow(const Configuration<Real<T>>& c, const RotorInput<T>& in
                   sin_flap * (in.velocity.x * cosine + in.velocity.y * sine);
   flow.normal_r = flap_rate + in.rates.x * sine - in.rates.y * cosine +
                   cos_flap * (omega * (x.nc * cosine + x.ns * sine));
-  flow.pitch = in.collective - in.lateral_cyclic * cosine - in.long_cyclic * sine -
-               c.pitch_flap * gimbal;
+  flow.pitch = in.collective - in.lateral_cyclic * cosine - in.long_cyclic * sine - c.pitch_flap * gimbal;
   return flow;
 }
 

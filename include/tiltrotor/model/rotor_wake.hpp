@@ -1,5 +1,6 @@
-// Rotor wake on one half wing: immersed area and where it lies, from the geometry of a contracting skewed vortex
-// cylinder (on-axis speed of a semi-infinite vortex tube, radius by continuity), or from the empirical law of the source.
+// Rotor wake on one half wing: immersed area and where it lies, from the geometry of a contracting skewed
+// vortex cylinder (on-axis speed of a semi-infinite vortex tube, radius by continuity), or from the empirical
+// law of the source.
 #pragma once
 
 #include "tiltrotor/model/airflow.hpp"
@@ -8,9 +9,9 @@ namespace tiltrotor {
 
 template <class T>
 struct ImmersedWing {
-  T area;        // m^2
-  T lateral;     // distance of its centroid from the centre line, m
-  T wash;        // K_w v0: speed of the wash on it along the nacelle axis, m/s
+  T area;     // m^2
+  T lateral;  // distance of its centroid from the centre line, m
+  T wash;     // K_w v0: speed of the wash on it along the nacelle axis, m/s
 };
 
 // Smooth speed fade of the geometric wake below mast 60, gone at mast 90: calibration, see choices.csv.
@@ -19,21 +20,24 @@ T wake_fade(const Configuration<Real<T>>& c, const T& speed) {
   using R = Real<T>;
   if (!c.setup.options.wake_fade) return T(R(1));
   const WakeTables<R>& w = c.aircraft->wake;
-  const R by_mast = smooth_step((c.setup.mast_deg - w.fade_mast_start) / (w.fade_mast_end - w.fade_mast_start));
+  const R by_mast =
+      smooth_step((c.setup.mast_deg - w.fade_mast_start) / (w.fade_mast_end - w.fade_mast_start));
   const T by_speed = smooth_step(T((speed - w.fade_start) * (R(1) / (w.fade_end - w.fade_start))));
   return R(1) - (R(1) - by_mast) * by_speed;
 }
 
 // Lateral centroid of the immersed part in the empirical model: that of the half wing.
 template <class T>
-ImmersedWing<T> empirical_immersed_wing(const Configuration<Real<T>>& c, const AirframeInput<T>& in, int side) {
+ImmersedWing<T> empirical_immersed_wing(const Configuration<Real<T>>& c, const AirframeInput<T>& in,
+                                        int side) {
   using R = Real<T>;
   const WakeTables<R>& w = c.aircraft->wake;
   const R upright = kPi<R> / R(2) - c.mast;
   const R shape = sin(w.gtrs_angle_a * upright) + cos(w.gtrs_angle_b * upright);
   const R scale = shape > R(0) ? w.gtrs_area * shape : R(0);
   const T speed = total_speed(in.velocity, c.aircraft->smooth.airspeed);
-  const T remaining = smooth_positive(T(R(1) - speed * (R(1) / w.gtrs_end_speed)), c.aircraft->smooth.wake_cut);
+  const T remaining =
+      smooth_positive(T(R(1) - speed * (R(1) / w.gtrs_end_speed)), c.aircraft->smooth.wake_cut);
   const R half_area = c.aircraft->wing.area / R(2);
   ImmersedWing<T> out;
   out.area = smooth_min(T(scale * remaining), half_area, c.aircraft->smooth.wake_cut * half_area);
@@ -43,7 +47,8 @@ ImmersedWing<T> empirical_immersed_wing(const Configuration<Real<T>>& c, const A
 }
 
 template <class T>
-TILTROTOR_NOINLINE ImmersedWing<T> geometric_immersed_wing(const Configuration<Real<T>>& c, const AirframeInput<T>& in, int side) {
+TILTROTOR_NOINLINE ImmersedWing<T> geometric_immersed_wing(const Configuration<Real<T>>& c,
+                                                           const AirframeInput<T>& in, int side) {
   using R = Real<T>;
   const WakeTables<R>& w = c.aircraft->wake;
   const WingTables<R>& wing = c.aircraft->wing;

@@ -1,7 +1,8 @@
 // State of the aircraft and its time derivative: one plain struct, trivially copyable.
 //
-// Body axes x forward, y right, z down, origin at the CG; velocity relative to the air mass. Flapping and inflow of
-// each rotor stand in its own mirrored frame (frames.hpp), so that symmetric flight has equal rotors.
+// Body axes x forward, y right, z down, origin at the CG; velocity relative to the air mass. Flapping and
+// inflow of each rotor stand in its own mirrored frame (frames.hpp), so that symmetric flight has equal
+// rotors.
 #pragma once
 
 #include "tiltrotor/math/vector.hpp"
@@ -13,7 +14,7 @@ enum Side { right = 0, left = 1 };
 
 template <class T>
 struct RotorState {
-  T b1c, b1s;            // gimbal tilt, multiblade coordinates, rad: b1c > 0 disk forward, b1s > 0 advancing side up
+  T b1c, b1s;  // gimbal tilt, multiblade coordinates, rad: b1c > 0 disk forward, b1s > 0 advancing side up
   T b1c_rate, b1s_rate;  // rad/s
   T n0, nc, ns;          // inflow states over tip speed: mean, longitudinal, lateral harmonic at the tip
 };
@@ -31,7 +32,7 @@ struct State {
   RotorState<T> rotor[2];    // right, left
   T downwash;                // wing downwash at the tail, lagged, rad
   ConingState<T> coning[2];  // only with Options::coning_states
-  Vec3<T> position;          // north, east, down relative to the air mass, m; only with Options::position_states
+  Vec3<T> position;  // north, east, down relative to the air mass, m; only with Options::position_states
 
   static constexpr int kCount = 31;
 
@@ -62,10 +63,20 @@ struct State {
 
 // Places in the order of State::each, and in files.
 enum StateIndex {
-  ix_u, ix_v, ix_w, ix_p, ix_q, ix_r, ix_roll, ix_pitch, ix_yaw,
-  ix_rotor_right, ix_rotor_left = 16,  // seven each: b1c b1s b1c_rate b1s_rate n0 nc ns
+  ix_u,
+  ix_v,
+  ix_w,
+  ix_p,
+  ix_q,
+  ix_r,
+  ix_roll,
+  ix_pitch,
+  ix_yaw,
+  ix_rotor_right,
+  ix_rotor_left = 16,  // seven each: b1c b1s b1c_rate b1s_rate n0 nc ns
   ix_downwash = 23,
-  ix_coning_right = 24, ix_coning_left = 26,  // angle, rate
+  ix_coning_right = 24,
+  ix_coning_left = 26,  // angle, rate
   ix_position = 28,
   state_count = 31
 };
@@ -75,12 +86,12 @@ struct StateName {
   const char* unit;
 };
 inline constexpr StateName kStateNames[state_count] = {
-    {"u", "m/s"},        {"v", "m/s"},        {"w", "m/s"},          {"p", "rad/s"},       {"q", "rad/s"},
-    {"r", "rad/s"},      {"phi", "rad"},      {"theta", "rad"},      {"psi", "rad"},       {"b1c_R", "rad"},
-    {"b1s_R", "rad"},    {"db1c_R", "rad/s"}, {"db1s_R", "rad/s"},   {"n0_R", "-"},        {"nc_R", "-"},
-    {"ns_R", "-"},       {"b1c_L", "rad"},    {"b1s_L", "rad"},      {"db1c_L", "rad/s"},  {"db1s_L", "rad/s"},
-    {"n0_L", "-"},       {"nc_L", "-"},       {"ns_L", "-"},         {"eps", "rad"},       {"b0_R", "rad"},
-    {"db0_R", "rad/s"},  {"b0_L", "rad"},     {"db0_L", "rad/s"},    {"north", "m"},       {"east", "m"},
+    {"u", "m/s"},       {"v", "m/s"},        {"w", "m/s"},        {"p", "rad/s"},      {"q", "rad/s"},
+    {"r", "rad/s"},     {"phi", "rad"},      {"theta", "rad"},    {"psi", "rad"},      {"b1c_R", "rad"},
+    {"b1s_R", "rad"},   {"db1c_R", "rad/s"}, {"db1s_R", "rad/s"}, {"n0_R", "-"},       {"nc_R", "-"},
+    {"ns_R", "-"},      {"b1c_L", "rad"},    {"b1s_L", "rad"},    {"db1c_L", "rad/s"}, {"db1s_L", "rad/s"},
+    {"n0_L", "-"},      {"nc_L", "-"},       {"ns_L", "-"},       {"eps", "rad"},      {"b0_R", "rad"},
+    {"db0_R", "rad/s"}, {"b0_L", "rad"},     {"db0_L", "rad/s"},  {"north", "m"},      {"east", "m"},
     {"down", "m"}};
 
 // The states that are alive under a set of options, in order. The others stay constant.

@@ -1,4 +1,5 @@
-// What horizontal tail and fins share: rotor wash at the tail, control effectiveness, Mach blend (NASA CR-166536 tables 2-I, 2-II, 5-IV, 5-VI).
+// What horizontal tail and fins share: rotor wash at the tail, control effectiveness, Mach blend (NASA
+// CR-166536 tables 2-I, 2-II, 5-IV, 5-VI).
 #pragma once
 
 #include "tiltrotor/model/airflow.hpp"
@@ -19,7 +20,8 @@ TILTROTOR_NOINLINE T tail_wash_ratio(const Configuration<Real<T>>& c, const Free
     // Fit along alpha near 0 of an older report: K = h0 + h1 bM + (h2 + h3 bM) r^2, bM in degrees.
     const R m = c.setup.mast_deg;
     const R foot = R(0.3048);
-    const T r = (stream.speed * (R(1) / foot) - h.wash_fit_speed + h.wash_fit[4] * m) * (R(1) / h.wash_fit_speed);
+    const T r =
+        (stream.speed * (R(1) / foot) - h.wash_fit_speed + h.wash_fit[4] * m) * (R(1) / h.wash_fit_speed);
     ratio = h.wash_fit[0] + h.wash_fit[1] * m + (h.wash_fit[2] + h.wash_fit[3] * m) * r * r;
   }
   const T beta[1] = {stream.abs_beta_deg};
@@ -35,7 +37,8 @@ T control_effectiveness(const Configuration<Real<T>>& c, const TailSurface<Real<
   const R width = c.aircraft->smooth.angle;
   const R start = t.control_loss_start * kRadian<R>;
   const T beyond = smooth_positive(T(smooth_abs_zero(deflection, width) - start), width);
-  return lookup(t.control_mach, c.setup.options.tables, mach) - surface.control_loss * beyond * (R(1) / start);
+  return lookup(t.control_mach, c.setup.options.tables, mach) -
+         surface.control_loss * beyond * (R(1) / start);
 }
 
 // 0 where the low-speed coefficient tables hold, 1 where the Mach tables do.

@@ -9,12 +9,13 @@ namespace tiltrotor {
 
 template <class T>
 struct FreeWing {
-  T alpha;       // alpha_WFS: free-stream angle less the deflection by the rotors' wakes, rad
-  T downwash;    // at the tail, not yet lagged, rad
+  T alpha;     // alpha_WFS: free-stream angle less the deflection by the rotors' wakes, rad
+  T downwash;  // at the tail, not yet lagged, rad
   Loads<T> loads;
 };
 
-// Roll and yaw coefficients due to sideslip and rates (NASA CR-166536 pp. A-71, B-31 to B-33; DATCOM compressibility factors).
+// Roll and yaw coefficients due to sideslip and rates (NASA CR-166536 pp. A-71, B-31 to B-33; DATCOM
+// compressibility factors).
 template <class T>
 struct LateralCoefficients {
   T roll, yaw;
@@ -35,8 +36,8 @@ LateralCoefficients<T> wing_lateral_coefficients(const Configuration<Real<T>>& c
   const T roll_p = w.roll_rate * cb - R(0.125) * (k.drag - k.lift * k.lift * (R(1) / (kPi<R> * aspect)));
   const T bc2 = bc * bc;
   const T compressed = R(1) + aspect * (R(1) - bc2) / (R(2) * bc * (aspect * bc + R(2)));
-  const T roll_r = w.roll_yaw_rate_per_lift * k.lift * compressed +
-                   w.roll_yaw_rate_flap * w.flap_alpha * c.setup.flap_deg;
+  const T roll_r =
+      w.roll_yaw_rate_per_lift * k.lift * compressed + w.roll_yaw_rate_flap * w.flap_alpha * c.setup.flap_deg;
   const T yaw_beta = w.yaw_beta_0 * cb + w.yaw_beta_per_lift2 * k.lift * k.lift;
   const T yaw_p = w.yaw_roll_rate_per_lift * k.lift * cb * bc;
   const T yaw_r = w.yaw_rate_per_lift2 * k.lift * k.lift + w.yaw_rate_per_drag * c.wing.zero_lift_drag;
@@ -47,14 +48,13 @@ LateralCoefficients<T> wing_lateral_coefficients(const Configuration<Real<T>>& c
   const T cbeta = cos(beta);
   const T p_wind = in.rates.x * ca * cbeta + in.rates.y * sb + in.rates.z * sa * cbeta;
   const T r_wind = in.rates.z * ca - in.rates.x * sa;
-  const T half_span_over_speed =
-      (w.span / R(2)) / total_speed(in.velocity, c.aircraft->smooth.rate_speed);
+  const T half_span_over_speed = (w.span / R(2)) / total_speed(in.velocity, c.aircraft->smooth.rate_speed);
   return {roll_beta * beta + half_span_over_speed * (roll_p * p_wind + roll_r * r_wind),
           yaw_beta * beta + half_span_over_speed * (yaw_p * p_wind + yaw_r * r_wind)};
 }
 
-// Aileron effectiveness fade: 1 up to 8 deg of wing angle, 0 beyond 25 deg. The plain |alpha| is safe because the fade
-// is constant around zero.
+// Aileron effectiveness fade: 1 up to 8 deg of wing angle, 0 beyond 25 deg. The plain |alpha| is safe because
+// the fade is constant around zero.
 template <class T>
 T aileron_fade(const Configuration<Real<T>>& c, const T& alpha) {
   using R = Real<T>;
@@ -68,8 +68,8 @@ T aileron_fade(const Configuration<Real<T>>& c, const T& alpha) {
 
 // Loads of the free part of one half wing, at the centroid of what the wake leaves free.
 template <class T>
-Loads<T> free_half_wing(const Configuration<Real<T>>& c, const ImmersedWing<T>& immersed, const Vec3<T>& per_area,
-                        const Vec3<T>& aileron_loss, int side) {
+Loads<T> free_half_wing(const Configuration<Real<T>>& c, const ImmersedWing<T>& immersed,
+                        const Vec3<T>& per_area, const Vec3<T>& aileron_loss, int side) {
   using R = Real<T>;
   const WingTables<R>& w = c.aircraft->wing;
   const Vec3<R> line = station_arm(c.mass, w.sl, R(0), w.wl);
@@ -81,8 +81,8 @@ Loads<T> free_half_wing(const Configuration<Real<T>>& c, const ImmersedWing<T>& 
 }
 
 template <class T>
-TILTROTOR_NOINLINE FreeWing<T> free_wing(const Configuration<Real<T>>& c, const AirframeInput<T>& in, const FreeStream<T>& stream,
-                      const WingInWake<T> (&wake)[2]) {
+TILTROTOR_NOINLINE FreeWing<T> free_wing(const Configuration<Real<T>>& c, const AirframeInput<T>& in,
+                                         const FreeStream<T>& stream, const WingInWake<T> (&wake)[2]) {
   using R = Real<T>;
   const WingTables<R>& w = c.aircraft->wing;
   const SmoothingWidths<R>& e = c.aircraft->smooth;
@@ -93,7 +93,8 @@ TILTROTOR_NOINLINE FreeWing<T> free_wing(const Configuration<Real<T>>& c, const 
   // Deflection of the free stream by the rotors (K_XRW) and rotor-induced lift (K_RW).
   const T advance = smooth_max(in.advance_ratio, w.advance_floor, e.advance_floor);
   const T rotor_wash = c.wing.rotor_wash * in.rotor_force / (advance * advance);
-  const R rotor_lift = c.setup.options.rotor_lift_on_wing ? R(2) * w.rotor_wash_lift * square(cos(c.mast)) : R(0);
+  const R rotor_lift =
+      c.setup.options.rotor_lift_on_wing ? R(2) * w.rotor_wash_lift * square(cos(c.mast)) : R(0);
 
   FreeWing<T> out;
   out.alpha = angle_of_attack(v, e) - w.rotor_wash_angle * rotor_wash;

@@ -1,4 +1,5 @@
-// Lift and drag coefficients of wing and pylons against angle of attack, mast angle, flap and Mach (NASA CR-166536 tables 4-I to 4-IV).
+// Lift and drag coefficients of wing and pylons against angle of attack, mast angle, flap and Mach (NASA
+// CR-166536 tables 4-I to 4-IV).
 #pragma once
 
 #include "tiltrotor/model/airflow.hpp"
@@ -23,14 +24,15 @@ T blend_flaps(const WingConstants<Real<T>>& w, At&& at) {
 
 }  // namespace detail
 
-// Weight of the mast-0 drag table. The difference to mast 90 is the cross-flow drag of the upright pylons, so it goes
-// with sin^3 of the angle between mast and flow: 1 at mast 0, 0 at mast 90, exact there.
+// Weight of the mast-0 drag table. The difference to mast 90 is the cross-flow drag of the upright pylons, so
+// it goes with sin^3 of the angle between mast and flow: 1 at mast 0, 0 at mast 90, exact there.
 template <class T>
 T upright_pylon_weight(const Configuration<Real<T>>& c, const T& alpha) {
   using R = Real<T>;
   const R mast_deg = c.setup.mast_deg;
   const R linear = R(1) - mast_deg / R(90);
-  if (c.setup.options.mast_drag == MastDrag::linear || mast_deg <= R(0) || mast_deg >= R(90)) return T(linear);
+  if (c.setup.options.mast_drag == MastDrag::linear || mast_deg <= R(0) || mast_deg >= R(90))
+    return T(linear);
   const SmoothingWidths<R>& e = c.aircraft->smooth;
   const R limit = c.aircraft->wing.crossflow_alpha_limit;
   const T a = smooth_clip(T(alpha * kDegree<R>), -limit, limit, e.crossflow_clip) * kRadian<R>;
@@ -45,7 +47,8 @@ T upright_pylon_weight(const Configuration<Real<T>>& c, const T& alpha) {
 }
 
 template <class T>
-TILTROTOR_NOINLINE WingCoefficients<T> wing_coefficients(const Configuration<Real<T>>& c, const T& alpha, const T& mach) {
+TILTROTOR_NOINLINE WingCoefficients<T> wing_coefficients(const Configuration<Real<T>>& c, const T& alpha,
+                                                         const T& mach) {
   using R = Real<T>;
   const WingTables<R>& w = c.aircraft->wing;
   const Interpolation mode = c.setup.options.tables;
@@ -58,8 +61,9 @@ TILTROTOR_NOINLINE WingCoefficients<T> wing_coefficients(const Configuration<Rea
   if (mast <= R(0)) return {detail::blend_flaps<T>(c.wing, lift_0), detail::blend_flaps<T>(c.wing, drag_0)};
   if (mast >= R(1)) return {detail::blend_flaps<T>(c.wing, lift_90), detail::blend_flaps<T>(c.wing, drag_90)};
   const T k0 = upright_pylon_weight(c, alpha);
-  return {(R(1) - mast) * detail::blend_flaps<T>(c.wing, lift_0) + mast * detail::blend_flaps<T>(c.wing, lift_90),
-          k0 * detail::blend_flaps<T>(c.wing, drag_0) + (R(1) - k0) * detail::blend_flaps<T>(c.wing, drag_90)};
+  return {
+      (R(1) - mast) * detail::blend_flaps<T>(c.wing, lift_0) + mast * detail::blend_flaps<T>(c.wing, lift_90),
+      k0 * detail::blend_flaps<T>(c.wing, drag_0) + (R(1) - k0) * detail::blend_flaps<T>(c.wing, drag_90)};
 }
 
 }  // namespace tiltrotor

@@ -1,5 +1,5 @@
-// The part of one half wing inside its rotor's wake (structure of GTRS, NASA CR-166536; wash factor and centre of
-// pressure from replaying the printed runs of NASA CR-166537, load factor in choices.csv).
+// The part of one half wing inside its rotor's wake (structure of GTRS, NASA CR-166536; wash factor and
+// centre of pressure from replaying the printed runs of NASA CR-166537, load factor in choices.csv).
 #pragma once
 
 #include "tiltrotor/model/rotor_wake.hpp"
@@ -10,15 +10,16 @@ namespace tiltrotor {
 template <class T>
 struct WingInWake {
   ImmersedWing<T> immersed;
-  Vec3<T> velocity;   // of the part relative to the air, wash included, m/s
-  T pressure;         // dynamic pressure there, Pa
+  Vec3<T> velocity;  // of the part relative to the air, wash included, m/s
+  T pressure;        // dynamic pressure there, Pa
   Loads<T> loads;
 };
 
-// The centre of pressure moves from quarter chord at zero angle of attack to mid chord in the vertical wash of hover.
+// The centre of pressure moves from quarter chord at zero angle of attack to mid chord in the vertical wash
+// of hover.
 template <class T>
-TILTROTOR_NOINLINE WingInWake<T> wing_in_wake(const Configuration<Real<T>>& c, const AirframeInput<T>& in, const FreeStream<T>& stream,
-                           int side) {
+TILTROTOR_NOINLINE WingInWake<T> wing_in_wake(const Configuration<Real<T>>& c, const AirframeInput<T>& in,
+                                              const FreeStream<T>& stream, int side) {
   using R = Real<T>;
   const WingTables<R>& wing = c.aircraft->wing;
   const SmoothingWidths<R>& e = c.aircraft->smooth;
