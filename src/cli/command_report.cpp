@@ -11,7 +11,8 @@ namespace {
 int run(const Arguments& arguments) {
   const std::string folder = arguments.text("--output", "build/report");
   require_writable_folder(folder, arguments.where("--output"));
-  return report::run_report(folder);
+  return report::run_report(folder, arguments.given("--validate") ? report::ReportSummary::validation
+                                                                  : report::ReportSummary::statements);
 }
 
 }  // namespace
@@ -21,7 +22,9 @@ Command report_command() {
           "the whole study: figures, numbers and a page to read",
           "Trim curves, modes, response and timing of the XV-15 as SVG, CSV and one index.html.\n",
           "tiltrotor report --output build/report",
-          {{"--output", "DIR", "folder to write, made when missing (build/report)"}},
+          {{"--output", "DIR", "folder to write, made when missing (build/report)"},
+           {"--validate", "",
+            "print every number against its published one, the worst first; exit 1 on a fault"}},
           run};
 }
 

@@ -103,11 +103,18 @@ Section control_response(const Sweeps& sweeps) {
     section.pictures.push_back(picture(table, axis, "damping_1_per_s", "damping", "Damping, 1/s", estimate));
   }
   const Table hover = table.where("mast_deg", 0.0).where("speed_mps", 0.0);
+  Table compared({"axis", "quantity", "here", "estimate"});
+  compared.comment("Hover. Estimate: NASA TM X-62407 (1975), table 8.3.2, without stability augmentation.");
   for (std::size_t i = 0; i < estimate.rows(); ++i) {
     const Table here = hover.where("axis", estimate.text(i, "axis"));
     const auto compare = [&](const char* column) {
       return fixed(here.number(0, column), 3) + " against " + fixed(estimate.number(i, column), 3);
     };
+    for (const std::string column :
+         {"sensitivity_rad_s2_per_in", "control_power_rad_s2", "damping_1_per_s"}) {
+      compared.add({estimate.text(i, "axis"), estimate.text(i, "axis") + "_" + column, here.number(0, column),
+                    estimate.number(i, column)});
+    }
     constexpr double tolerance = 0.3;
     const auto close = [&](const char* column) {
       return std::fabs(here.number(0, column) / estimate.number(i, column) - 1) <= tolerance;
@@ -126,6 +133,7 @@ Section control_response(const Sweeps& sweeps) {
                                     "wing and tail, which the tables do not know."});
   }
   section.tables.push_back({"control_response", "sensitivity, control power, damping", table});
+  section.tables.push_back({"control_compared", "hover against the 1975 design estimate", compared});
   return section;
 }
 

@@ -254,6 +254,8 @@ Section conversion_corridor() {
   section.tables.push_back({"corridor", "every point of the grid", grid});
   section.tables.push_back({"corridor_edges", "wing stall, control stops, power", edges});
   section.tables.push_back({"corridor_compared", "minimum speed against the 1975 design", compared});
+  section.tables.push_back(
+      {"corridor_in_use_compared", "against the corridor in use in 1980", compared_corridor_in_use()});
   return section;
 }
 

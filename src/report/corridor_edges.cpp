@@ -122,4 +122,25 @@ Table compared_minimum_speeds() {
   return table;
 }
 
+Table compared_corridor_in_use() {
+  Table table({"mast_deg", "published_mps", "quantity", "here_mps"});
+  table.comment(
+      "Published: NASA TM-81244 (1980), fig. 14. Here: wing stall, and the power of the transmission.");
+  const Table all = reference_points("conversion_corridor");
+  for (const std::string kind : {"stall", "minimum", "maximum"}) {
+    const Table rows = all.where("boundary", "corridor_" + kind);
+    for (std::size_t i = 0; i < rows.rows(); ++i) {
+      const double mast = rows.number(i, "mast_deg");
+      const double speed = rows.number(i, "speed_mps");
+      const bool is_corner = mast < 0 || speed == 0;  // masts tilted back; where a line meets hover
+      if (is_corner) continue;
+      const Configured c = configured(mast);
+      const double from = middle_speed(mast);
+      const Edge edge = kind == "maximum" ? power_side(c, from) : stall_side(c, from);
+      table.add({mast, speed, kind + "_mps", edge.speed_mps});
+    }
+  }
+  return table;
+}
+
 }  // namespace tiltrotor::report

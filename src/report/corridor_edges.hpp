@@ -14,4 +14,8 @@ Table corridor_edges(double mast_step_deg);
 // published points.
 Table compared_minimum_speeds();
 
+// Stall side and power side with flap and rotor speed as scheduled, against the corridor in use in 1980.
+// Columns: mast_deg, published_mps, quantity, here_mps.
+Table compared_corridor_in_use();
+
 }  // namespace tiltrotor::report

@@ -17,7 +17,7 @@ namespace {
 using Complex = std::complex<double>;
 
 constexpr double kDegreesPerRadian = tiltrotor::kDegree<double>;
-constexpr int kPoints = 61;
+constexpr int kPoints = 57;
 constexpr double kGainTolerance = 2;    // dB
 constexpr double kPhaseTolerance = 15;  // deg
 
@@ -168,13 +168,17 @@ Finding judge(const Case& which, const Table& table) {
                  "is high throughout: the elevator is too effective.")};
 }
 
-Finding short_period(const Modes& modes) {
+Finding short_period(const Modes& modes, Table& compared) {
   const Table identified = reference_points("modes_identified").where("mode", std::string("short period"));
   for (int k = 0; k < modes.count; ++k) {
     const Mode<double>& m = modes.mode[k];
     if (m.label.kind != ModeKind::short_period) continue;
     const double frequency = identified.number(0, "frequency_rad_s");
     const double damping = identified.number(0, "damping_ratio");
+    compared.add(
+        {std::string("cruise"), std::string("short_period_frequency_rad_s"), m.frequency, frequency});
+    compared.add(
+        {std::string("cruise"), std::string("short_period_damping_ratio"), m.damping_ratio, damping});
     const bool good =
         std::fabs(m.frequency / frequency - 1) <= 0.15 && std::fabs(m.damping_ratio - damping) <= 0.12;
     return {good ? Finding::holds : Finding::differs,
@@ -186,12 +190,13 @@ Finding short_period(const Modes& modes) {
   return {Finding::differs, "Short period in cruise.", "No such mode was found."};
 }
 
-Finding heave(const Modes& modes) {
+Finding heave(const Modes& modes, Table& compared) {
   const Table identified = reference_points("modes_identified").where("mode", std::string("heave"));
   for (int k = 0; k < modes.count; ++k) {
     const Mode<double>& m = modes.mode[k];
     if (m.label.kind != ModeKind::heave) continue;
     const double there = identified.number(0, "real_1_per_s");
+    compared.add({std::string("hover"), std::string("heave_1_per_s"), m.real, there});
     constexpr double tolerance = 0.3;
     return {std::fabs(m.real / there - 1) <= tolerance ? Finding::holds : Finding::differs,
             "Heave root in hover within 30 % of flight.",
@@ -210,6 +215,8 @@ Section frequency_responses() {
       "The complete linear model, rotors and inflow included, against transfer functions identified from "
       "flight "
       "(NASA TM-89428), each over the band for which it was identified.";
+  Table compared({"condition", "quantity", "here", "identified"});
+  compared.comment("Modes identified in flight: NASA TM-89428.");
   for (const Case& which : kCases) {
     Setup setup = default_setup(which.mast_deg);
     setup.altitude = which.altitude_m;
@@ -221,9 +228,11 @@ Section frequency_responses() {
     section.pictures.push_back(
         picture(which, table, "phase", "Phase, deg", "phase_deg", "identified_phase_deg"));
     section.findings.push_back(judge(which, table));
-    section.findings.push_back(which.mast_deg > 0 ? short_period(modes_of(model)) : heave(modes_of(model)));
+    section.findings.push_back(which.mast_deg > 0 ? short_period(modes_of(model), compared)
+                                                  : heave(modes_of(model), compared));
     section.tables.push_back({std::string("frequency_") + which.name, which.title, table});
   }
+  section.tables.push_back({"modes_compared", "modes against flight", compared});
   return section;
 }
 

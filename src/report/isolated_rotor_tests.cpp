@@ -108,29 +108,56 @@ void hover(Section& section) {
   plot.series.push_back(here);
   section.pictures.push_back({plot.id, svg(plot)});
 
-  Table compared({"ct", "cp_here", "cp_measured", "difference_pct"});
-  compared.comment("Against OARF (NASA TM-86833) from CT 0.002 on.");
   constexpr double least_ct = 0.002;
+  Table compared({"facility", "run", "point", "ct", "cp_here", "cp_measured", "difference_pct",
+                  "figure_of_merit_here", "figure_of_merit_measured"});
+  compared.comment("OARF: NASA TM-86833, WADC: NASA CR-114626; from CT 0.002 on, at the measured thrust.");
+  for (std::size_t i = 0; i < measured.rows(); ++i) {
+    const double ct = measured.number(i, "ct");
+    const double cp = at_thrust(sweep, ct, &Sample::cq);
+    if (ct < least_ct) continue;
+    compared.add({measured.text(i, "facility"), measured.text(i, "run"), measured.text(i, "point"), ct, cp,
+                  measured.number(i, "cp"), 100 * (cp / measured.number(i, "cp") - 1),
+                  at_thrust(sweep, ct, &Sample::figure_of_merit), measured.number(i, "figure_of_merit")});
+  }
+  const Table oarf_compared = compared.where("facility", std::string("OARF"));
   std::size_t within = 0;
   double worst = 0;
-  for (std::size_t i = 0; i < oarf.rows(); ++i) {
-    const double ct = oarf.number(i, "ct");
-    const double here_cp = at_thrust(sweep, ct, &Sample::cq);
-    if (ct < least_ct || !std::isfinite(here_cp)) continue;
-    const double difference = 100 * (here_cp / oarf.number(i, "cp") - 1);
-    compared.add({ct, here_cp, oarf.number(i, "cp"), difference});
+  for (const double difference : oarf_compared.numbers("difference_pct")) {
     within += std::fabs(difference) <= kHoverTolerance;
     worst = std::fabs(difference) > std::fabs(worst) ? difference : worst;
   }
+  Table tunnel_compared({"test", "ct", "here", "measured"});
+  tunnel_compared.comment("Figure of merit in hover at the thrust measured in the 80x120 ft tunnel.");
+  for (std::size_t i = 0; i < tunnel.rows(); ++i) {
+    const double ct = tunnel.number(i, "ct");
+    if (ct < least_ct) continue;
+    tunnel_compared.add({tunnel.text(i, "test"), ct, at_thrust(sweep, ct, &Sample::figure_of_merit),
+                         tunnel.number(i, "figure_of_merit")});
+  }
+  const Table resolved = reference_points("rotor_hover_resolved_blade");
+  Table resolved_compared({"collective75_deg", "ct_here", "ct", "figure_of_merit_here", "figure_of_merit"});
+  resolved_compared.comment("Hover at the same geometric pitch: resolved-blade computation of others.");
+  for (std::size_t i = 0; i < resolved.rows(); ++i) {
+    const double pitch = resolved.number(i, "collective75_deg");
+    for (const Sample& s : sweep) {
+      if (s.collective_deg == pitch)
+        resolved_compared.add({pitch, s.ct, resolved.number(i, "ct"), s.figure_of_merit,
+                               resolved.number(i, "figure_of_merit")});
+    }
+  }
   section.findings.push_back(
-      {within == compared.rows() ? Finding::holds : Finding::partly,
+      {within == oarf_compared.rows() ? Finding::holds : Finding::partly,
        "Hover power at given thrust within 7 % of OARF.",
-       std::to_string(within) + " of " + std::to_string(compared.rows()) + " points, largest difference " +
-           with_sign(worst, 1) +
+       std::to_string(within) + " of " + std::to_string(oarf_compared.rows()) +
+           " points, largest difference " + with_sign(worst, 1) +
            " %. Mean inflow is uniform over the disk, which flatters the rotor at moderate thrust; "
            "the sections stall early above CT/sigma 0.16."});
   section.tables.push_back({"rotor_hover", "hover", table});
-  section.tables.push_back({"rotor_hover_compared", "hover against OARF", compared});
+  section.tables.push_back({"rotor_hover_compared", "hover against OARF and WADC", compared});
+  section.tables.push_back({"rotor_tunnel_compared", "hover against the 80x120 tunnel", tunnel_compared});
+  section.tables.push_back(
+      {"rotor_resolved_compared", "hover against resolved-blade computation", resolved_compared});
 }
 
 // Forward flight in the wind tunnel; the shaft is tilted, cyclic holds the disk to the shaft.
@@ -227,11 +254,15 @@ void airplane_mode(Section& section) {
   plot.series.push_back(here);
   section.pictures.push_back({plot.id, svg(plot)});
 
+  Table compared({"speed_over_tip", "ct", "here", "measured"});
+  compared.comment("Propulsive efficiency at the measured thrust.");
   std::string found;
   std::size_t highest = 0;
   for (std::size_t i = 0; i < set.rows(); ++i) {
     const double ct = set.number(i, "ct");
     if (ct > set.number(highest, "ct")) highest = i;
+    compared.add({set.number(i, "speed_over_tip"), ct, at_thrust(sweep, ct, &Sample::efficiency),
+                  set.number(i, "efficiency")});
     found += "CT " + fixed(ct, 5) + ": " + fixed(at_thrust(sweep, ct, &Sample::efficiency), 3) + " against " +
              fixed(set.number(i, "efficiency"), 3) + ". ";
   }
@@ -241,6 +272,7 @@ void airplane_mode(Section& section) {
                               "Efficiency in airplane mode within 0.03 at the highest measured thrust.",
                               found});
   section.tables.push_back({"rotor_airplane_mode", "airplane mode", table});
+  section.tables.push_back({"rotor_airplane_compared", "airplane mode against measurement", compared});
 }
 
 }  // namespace

@@ -29,6 +29,7 @@ table { border-collapse: collapse; font-size: .85rem; font-variant-numeric: tabu
 th, td { padding: .2em .6em; text-align: right; border-bottom: 1px solid #e4e4e4; white-space: nowrap; }
 th { font-weight: 600; vertical-align: bottom; }
 td.text { text-align: left; }
+td.long { text-align: left; white-space: normal; min-width: 40em; }
 summary { cursor: pointer; }
 .files { font-size: .9rem; }
 @media print {
@@ -40,6 +41,7 @@ summary { cursor: pointer; }
 )css";
 
 constexpr std::size_t kMostRowsShown = 80;
+constexpr std::size_t kLongText = 40;  // characters: longer cells may break into lines
 
 bool is_number(const std::string& text) {
   return !text.empty() && text.find_first_not_of("0123456789.-+e") == std::string::npos;
@@ -83,7 +85,10 @@ std::string html_table(const Table& table) {
     out += "<tr>";
     for (std::size_t j = 0; j < table.columns().size(); ++j) {
       const std::string& cell = table.text(i, j);
-      out += (cell.empty() || is_number(cell) ? "<td>" : "<td class=\"text\">") + escaped(cell) + "</td>";
+      out += (cell.empty() || is_number(cell) ? "<td>"
+              : cell.size() > kLongText       ? "<td class=\"long\">"
+                                              : "<td class=\"text\">") +
+             escaped(cell) + "</td>";
     }
     out += "</tr>\n";
   }
@@ -98,8 +103,9 @@ std::string html_tables(const std::vector<NumberedTable>& tables) {
                              "\">" + t.name + ".csv</a>";
     const std::string what = escaped(t.what) + " (" + std::to_string(t.table.rows()) + " rows)";
     out += "<div class=\"files\">" + link + ": " + what;
-    if (t.table.rows() <= kMostRowsShown) {
-      out += "<details><summary>show</summary>\n" + html_table(t.table) + "</details>";
+    if (t.whole || t.table.rows() <= kMostRowsShown) {
+      out += std::string(t.whole ? "<details open=\"open\">" : "<details>") + "<summary>show</summary>\n" +
+             html_table(t.table) + "</details>";
     }
     out += "</div>\n";
   }

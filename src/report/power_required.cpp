@@ -110,6 +110,27 @@ double torque_limited_speed(double mast_deg, double rotor_rpm) {
   return low;
 }
 
+// Speed of least power: vertex of the parabola through the lowest point and its neighbours.
+double bucket_speed(const Table& power) {
+  const std::vector<double> v = power.numbers("speed_mps");
+  const std::vector<double> p = power.numbers("power_kw");
+  const auto k = static_cast<std::size_t>(std::min_element(p.begin(), p.end()) - p.begin());
+  if (k == 0 || k + 1 >= p.size()) return NAN;
+  const double step = v[k + 1] - v[k];
+  return v[k] + 0.5 * step * (p[k - 1] - p[k + 1]) / (p[k - 1] - 2 * p[k] + p[k + 1]);
+}
+
+Table compared_buckets(const Table& power) {
+  Table table({"mast_deg", "here_mps", "reference_mps"});
+  table.comment("Speed of least power here, of least fuel flow in NASA TM-81244 (1980), fig. 13.");
+  const Table set = reference_points("bucket_speed");
+  for (std::size_t i = 0; i < set.rows(); ++i) {
+    const double mast = set.number(i, "mast_deg");
+    table.add({mast, bucket_speed(power.where("mast_deg", mast)), set.number(i, "speed_mps")});
+  }
+  return table;
+}
+
 }  // namespace
 
 Section power_required(const Sweeps& sweeps) {
@@ -158,6 +179,8 @@ Section power_required(const Sweeps& sweeps) {
   section.tables.push_back({"power_required", "power at every mast angle", table});
   section.tables.push_back({"power_compared", "against the 1975 prediction", compared});
   section.tables.push_back({"top_speed_compared", "torque-limited speed", top_compared});
+  section.tables.push_back(
+      {"bucket_compared", "speed of least power against that of least fuel flow", compared_buckets(table)});
   return section;
 }
 

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "cli/errors.hpp"
@@ -13,6 +14,7 @@
 #include "cli/sink.hpp"
 #include "report/page.hpp"
 #include "report/sections.hpp"
+#include "report/validation.hpp"
 #include "report/wording.hpp"
 
 namespace tiltrotor::report {
@@ -90,9 +92,10 @@ void print_summary(const std::vector<Section>& sections) {
 
 }  // namespace
 
-int run_report(const std::string& folder) {
+int run_report(const std::string& folder, ReportSummary summary) {
   const auto start = std::chrono::steady_clock::now();
   std::vector<Section> sections;
+  std::optional<Validation> validation;
   try {
     Sweeps sweeps;
     const std::vector<std::function<Section()>> parts = {
@@ -118,6 +121,8 @@ int run_report(const std::string& folder) {
       sections.push_back(part());
       progress.advance();
     }
+    validation = validate(sections);
+    sections.push_back(validation_section(*validation));
   } catch (const cli::UsageError&) {
     throw;
   } catch (const std::exception& error) {
@@ -126,8 +131,17 @@ int run_report(const std::string& folder) {
   }
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   write_files(folder, files_of(page_head(sections, seconds), sections));
-  print_summary(sections);
+  if (summary == ReportSummary::validation) {
+    print(*validation);
+  } else {
+    print_summary(sections);
+  }
   std::printf("\n%s\n", (std::filesystem::path(folder) / "index.html").string().c_str());
+  if (summary == ReportSummary::validation && !validation->faults.empty()) {
+    for (const std::string& fault : validation->faults)
+      std::fprintf(stderr, "tiltrotor: report: %s\n", fault.c_str());
+    return cli::exit_case_failed;
+  }
   return cli::exit_success;
 }
 

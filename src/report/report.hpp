@@ -5,8 +5,12 @@
 
 namespace tiltrotor::report {
 
+// What is printed: every statement of the study, or the table of the validation.
+enum class ReportSummary { statements, validation };
+
 // Writes figures, tables and index.html to an existing folder and a summary to stdout. Returns the exit
-// status of the program: 0, or 1 when a case failed.
-int run_report(const std::string& folder);
+// status of the program: 0, or 1 when a case failed; with the validation, also when a number exceeds its
+// tolerance and is not on the list of known exceedances, or no longer belongs there.
+int run_report(const std::string& folder, ReportSummary summary);
 
 }  // namespace tiltrotor::report

@@ -17,6 +17,7 @@ struct NumberedTable {
   std::string name;  // of the file, without .csv; unique
   std::string what;  // one line
   Table table;
+  bool whole = false;  // shown on the page whatever its length, and unfolded
 };
 
 // Something published or expected, and what this run found.

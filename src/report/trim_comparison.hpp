@@ -7,8 +7,8 @@
 
 namespace tiltrotor::report {
 
-// One row for each number: set, mast_deg, speed_mps, quantity, here, reference, difference, tolerance,
-// within.
+// One row for each number, other models as information: set, mast_deg, speed_mps, quantity, here, reference,
+// difference, tolerance, within.
 Table trim_comparison();
 
 // How many numbers of each set lie within the tolerance, and the worst of each quantity.

@@ -1,0 +1,13 @@
+// Statements of the paper as numbers: what is claimed is a value or a bound.
+#pragma once
+
+#include "report/table.hpp"
+
+namespace tiltrotor::report {
+
+// From tables of the report: trim_curves, trim_compared, modes, response, response_modes.
+// Columns: point, mast_deg, quantity, here, reference.
+Table compared_claims(const Table& curves, const Table& trims, const Table& modes, const Table& motion,
+                      const Table& motion_modes);
+
+}  // namespace tiltrotor::report
