@@ -63,7 +63,8 @@ COVERAGE_CXX ?= clang++
 coverage: ## statement and branch coverage of include/ and src/ by all tests, with what is not covered
 	+$(Q)if ! $(COVERAGE_CXX) -print-prog-name=llvm-cov 2>/dev/null | xargs -r test -x; then \
 	  echo "coverage: $(COVERAGE_CXX) with llvm-cov is not installed, nothing measured"; else \
-	  LLVM_PROFILE_FILE='$(abspath $(BUILD))/coverage/profiles/%2m.profraw' $(MAKE) BUILD=$(BUILD)/coverage CXX=$(COVERAGE_CXX) HOST_CXX=$(COVERAGE_CXX) ARCH= COVERAGE_CXX=$(COVERAGE_CXX) \
+	  LLVM_PROFILE_FILE='$(abspath $(BUILD))/coverage/profiles/%2m.profraw' \
+	  $(MAKE) BUILD=$(BUILD)/coverage CXX=$(COVERAGE_CXX) HOST_CXX=$(COVERAGE_CXX) ARCH= COVERAGE_CXX=$(COVERAGE_CXX) \
 	    CXXFLAGS='$(mapped)' HOST_CXXFLAGS='$(mapped)' coverage-measured; fi
 mapped = -O1 -fprofile-instr-generate -fcoverage-mapping $(if $(MCDC),-fcoverage-mcdc)
 
