@@ -79,7 +79,7 @@ END {
   for (name in statements)
     printf "%-14s %6d of %6d %6.2f%% %6d of %6d %6.2f%%\n", name, statements_hit[name], statements[name],
            100 * statements_hit[name] / statements[name], sides_hit[name], sides[name],
-           sides[name] > 0 ? 100 * sides_hit[name] / sides[name] : 100
+           (sides[name] ? 100 * sides_hit[name] / sides[name] : 100)
   for (i = 1; i <= rules; ++i)
     if (!(i in used)) print "exclusion without a line: " rule_file[i] " | " rule_words[i]
 }
