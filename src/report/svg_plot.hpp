@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cmath>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -44,7 +45,8 @@ struct Cells {
 struct Axis {
   std::string label;  // with its unit
   bool logarithmic = false;
-  double low = NAN, high = NAN;  // not given: taken from the data
+  double low = std::numeric_limits<double>::quiet_NaN(),
+         high = std::numeric_limits<double>::quiet_NaN();  // not given: taken from the data
   bool zero_line = false;
 };
 

@@ -1,4 +1,4 @@
-# Sums an lcov file: statements (DA) and sides of branches (BRDA) by folder, and lists what is not covered.
+# Sums statements (DA of an lcov file) and sides of branches by folder, and lists what is not covered.
 
 function excluded(file, line,    i) {
   for (i = 1; i <= rules; ++i)
@@ -48,14 +48,17 @@ BEGIN {
   }
 }
 
-# Instances of a template number their branches alike: the same place is the same side.
-/^BRDA:/ && counted {
-  split(substr($0, 6), field, ",")
-  key = file SUBSEP field[1] SUBSEP field[3] SUBSEP field[2]
-  taken[key] += field[4] == "-" ? 0 : field[4]
-  if (!(key in branch_seen)) {
-    branch_seen[key] = 1
-    branch_order[++branches] = key
+# The other file: branches of every instance of a template, at the same place of the source.
+FNR < NR && split($0, field, "\t") == 4 && index(field[1], root) == 1 {
+  file = substr(field[1], length(root) + 1)
+  if (file !~ /^(include|src)\// || file ~ /^src\/(examples|firmware)\//) next
+  for (side = 0; side < 2; ++side) {
+    key = file SUBSEP (field[2] + 0) SUBSEP field[2] SUBSEP side
+    taken[key] += field[3 + side]
+    if (!(key in branch_seen)) {
+      branch_seen[key] = 1
+      branch_order[++branches] = key
+    }
   }
 }
 
