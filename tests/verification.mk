@@ -66,7 +66,7 @@ coverage: ## statement and branch coverage of include/ and src/ by all tests, wi
 	  LLVM_PROFILE_FILE='$(abspath $(BUILD))/coverage/profiles/%2m.profraw' \
 	  $(MAKE) BUILD=$(BUILD)/coverage CXX=$(COVERAGE_CXX) HOST_CXX=$(COVERAGE_CXX) ARCH= COVERAGE_CXX=$(COVERAGE_CXX) \
 	    CXXFLAGS='$(mapped)' HOST_CXXFLAGS='$(mapped)' coverage-measured; fi
-mapped = -O1 -fprofile-instr-generate -fcoverage-mapping $(if $(MCDC),-fcoverage-mcdc)
+mapped = -O1 -fprofile-instr-generate -fcoverage-mapping
 
 coverage-measured: all $(BUILD)/run_tests
 	$(Q)rm -rf $(BUILD)/profiles
