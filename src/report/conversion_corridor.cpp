@@ -5,6 +5,7 @@
 
 #include "report/corridor_edges.hpp"
 #include "report/linear_models.hpp"
+#include "report/missing.hpp"
 #include "report/reference_points.hpp"
 #include "report/sections.hpp"
 #include "report/svg_plot.hpp"
@@ -50,16 +51,15 @@ std::string state_word(const Configured& c, const Trimmed& t) {
 
 std::vector<Table::Cell> grid_row(const Configured& c, double mast, double speed, const Trimmed& t) {
   const std::string state = state_word(c, t);
-  const Slowest s = state == "ok" ? slowest(modes_of(c, t)) : Slowest{NAN, "", NAN, ""};
-  const double missing = NAN;
+  const Slowest s = state == "ok" ? slowest(modes_of(c, t)) : Slowest{kMissing, "", kMissing, ""};
   const bool has_trim = is_trimmed(t.status);
   return {mast,
           speed,
           state,
           static_cast<double>(t.iterations),
-          has_trim ? total_power_kw(t) : missing,
-          has_trim ? degrees(t.state.pitch) : missing,
-          has_trim ? degrees(t.wing_angle_of_attack) : missing,
+          has_trim ? total_power_kw(t) : kMissing,
+          has_trim ? degrees(t.state.pitch) : kMissing,
+          has_trim ? degrees(t.wing_angle_of_attack) : kMissing,
           s.real,
           s.mode,
           s.damping_ratio,
@@ -95,9 +95,8 @@ Table grid_table() {
     for (int k = 0; k <= last; ++k) {
       std::vector<Table::Cell>& row = rows[static_cast<std::size_t>(k)];
       if (row.empty()) {
-        const double none = NAN;
-        row = {mast, k * kSpeedStep, std::string("beyond"), none, none,         none,
-               none, none,           std::string(),         none, std::string()};
+        row = {mast,     k * kSpeedStep, std::string("beyond"), kMissing, kMissing,     kMissing,
+               kMissing, kMissing,       std::string(),         kMissing, std::string()};
       }
       table.add(row);
     }

@@ -2,9 +2,9 @@
 
 #include <cmath>
 #include <functional>
-#include <limits>
 #include <string>
 
+#include "report/missing.hpp"
 #include "report/reference_points.hpp"
 
 namespace tiltrotor::report {
@@ -13,8 +13,6 @@ namespace {
 
 constexpr double kResolution = 0.2;  // m/s
 constexpr double kHighest = 150;     // m/s, of the tables
-
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 struct Edge {
   double speed_mps;  // NaN: none before the end of the range
@@ -32,7 +30,7 @@ Edge edge_towards(const Configured& c, double from, double end,
   const double coarse = end > from ? 4 : -4;
   double good = from;
   Trimmed failed{};
-  double bad = kNone;
+  double bad = kMissing;
   Trimmed last = trimmed_persistently(c, from);
   while (good != end) {
     const double next = std::fabs(end - good) > std::fabs(coarse) ? good + coarse : end;
@@ -46,7 +44,7 @@ Edge edge_towards(const Configured& c, double from, double end,
     good = next;
     last = t;
   }
-  if (!std::isfinite(bad)) return {kNone, failed};
+  if (!std::isfinite(bad)) return {kMissing, failed};
   while (std::fabs(bad - good) > kResolution) {
     const double middle = 0.5 * (good + bad);
     const Trimmed t = trimmed_near(c, middle, last);
@@ -91,7 +89,7 @@ Table corridor_edges(double mast_step_deg) {
     const bool is_stop = stop.beyond.status == TrimStatus::control_limit;
     const bool is_power = power.beyond.status == TrimStatus::ok;
     const bool is_torque = c.setup.rotor_speed < c.aircraft->rotor.speed_helicopter;
-    table.add({mast, stall.speed_mps, is_stop ? stop.speed_mps : kNone,
+    table.add({mast, stall.speed_mps, is_stop ? stop.speed_mps : kMissing,
                std::string(is_stop ? limit_word(stop.beyond.limit) : ""), power.speed_mps,
                std::string(!is_power   ? trim_status_word(power.beyond.status)
                            : is_torque ? "torque"

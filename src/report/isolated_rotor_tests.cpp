@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "report/flights.hpp"
+#include "report/missing.hpp"
 #include "report/reference_points.hpp"
 #include "report/sections.hpp"
 #include "report/svg_plot.hpp"
@@ -60,7 +61,7 @@ double at_thrust(const std::vector<Sample>& samples, double ct, double Sample::*
     const Sample& b = samples[i];
     if (ct >= a.ct && ct <= b.ct) return a.*member + (b.*member - a.*member) * (ct - a.ct) / (b.ct - a.ct);
   }
-  return NAN;
+  return kMissing;
 }
 
 Series marks(const char* name, const char* color, Marker marker, const std::vector<double>& x,

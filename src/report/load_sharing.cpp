@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "report/missing.hpp"
 #include "report/sections.hpp"
 #include "report/svg_plot.hpp"
 #include "report/wording.hpp"
@@ -109,7 +110,7 @@ Section load_sharing(const Sweeps& sweeps) {
   const Table conversion = conversion_table();
   section.pictures = {conversion_picture(conversion), shares_picture(table, 0), shares_picture(table, 30),
                       shares_picture(table, 60)};
-  double handover = NAN;
+  double handover = kMissing;
   for (std::size_t i = 1; i < conversion.rows() && !std::isfinite(handover); ++i) {
     const double before = conversion.number(i - 1, "rotors") - conversion.number(i - 1, "wing");
     const double after = conversion.number(i, "rotors") - conversion.number(i, "wing");

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "report/missing.hpp"
 #include "report/svg_plot.hpp"
 #include "report/wording.hpp"
 
@@ -107,8 +108,8 @@ Picture mode_picture(const ModePlot& what, const Table& rows) {
     const double step = parameter.size() > 1 ? parameter[1] - parameter[0] : 1;
     for (std::size_t i = parameter.size(); i-- > 1;) {
       if (parameter[i] - parameter[i - 1] > 1.5 * step) {
-        line.x.insert(line.x.begin() + static_cast<std::ptrdiff_t>(i), NAN);
-        line.y.insert(line.y.begin() + static_cast<std::ptrdiff_t>(i), NAN);
+        line.x.insert(line.x.begin() + static_cast<std::ptrdiff_t>(i), kMissing);
+        line.y.insert(line.y.begin() + static_cast<std::ptrdiff_t>(i), kMissing);
       }
     }
     for (std::size_t i = 0; i < branch.rows(); ++i) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "report/missing.hpp"
 #include "report/reference_points.hpp"
 #include "report/sections.hpp"
 #include "report/svg_plot.hpp"
@@ -38,7 +39,7 @@ Table compared_with_prediction() {
     const double speed = set.number(i, "speed_mps");
     const Trimmed t = trimmed_persistently(configured(setup), speed);
     const double there = set.number(i, "power_kw");
-    const double here = is_trimmed(t.status) ? total_power_kw(t) : double(NAN);
+    const double here = is_trimmed(t.status) ? total_power_kw(t) : kMissing;
     table.add({setup.mast_deg, speed, here, there, 100 * (here / there - 1)});
   }
   return table;
@@ -115,7 +116,7 @@ double bucket_speed(const Table& power) {
   const std::vector<double> v = power.numbers("speed_mps");
   const std::vector<double> p = power.numbers("power_kw");
   const auto k = static_cast<std::size_t>(std::min_element(p.begin(), p.end()) - p.begin());
-  if (k == 0 || k + 1 >= p.size()) return NAN;
+  if (k == 0 || k + 1 >= p.size()) return kMissing;
   const double step = v[k + 1] - v[k];
   return v[k] + 0.5 * step * (p[k - 1] - p[k + 1]) / (p[k - 1] - 2 * p[k] + p[k + 1]);
 }

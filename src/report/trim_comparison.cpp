@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "report/flights.hpp"
+#include "report/missing.hpp"
 #include "report/reference_points.hpp"
 #include "report/validation_rules.hpp"
 #include "report/wording.hpp"
@@ -37,7 +38,7 @@ double value_here(const Trimmed& t, const std::string& quantity) {
 double value_there(const Table& set, std::size_t row, const std::string& quantity) {
   if (quantity == "long_stick_in" && has_column(set, "long_stick_pct"))
     return kStickTravel / 100 * set.number(row, "long_stick_pct");
-  return has_column(set, quantity) ? set.number(row, quantity) : double(NAN);
+  return has_column(set, quantity) ? set.number(row, quantity) : kMissing;
 }
 
 }  // namespace
@@ -57,7 +58,7 @@ Table trim_comparison() {
         const double there = value_there(set, i, quantity);
         if (!std::isfinite(there)) continue;
         const bool has_trim = is_trimmed(t.status);
-        const double here = has_trim ? value_here(t, quantity) : double(NAN);
+        const double here = has_trim ? value_here(t, quantity) : kMissing;
         const double most = allowed(tolerance_of(name, quantity, mast), there);
         const bool within = std::fabs(here - there) <= most;
         table.add({std::string(name), mast, speed, quantity, here, there, here - there, most,

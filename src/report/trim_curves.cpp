@@ -15,7 +15,6 @@ namespace tiltrotor::report {
 namespace {
 
 constexpr double kShownMasts[] = {0, 30, 60, 90};
-constexpr Marker kMastMarker[] = {Marker::circle, Marker::square, Marker::triangle, Marker::diamond};
 
 bool is_shown(double mast_deg) {
   return std::find(std::begin(kShownMasts), std::end(kShownMasts), mast_deg) != std::end(kShownMasts);

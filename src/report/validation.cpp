@@ -7,6 +7,7 @@
 
 #include "report/claims.hpp"
 #include "report/component_loads.hpp"
+#include "report/missing.hpp"
 #include "report/reference_points.hpp"
 #include "report/validation_rules.hpp"
 #include "report/wording.hpp"
@@ -93,7 +94,7 @@ struct Comparison {
 };
 
 Comparison comparison(const std::string& set, const std::string& point, const std::string& quantity,
-                      double here, double reference, double mast_deg = NAN) {
+                      double here, double reference, double mast_deg = kMissing) {
   return {set, point, quantity, here, reference, mast_deg, std::fabs(reference)};
 }
 
@@ -115,7 +116,7 @@ void read(const Table& table, const Reading& how, std::vector<Comparison>& out) 
     };
     out.push_back(comparison(text(how.set), point_text(table, i, how.point), text(how.quantity),
                              table.number(i, how.here), table.number(i, how.reference),
-                             has_mast ? table.number(i, "mast_deg") : double(NAN)));
+                             has_mast ? table.number(i, "mast_deg") : kMissing));
   }
 }
 
@@ -151,7 +152,7 @@ void read_other_modes(const Table& modes, std::vector<Comparison>& out) {
                            .where("mode", set.text(i, "mode"));
     const std::string point = point_text(set, i, {"mast_deg", "speed_mps", "mode"});
     const auto value = [&](const char* column) {
-      return here.rows() > 0 ? here.number(0, column) : double(NAN);
+      return here.rows() > 0 ? here.number(0, column) : kMissing;
     };
     out.push_back(
         comparison("modes_other_sheng", point, "real_1_per_s", value("real"), set.number(i, "real_1_per_s")));
@@ -203,7 +204,7 @@ std::vector<Judged> judge(const std::vector<Comparison>& all) {
     const Tolerance rule = tolerance_of(c.set, c.quantity, c.mast_deg);
     const double most = allowed(rule, c.scale);
     const double off = shortfall(rule, c.here, c.reference);
-    Judged j{c, most, NAN, "information", rule.cause};
+    Judged j{c, most, kMissing, "information", rule.cause};
     if (rule.judged) {
       j.ratio = std::isfinite(off) ? off / most : HUGE_VAL;
       j.status = j.ratio <= 1 ? "within" : "exceeds";
@@ -254,7 +255,7 @@ Table sets_table(const std::vector<Judged>& judged) {
     double in_judgement = 0;
     double within = 0;
     double known = 0;
-    double worst = NAN;
+    double worst = kMissing;
     for (const Judged& j : judged) {
       if (j.what.set != sets.text(i, "set")) continue;
       ++count;

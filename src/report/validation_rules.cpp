@@ -4,6 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "report/missing.hpp"
 #include "report/reference_points.hpp"
 
 namespace tiltrotor::report {
@@ -40,13 +41,13 @@ Tolerance tolerance_of(const std::string& set, const std::string& quantity, doub
 }
 
 double allowed(const Tolerance& tolerance, double scale) {
-  if (!tolerance.judged) return NAN;
+  if (!tolerance.judged) return kMissing;
   return std::max(tolerance.absolute, tolerance.fraction * std::fabs(scale));
 }
 
 double shortfall(const Tolerance& tolerance, double here, double reference) {
   const double difference = here - reference;
-  if (!std::isfinite(difference)) return NAN;
+  if (!std::isfinite(difference)) return kMissing;
   switch (tolerance.demand) {
     case Tolerance::at_least:
       return std::max(0.0, -difference);

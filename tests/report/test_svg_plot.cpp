@@ -15,7 +15,7 @@ namespace {
 // Number of an attribute in the first tag that begins with `tag`.
 double attribute_of(const std::string& text, const std::string& tag, const std::string& name) {
   const std::size_t start = text.find(tag);
-  if (start == std::string::npos) return NAN;
+  if (start == std::string::npos) return double(NAN);
   const std::string element = text.substr(start, text.find('>', start) - start);
   const std::size_t place = element.find(" " + name + "=\"");
   return place == std::string::npos ? double(NAN) : std::atof(element.c_str() + place + name.size() + 3);
@@ -45,13 +45,13 @@ TEST(report_plot_is_well_formed_with_any_text) {
   Series s;
   s.name = "a < b & \"c\" 'd'";
   s.marker = Marker::triangle;
-  s.x = {0, 1, NAN, 3};
-  s.y = {0, -1, 2, INFINITY};
+  s.x = {0, 1, double(NAN), 3};
+  s.y = {0, -1, 2, double(INFINITY)};
   s.tip = {"<1>", "&2", "", "\x01"};
   Plot plot = plot_of(s);
   plot.title = "<script>&</script>\x02";
   plot.labels = {{1, -1, "1 < 2 & 3", "#000"}};
-  plot.cells = {{0, 1, 2}, {0, 1}, {0.5, NAN}, {0}, {"#fff", "#000"}, {"<0", ">0"}};
+  plot.cells = {{0, 1, 2}, {0, 1}, {0.5, double(NAN)}, {0}, {"#fff", "#000"}, {"<0", ">0"}};
   CHECK_EQ(check::XmlChecker::fault(svg(plot)), "");
 }
 

@@ -53,7 +53,7 @@ TEST(validation_tolerances_and_bounds) {
   CHECK_EQ(allowed(tolerance_of("trim_gtrs_figures", "pitch_deg", 30), 5), 1.8);
   CHECK_NEAR(allowed(tolerance_of("trim_gtrs_printed", "thrust_n", 0), -1000), 25.0, 1e-12);
   // The larger of 50 lb and a tenth.
-  const Tolerance force = tolerance_of("component_loads_gtrs", "rotor_right_x_lbf", NAN);
+  const Tolerance force = tolerance_of("component_loads_gtrs", "rotor_right_x_lbf", double(NAN));
   CHECK_EQ(allowed(force, 100), 50.0);
   CHECK_EQ(allowed(force, 1000), 100.0);
   CHECK(!tolerance_of("trim_other_sheng_model", "pitch_deg", 0).judged);
