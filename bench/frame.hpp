@@ -1,8 +1,9 @@
-// One frame of a simulation that knows its own dynamics: a step of the flight, then A, B and the eigenvalues
-// of A.
+// One frame of a simulation that knows its own dynamics: A, B and the eigenvalues of A, and a step of the
+// flight that begins with the rates found on the way.
 #pragma once
 
 #include "flights.hpp"
+#include "tiltrotor/analysis/linear_eigenvalues.hpp"
 
 namespace bench {
 
@@ -12,7 +13,7 @@ template <class Policy>
 struct FrameWork {
   SimulationWorkspace<double, Policy> simulation;
   LinearizationWorkspace<double, Policy> linearization;
-  EigenWorkspace<double, kMaxLinearStates> eigen;
+  LinearEigenvaluesWorkspace<double> eigen;
   LinearModel<double> model;
   Eigenvalues<double, kMaxLinearStates> values;
 };
@@ -21,7 +22,7 @@ struct FrameWork {
 inline Simulation<double> flight_with_input(const Configuration<double>& c, const TrimResult<double>& trim,
                                             InputShape shape, double size) {
   Simulation<double> flight;
-  require(start(c, trim.state, trim.controls, kFrameTime, Integrator::rk4, flight) == Status::ok, "no start");
+  require(start(c, trim.state, trim.controls, kFrameTime, Integrator::rk3, flight) == Status::ok, "no start");
   const double half_time = 0.5;
   require(add_input(flight, {shape, iu_collective, size, 0.0, half_time}) == Status::ok, "no input");
   return flight;
@@ -34,12 +35,11 @@ void step(const Configuration<double>& c, FrameWork<Policy>& work, Simulation<do
 
 template <class Policy>
 void frame(const Configuration<double>& c, FrameWork<Policy>& work, Simulation<double>& flight) {
-  step(c, work, flight);
   require(linearize(c, flight.state, current_controls(flight), kBladeControls, work.linearization,
                     work.model) == Status::ok,
           "no linear model");
-  require(eigenvalues(work.model.a, work.model.states, work.eigen, work.values) == Status::ok,
-          "no eigenvalues");
+  require(eigenvalues(work.model, work.eigen, work.values) == Status::ok, "no eigenvalues");
+  require(advance(c, work.simulation, flight, work.model.xdot) == Status::ok, "the flight diverged");
 }
 
 }  // namespace bench

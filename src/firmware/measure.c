@@ -74,7 +74,7 @@ static int measure_flight(text_sink write, instruction_counter count, int states
   for (k = 0; k < states; ++k) {
     const int place = (int)((int64_t)k * 4 / states);
     const tr_real mast = (tr_real)masts[place];
-    uint32_t t[5];
+    uint32_t t[6];
     if (k == 0 || place != (int)((int64_t)(k - 1) * 4 / states)) failures += init(mast) != TR_OK;
     random_state(mast, &state);
     failures += tr_set_state(&sim, &state) != TR_OK;
@@ -87,11 +87,15 @@ static int measure_flight(text_sink write, instruction_counter count, int states
     t[3] = count();
     failures += tr_eigenvalues(&work, a, (size_t)shape.states, eigenvalue_real, eigenvalue_imag, room) != TR_OK;
     t[4] = count();
+    failures += tr_linearize_and_step(&sim, &work, (tr_real)0.005, TR_INCEPTORS, &shape, a, room, b,
+                                      sizeof b / sizeof b[0]) != TR_OK;
+    failures += tr_eigenvalues(&work, a, (size_t)shape.states, eigenvalue_real, eigenvalue_imag, room) != TR_OK;
+    t[5] = count();
     add(&derivative, t[1] - t[0]);
     add(&step, t[2] - t[1]);
     add(&jacobian, t[3] - t[2]);
     add(&eigenvalues, t[4] - t[3]);
-    add(&frame, t[4] - t[1]);
+    add(&frame, t[5] - t[4]);
   }
   write_count(write, "states", (uint64_t)states);
   write_extremes(write, "derivative_min", "derivative_max", &derivative);

@@ -137,9 +137,9 @@ int reference_flight(text_sink write, int frames) {
   if (trim(write) || failed(write, "tr_get_state", tr_get_state(&sim, &trimmed))) return 1;
   for (frame = 0; frame < frames; ++frame) {
     if (failed(write, "tr_set_controls", move_controls(&trimmed, frame)) ||
-        failed(write, "tr_step", tr_step(&sim, &work, frame_s)) ||
-        failed(write, "tr_linearize",
-               tr_linearize(&sim, &work, TR_INCEPTORS, &shape, a, room, b, sizeof b / sizeof b[0])))
+        failed(write, "tr_linearize_and_step",
+               tr_linearize_and_step(&sim, &work, frame_s, TR_INCEPTORS, &shape, a, room, b,
+                                     sizeof b / sizeof b[0])))
       return 1;
     n = (size_t)shape.states;
     if (failed(write, "tr_eigenvalues", tr_eigenvalues(&work, a, n, eigenvalue_real, eigenvalue_imag, n)) ||

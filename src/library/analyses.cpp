@@ -26,8 +26,9 @@ Status linearize(const Configuration<double>& c, const State<double>& x, const C
   return linearize(c, x, u, columns, work.linearization, model, azimuth);
 }
 
-Status advance(const Configuration<double>& c, Analyses& work, Simulation<double>& simulation) {
-  return advance(c, work.simulation, simulation);
+Status advance(const Configuration<double>& c, Analyses& work, Simulation<double>& simulation,
+               const double* xdot) {
+  return advance(c, work.simulation, simulation, xdot);
 }
 
 }  // namespace tiltrotor

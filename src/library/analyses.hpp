@@ -28,6 +28,7 @@ TrimStatus trim(const Configuration<double>& c, const SteadyFlight<double>& flig
                 TrimResult<double>& result);
 Status linearize(const Configuration<double>& c, const State<double>& x, const Controls<double>& u,
                  const ControlSet& columns, Analyses& work, LinearModel<double>& model, double azimuth = 0);
-Status advance(const Configuration<double>& c, Analyses& work, Simulation<double>& simulation);
+Status advance(const Configuration<double>& c, Analyses& work, Simulation<double>& simulation,
+               const double* xdot = nullptr);
 
 }  // namespace tiltrotor

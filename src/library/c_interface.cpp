@@ -175,7 +175,8 @@ Range control_range(std::size_t control) {
   return control < TR_GUST_U ? increment : gust;
 }
 
-constexpr R kLongestStep = R(0.02);    // s; the progressing flapping mode sets it
+constexpr R kLongestStep = R(0.02);    // s; the progressing flapping mode sets it,
+constexpr R kLongestOfRk3 = R(0.01);   // and this
 constexpr R kLargestControl = R(100);  // of a restored state: trims beyond the stops included
 
 bool in_bounds(const tr_state& state) {
@@ -228,6 +229,66 @@ bool plausible(const tr_linear_shape& shape) {
 
 constexpr std::size_t entries(int rows, int columns) {
   return static_cast<std::size_t>(rows) * static_cast<std::size_t>(columns);
+}
+
+// ---- what two functions share ----
+
+tr_status check_step(const tr_work* work, R dt) {
+  if (work == nullptr) return TR_BAD_ARGUMENT;
+  if (!is_finite(dt)) return TR_NOT_FINITE;
+  return dt > R(0) && dt <= kLongestStep ? TR_OK : TR_OUT_OF_RANGE;
+}
+
+// One step; `xdot`: the rates at its beginning, or nullptr.
+tr_status step(Sim& s, tr_work* work, R dt, const R* xdot) {
+  StepRoom& room = place<StepRoom>(work);
+  const Integrator integrator = dt <= kLongestOfRk3 ? Integrator::rk3 : Integrator::rk4;
+  // The model does not depend on time: every step begins a simulation of its own, and time is counted here.
+  const Status started = start(s.configuration, s.x, s.u, dt, integrator, room.simulation);
+  if (started != Status::ok) return translated(started);
+  const Status advanced = advance(s.configuration, room.workspace, room.simulation, xdot);
+  if (advanced != Status::ok) return translated(advanced);
+  s.x = room.simulation.state;
+  s.time += static_cast<double>(dt);
+  ++s.steps;
+  return TR_OK;
+}
+
+// The arrays of a caller for A and B.
+struct LinearArrays {
+  R* a;
+  std::size_t a_length;
+  R* b;
+  std::size_t b_length;
+};
+
+// The linear model at the present state, and the rates there.
+tr_status linearize_here(const Sim& s, tr_work* work, std::int32_t columns, tr_linear_shape* shape,
+                         const LinearArrays& to, R* xdot) {
+  const ControlSet* set = control_set(columns);
+  if (work == nullptr || shape == nullptr || set == nullptr) return TR_BAD_ARGUMENT;
+  LinearRoom& room = place<LinearRoom>(work);
+  LinearModel<R>& model = room.model;
+  linear_states(s.configuration.setup.options, model);
+  shape->states = model.states;
+  shape->controls = set->count;
+  for (int i = 0; i < kMaxLinearStates; ++i) shape->state[i] = i < model.states ? model.state[i] : -1;
+  for (int j = 0; j < control_count; ++j) shape->control[j] = j < set->count ? set->index[j] : -1;
+  const bool wants_b = to.b != nullptr || to.b_length > 0;
+  const bool b_fits = !wants_b || to.b_length >= entries(model.states, set->count);
+  if (to.a_length < entries(model.states, model.states) || !b_fits) return TR_SHORT_BUFFER;
+  if (to.a == nullptr || (wants_b && to.b == nullptr)) return TR_BAD_ARGUMENT;
+
+  const Status status = linearize(s.configuration, s.x, s.u, *set, room.workspace, model);
+  if (status != Status::ok && status != Status::not_finite) return translated(status);
+  R* a = to.a;
+  R* b = to.b;
+  for (int i = 0; i < model.states; ++i) {
+    for (int j = 0; j < model.states; ++j) *a++ = model.a(i, j);
+    for (int j = 0; wants_b && j < set->count; ++j) *b++ = model.b(i, j);
+  }
+  for (int i = 0; i < state_count; ++i) xdot[i] = model.xdot[i];
+  return translated(status);
 }
 
 }  // namespace
@@ -307,20 +368,22 @@ tr_status tr_set_controls(tr_sim* sim, const tr_real* controls, size_t length) {
 tr_status tr_step(tr_sim* sim, tr_work* work, tr_real dt) {
   const tr_status ready = check(sim);
   if (ready != TR_OK) return ready;
-  if (work == nullptr) return TR_BAD_ARGUMENT;
-  if (!is_finite(dt)) return TR_NOT_FINITE;
-  if (!(dt > R(0) && dt <= kLongestStep)) return TR_OUT_OF_RANGE;
-  Sim& s = *opened(sim);
-  StepRoom& room = place<StepRoom>(work);
-  // The model does not depend on time: every step begins a simulation of its own, and time is counted here.
-  const Status started = start(s.configuration, s.x, s.u, dt, Integrator::rk4, room.simulation);
-  if (started != Status::ok) return translated(started);
-  const Status advanced = advance(s.configuration, room.workspace, room.simulation);
-  if (advanced != Status::ok) return translated(advanced);
-  s.x = room.simulation.state;
-  s.time += static_cast<double>(dt);
-  ++s.steps;
-  return TR_OK;
+  const tr_status possible = check_step(work, dt);
+  if (possible != TR_OK) return possible;
+  return step(*opened(sim), work, dt, nullptr);
+}
+
+tr_status tr_linearize_and_step(tr_sim* sim, tr_work* work, tr_real dt, int32_t columns,
+                                tr_linear_shape* shape, tr_real* a, size_t a_length, tr_real* b,
+                                size_t b_length) {
+  const tr_status ready = check(sim);
+  if (ready != TR_OK) return ready;
+  const tr_status possible = check_step(work, dt);
+  if (possible != TR_OK) return possible;
+  R xdot[state_count];
+  const tr_status linear =
+      linearize_here(*opened(sim), work, columns, shape, {a, a_length, b, b_length}, xdot);
+  return linear == TR_OK ? step(*opened(sim), work, dt, xdot) : linear;
 }
 
 tr_status tr_get_state(const tr_sim* sim, tr_state* state) {
@@ -437,28 +500,8 @@ tr_status tr_linearize(const tr_sim* sim, tr_work* work, int32_t columns, tr_lin
                        size_t a_length, tr_real* b, size_t b_length) {
   const tr_status ready = check(sim);
   if (ready != TR_OK) return ready;
-  const ControlSet* set = control_set(columns);
-  if (work == nullptr || shape == nullptr || set == nullptr) return TR_BAD_ARGUMENT;
-  const Sim& s = *opened(sim);
-  LinearRoom& room = place<LinearRoom>(work);
-  LinearModel<R>& model = room.model;
-  linear_states(s.configuration.setup.options, model);
-  shape->states = model.states;
-  shape->controls = set->count;
-  for (int i = 0; i < kMaxLinearStates; ++i) shape->state[i] = i < model.states ? model.state[i] : -1;
-  for (int j = 0; j < control_count; ++j) shape->control[j] = j < set->count ? set->index[j] : -1;
-  const bool wants_b = b != nullptr || b_length > 0;
-  const bool b_fits = !wants_b || b_length >= entries(model.states, set->count);
-  if (a_length < entries(model.states, model.states) || !b_fits) return TR_SHORT_BUFFER;
-  if (a == nullptr || (wants_b && b == nullptr)) return TR_BAD_ARGUMENT;
-
-  const Status status = linearize(s.configuration, s.x, s.u, *set, room.workspace, model);
-  if (status != Status::ok && status != Status::not_finite) return translated(status);
-  for (int i = 0; i < model.states; ++i) {
-    for (int j = 0; j < model.states; ++j) *a++ = model.a(i, j);
-    for (int j = 0; wants_b && j < set->count; ++j) *b++ = model.b(i, j);
-  }
-  return translated(status);
+  R xdot[state_count];
+  return linearize_here(*opened(sim), work, columns, shape, {a, a_length, b, b_length}, xdot);
 }
 
 tr_status tr_eigenvalues(tr_work* work, const tr_real* a, size_t n, tr_real* real, tr_real* imag,

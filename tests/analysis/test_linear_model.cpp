@@ -4,6 +4,7 @@
 #include <cstring>
 
 #include "analysis_case.hpp"
+#include "tiltrotor/analysis/linear_eigenvalues.hpp"
 #include "tiltrotor/math/complex_step.hpp"
 
 using namespace analysis_case;
@@ -224,6 +225,42 @@ TEST(split_decouples_in_symmetric_flight) {
   linear_model(configuration(30), p.x, p.u, kInceptors, model);
   split(model, halves);
   CHECK_LT(1e-2, halves.coupling);
+}
+
+// Eigenvalues by halves against those of A as a whole, in symmetric and in slanted flight; and what stands
+// for a coupling.
+TEST(linear_eigenvalues_by_halves) {
+  static LinearModel<double> model;
+  static LinearEigenvaluesWorkspace<double> work;
+  static EigenWorkspace<double, kMaxLinearStates> whole_work;
+  static Eigenvalues<double, kMaxLinearStates> values, whole;
+  for (int k = 0; k < 4; ++k) {
+    const Point p = k < 3 ? reference_point(kReferencePoints[k]) : slanted_point();
+    linear_model(configuration(k < 3 ? kReferenceMasts[k] : 30), p.x, p.u, kInceptors, model);
+    CHECK(eigenvalues(model, work, values) == Status::ok);
+    CHECK(eigenvalues(model.a, model.states, whole_work, whole) == Status::ok);
+    CHECK_EQ(decoupled(work.split), k < 3);
+    CHECK_EQ(values.size, 23);
+    CHECK_EQ(values.converged, 23);
+    double trace = 0;
+    for (int i = 0; i < values.size; ++i) {
+      trace += values.real[i] - model.a(i, i);
+      double nearest = 1e9;
+      for (int j = 0; j < whole.size; ++j)
+        nearest =
+            std::min(nearest, std::hypot(values.real[i] - whole.real[j], values.imag[i] - whole.imag[j]));
+      CHECK_LT(nearest, 1e-9);
+    }
+    CHECK_NEAR(trace, 0, 1e-9);
+  }
+  SplitModel<double> halves = {};
+  halves.largest = 1000;
+  halves.coupling = 1e-13;
+  CHECK(decoupled(halves));
+  halves.coupling = 1e-11;
+  CHECK(!decoupled(halves));
+  model.a(0, 5) = std::nan("");
+  CHECK(eigenvalues(model, work, values) == Status::not_finite);
 }
 
 // The quasi-steady model has the same steady response to constant inputs: -A_qs^-1 B_qs equals the rigid part

@@ -190,6 +190,9 @@ TEST(capi_calls_before_init) {
     CHECK_EQ(
         tr_linearize(&sim, work.get(), TR_INCEPTORS, &shape, numbers, max_states * max_states, nullptr, 0),
         TR_NOT_INITIALIZED);
+    CHECK_EQ(tr_linearize_and_step(&sim, work.get(), dt, TR_INCEPTORS, &shape, numbers,
+                                   max_states * max_states, nullptr, 0),
+             TR_NOT_INITIALIZED);
     CHECK(same_bits(sim, before));
   }
 }
@@ -211,6 +214,11 @@ TEST(capi_null_pointers) {
       tr_set_controls(&sim, nullptr, 4),
       tr_step(nullptr, work.get(), dt),
       tr_step(&sim, nullptr, dt),
+      tr_linearize_and_step(nullptr, work.get(), dt, TR_INCEPTORS, &shape, numbers, room, nullptr, 0),
+      tr_linearize_and_step(&sim, nullptr, dt, TR_INCEPTORS, &shape, numbers, room, nullptr, 0),
+      tr_linearize_and_step(&sim, work.get(), dt, TR_INCEPTORS, nullptr, numbers, room, nullptr, 0),
+      tr_linearize_and_step(&sim, work.get(), dt, TR_INCEPTORS, &shape, nullptr, room, nullptr, 0),
+      tr_linearize_and_step(&sim, work.get(), dt, 0, &shape, numbers, room, nullptr, 0),
       tr_get_state(nullptr, &state),
       tr_get_state(&sim, nullptr),
       tr_set_state(nullptr, &state),
@@ -280,6 +288,45 @@ TEST(capi_bad_steps_move_nothing) {
   for (const tr_real bad : {tr_real(0), -tr_real(0), tr_real(-0.005), tr_real(0.0201), tr_real(1e30)})
     CHECK_EQ(tr_step(&sim, work.get(), bad), TR_OUT_OF_RANGE);
   CHECK(same_bits(sim, before));
+  tr_linear_shape shape;
+  tr_real a[max_states * max_states] = {7};
+  CHECK_EQ(tr_linearize_and_step(&sim, work.get(), kNan, TR_INCEPTORS, &shape, a, max_states * max_states,
+                                 nullptr, 0),
+           TR_NOT_FINITE);
+  CHECK_EQ(tr_linearize_and_step(&sim, work.get(), 1, TR_INCEPTORS, &shape, a, max_states * max_states,
+                                 nullptr, 0),
+           TR_OUT_OF_RANGE);
+  CHECK_EQ(tr_linearize_and_step(&sim, work.get(), dt, TR_INCEPTORS, &shape, a, 5, nullptr, 0),
+           TR_SHORT_BUFFER);
+  CHECK_EQ(a[0], 7);
+  CHECK(same_bits(sim, before));
+}
+
+// One call or two: the same model and the same flight, bit for bit, by either order of the method.
+TEST(capi_linearize_and_step_is_both) {
+  for (const tr_real step : {dt, tr_real(0.015)}) {
+    tr_sim joint = trimmed_sim(30, 50);
+    tr_sim apart = joint;
+    const auto work = new_work();
+    const tr_real u[] = {tr_real(0.25), tr_real(0.5), tr_real(0.3)};
+    CHECK_EQ(tr_set_controls(&joint, u, 3), TR_OK);
+    CHECK_EQ(tr_set_controls(&apart, u, 3), TR_OK);
+    tr_linear_shape shape, other_shape;
+    std::vector<tr_real> a(max_states * max_states), b(max_states * TR_CONTROLS), other_a(a), other_b(b);
+    for (int k = 0; k < 20; ++k) {
+      CHECK_EQ(tr_linearize_and_step(&joint, work.get(), step, TR_BLADE_CONTROLS, &shape, a.data(), a.size(),
+                                     b.data(), b.size()),
+               TR_OK);
+      CHECK_EQ(tr_linearize(&apart, work.get(), TR_BLADE_CONTROLS, &other_shape, other_a.data(),
+                            other_a.size(), other_b.data(), other_b.size()),
+               TR_OK);
+      CHECK_EQ(tr_step(&apart, work.get(), step), TR_OK);
+      CHECK(a == other_a && b == other_b);
+    }
+    CHECK_EQ(shape.controls, other_shape.controls);
+    CHECK(same_bits(state_of(joint), state_of(apart)));
+    CHECK_LT(tr_real(1e-4), std::abs(state_of(joint).x[TR_ROLL]));
+  }
 }
 
 TEST(capi_restore_errors) {
@@ -491,7 +538,7 @@ TEST(capi_agrees_with_the_analyses) {
 
     const auto step_work = std::make_unique<SimulationWorkspace<tr_real>>();
     const auto simulation = std::make_unique<Simulation<tr_real>>();
-    CHECK(start(*c, trimmed->state, trimmed->controls, dt, Integrator::rk4, *simulation) == Status::ok);
+    CHECK(start(*c, trimmed->state, trimmed->controls, dt, Integrator::rk3, *simulation) == Status::ok);
     for (int k = 0; k < 50; ++k) {
       CHECK(advance(*c, *step_work, *simulation) == Status::ok);
       CHECK_EQ(tr_step(&sim, work.get(), dt), TR_OK);

@@ -31,10 +31,11 @@ class Bytes {
   int below(int count) { return byte() % count; }
   template <class Number>
   Number raw() {
+    static_assert(sizeof(Number) <= sizeof(std::uint64_t));
+    std::uint64_t bits = 0;
+    for (std::size_t k = 0; k < sizeof(Number); ++k) bits |= std::uint64_t{byte()} << (8 * k);
     Number x{};
-    std::uint8_t bytes[sizeof x] = {};
-    for (std::uint8_t& b : bytes) b = byte();
-    std::memcpy(&x, bytes, sizeof x);
+    std::memcpy(&x, &bits, sizeof x);
     return x;
   }
   /// Any bits, a special value, or a small plain number.

@@ -107,12 +107,15 @@ void trim(tr_sim& sim, Room& room, fuzz::Bytes& in) {
   for (int i = TR_U; i <= TR_R; ++i) REQUIRE(std::fabs(rates[i]) < 1e-6);
 }
 
-void linearize(const tr_sim& sim, Room& room, fuzz::Bytes& in) {
+void linearize(tr_sim& sim, Room& room, fuzz::Bytes& in) {
   const std::size_t a_length = in.below(3) > 0 ? kSquare : 4 * in.byte();
   const std::size_t b_length = in.below(3) > 0 ? sizeof room.b / sizeof *room.b - 1 : in.byte();
   room.a[kSquare] = room.b[sizeof room.b / sizeof *room.b - 1] = kUntouched;
   const tr_status status =
-      tr_linearize(&sim, &room.work, in.below(5), &room.shape, room.a, a_length, room.b, b_length);
+      in.below(2) == 0
+          ? tr_linearize(&sim, &room.work, in.below(5), &room.shape, room.a, a_length, room.b, b_length)
+          : tr_linearize_and_step(&sim, &room.work, in.number(), in.below(5), &room.shape, room.a, a_length,
+                                  room.b, b_length);
   REQUIRE(known(status));
   room.linear_model = status == TR_OK;
   if (status == TR_OK) {

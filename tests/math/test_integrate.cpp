@@ -33,6 +33,14 @@ double rk4_error(int steps) {
   return std::hypot(x[0] - 0.5, x[1] - std::exp(-1.0));
 }
 
+double rk3_error(int steps) {
+  static RungeKuttaWorkspace<double, 4> work;
+  double x[2] = {1.0, 1.0};
+  const double dt = 1.0 / steps;
+  for (int i = 0; i < steps; ++i) CHECK(rk3_step(Coupled(), i * dt, dt, x, 2, work) == Status::ok);
+  return std::hypot(x[0] - 0.5, x[1] - std::exp(-1.0));
+}
+
 double rodas3_error(int steps, bool with_time_slope) {
   static RosenbrockWorkspace<double, 4> work;
   static Matrix<double, 4, 4> jacobian;
@@ -53,6 +61,59 @@ TEST(rk4_has_order_4) {
   const double order = std::log2(rk4_error(40) / rk4_error(80));
   CHECK_NEAR(order, 4.0, 0.1);
   CHECK_LT(rk4_error(80), 1e-9);
+}
+
+TEST(rk3_has_order_3) {
+  const double order = std::log2(rk3_error(40) / rk3_error(80));
+  CHECK_NEAR(order, 3.0, 0.1);
+  CHECK_LT(rk3_error(80), 1e-6);
+}
+
+// Its stability function is the exponential series to z^3; the reciprocal of a wrong weight would not be.
+TEST(rk3_stability_function) {
+  static RungeKuttaWorkspace<double, 1> work;
+  for (double z : {-1.5, -0.3, 0.7}) {
+    const auto f = [z](double, const double* x, double* xdot) {
+      xdot[0] = z * x[0];
+      return Status::ok;
+    };
+    double x[1] = {1.0};
+    CHECK(rk3_step(f, 0.0, 1.0, x, 1, work) == Status::ok);
+    CHECK_NEAR(x[0], 1.0 + z + z * z / 2 + z * z * z / 6, 1e-15);
+  }
+}
+
+// The first evaluation may be handed over: one call less, the same bits; a NaN in it is found.
+TEST(integrators_take_over_a_known_first_slope) {
+  static RungeKuttaWorkspace<double, 4> runge_kutta;
+  static RosenbrockWorkspace<double, 4> rosenbrock;
+  static Matrix<double, 4, 4> jacobian;
+  int calls = 0;
+  const auto f = [&calls](double t, const double* x, double* xdot) {
+    ++calls;
+    return Coupled()(t, x, xdot);
+  };
+  const double begin[2] = {0.8, 0.3};
+  double slope[2], time_slope[2];
+  CHECK(Coupled()(0.1, begin, slope) == Status::ok);
+  Coupled().jacobian(0.1, begin, jacobian, time_slope);
+  const double broken[2] = {slope[0], std::nan("")};
+  for (int method = 0; method < 3; ++method) {
+    const auto step = [&](double* x, const double* known) {
+      if (method == 0) return rk3_step(f, 0.1, 0.2, x, 2, runge_kutta, known);
+      if (method == 1) return rk4_step(f, 0.1, 0.2, x, 2, runge_kutta, known);
+      return rodas3_step(f, jacobian, time_slope, 0.1, 0.2, x, 2, rosenbrock, known);
+    };
+    double alone[2] = {begin[0], begin[1]}, helped[2] = {begin[0], begin[1]};
+    calls = 0;
+    CHECK(step(alone, nullptr) == Status::ok);
+    const int all = calls;
+    CHECK(step(helped, slope) == Status::ok);
+    CHECK_EQ(calls - all, all - 1);
+    for (int i = 0; i < 2; ++i) CHECK_EQ(alone[i], helped[i]);
+    CHECK(step(helped, broken) == Status::not_finite);
+    CHECK_EQ(helped[0], alone[0]);
+  }
 }
 
 TEST(rk4_is_exact_for_cubic_polynomials_in_time) {  // the method is Simpson's rule for x' = g(t)
@@ -101,7 +162,8 @@ TEST(rodas3_stability_function) {  // R(z) to order 3 at small z, from the expon
     };
     const Matrix<double, 1, 1> jacobian = {{z}};
     double x[1] = {1.0}, error[1] = {0.0};
-    CHECK(rodas3_step(f, jacobian, 0.0, 1.0, x, 1, work, error) == Status::ok);
+    CHECK(rodas3_step(f, jacobian, 0.0, 1.0, x, 1, work, static_cast<const double*>(nullptr), error) ==
+          Status::ok);
     CHECK_NEAR(x[0], std::exp(z), 2e-9);  // z^4 times a constant below 0.2
     CHECK_LT(std::fabs(error[0]), 1e-6);  // the estimate is of order z^3
     CHECK_LT(1e-8, std::fabs(error[0]));
@@ -138,6 +200,8 @@ TEST(integrators_leave_the_state_alone_when_they_fail) {
       return calls++ == fails_at ? Status::out_of_range : Status::ok;
     };
     CHECK(rk4_step(f, 0.0, 0.1, x, 3, runge_kutta) == Status::out_of_range);
+    calls = 0;
+    if (fails_at < 3) CHECK(rk3_step(f, 0.0, 0.1, x, 3, runge_kutta) == Status::out_of_range);
     calls = fails_at == 3 ? 1 : 0;  // three evaluations only
     CHECK(rodas3_step(f, jacobian, 0.0, 0.1, x, 3, rosenbrock) == Status::out_of_range);
   }
@@ -152,6 +216,8 @@ TEST(integrators_leave_the_state_alone_when_they_fail) {
   jacobian(0, 0) = std::numeric_limits<double>::quiet_NaN();
   CHECK(rodas3_step(infinite, jacobian, 0.0, 0.1, x, 3, rosenbrock) == Status::not_finite);
   CHECK(rk4_step(infinite, 0.0, 0.1, x, 4, runge_kutta) == Status::bad_argument);
+  CHECK(rk3_step(infinite, 0.0, 0.1, x, 3, runge_kutta) == Status::not_finite);
+  CHECK(rk3_step(infinite, 0.0, 0.1, x, 0, runge_kutta) == Status::bad_argument);
   CHECK(rodas3_step(infinite, jacobian, 0.0, 0.0, x, 3, rosenbrock) == Status::bad_argument);
   CHECK_EQ(x[0], 1.0);
   CHECK_EQ(x[1], 2.0);

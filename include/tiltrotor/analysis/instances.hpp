@@ -17,7 +17,8 @@
   PREFIX template Status linearize(const Configuration<R>&, const State<R>&, const Controls<R>&,           \
                                    const ControlSet&, LinearizationWorkspace<R, POLICY>&, LinearModel<R>&, \
                                    R);                                                                     \
-  PREFIX template Status advance(const Configuration<R>&, SimulationWorkspace<R, POLICY>&, Simulation<R>&);
+  PREFIX template Status advance(const Configuration<R>&, SimulationWorkspace<R, POLICY>&, Simulation<R>&, \
+                                 const R*);
 
 #define TILTROTOR_COMMON_INSTANCES(PREFIX, R)                                                               \
   PREFIX template Status residualise(const LinearModel<R>&, ResidualisationWorkspace<R>&, LinearModel<R>&); \

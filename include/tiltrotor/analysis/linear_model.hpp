@@ -42,6 +42,7 @@ struct LinearModel {
   R x[kMaxLinearStates];            // the point
   R u[kMaxLinearControls];
   R rates[kMaxLinearStates];  // f at the point; zero when it is trimmed and straight
+  R xdot[state_count];        // the same for every state of the model, heading and position included
   Matrix<R, kMaxLinearStates, kMaxLinearStates> a;
   Matrix<R, kMaxLinearStates, kMaxLinearControls> b;
 
@@ -55,7 +56,7 @@ template <class R, class Policy = DefaultDifferentiation>
 struct LinearizationWorkspace {
   static constexpr int kInputs = kMaxLinearStates + kMaxLinearControls;
   using Seeded = typename Policy::template Scalar<R, kModelDirections>;
-  typename Policy::template Workspace<R, kModelDirections, kInputs, kMaxLinearStates> differentiation;
+  typename Policy::template Workspace<R, kModelDirections, kInputs, state_count> differentiation;
   ModelRooms<R, Seeded> rooms;
   R base_x[state_count];
   R base_u[control_count];
@@ -88,12 +89,13 @@ void clear(LinearModel<R>& model) {
     model.control[j] = 0;
     model.u[j] = R(0);
   }
+  for (R& rate : model.xdot) rate = R(0);
   set_zero(model.a);
   set_zero(model.b);
 }
 
 // A and B at (x, u). The arguments are not changed; the model keeps no memory.
-// Status: ok; not_finite (a number in the state, the controls, A or B is not finite: A, B and rates are then
+// Status: ok; not_finite (a number in the state, the controls, A or B is not finite: A, B and xdot are then
 // what was found); bad_argument (`columns` names a control twice over the capacity or out of range, or c is
 // not prepared: the model is empty). `azimuth`: rad, for individual blades alone. Cost: AutoDiff one pass of
 // 32 directions for up to 32 states and controls, two beyond; NumDiff two evaluations each.
@@ -131,11 +133,17 @@ Status linearize(const Configuration<R>& c, const State<R>& x, const Controls<R>
     for (int i = 0; i < n; ++i) room.x[model.state[i]] = input[i];
     for (int j = 0; j < m; ++j) room.u[model.control[j]] = input[n + j];
     model_rates(c, azimuth, room);
-    for (int i = 0; i < n; ++i) rates[i] = room.x[model.state[i]];
+    for (int i = 0; i < state_count; ++i) rates[i] = room.x[i];
   };
-  Policy::jacobian(
-      rates_of, n + m, n, work.input, work.scale, model.rates, work.differentiation,
-      [&model, n](int i, int j, R slope) { (j < n ? model.a(i, j) : model.b(i, j - n)) = slope; });
+  int row[state_count];
+  for (int& i : row) i = -1;
+  for (int i = 0; i < n; ++i) row[model.state[i]] = i;
+  Policy::jacobian(rates_of, n + m, state_count, work.input, work.scale, model.xdot, work.differentiation,
+                   [&model, &row, n](int state, int j, R slope) {
+                     const int i = row[state];
+                     if (i >= 0) (j < n ? model.a(i, j) : model.b(i, j - n)) = slope;
+                   });
+  for (int i = 0; i < n; ++i) model.rates[i] = model.xdot[model.state[i]];
   const bool finite = all_finite(model.a, n, n) && (m == 0 || all_finite(model.b, n, m));
   return finite ? Status::ok : Status::not_finite;
 }

@@ -89,6 +89,7 @@ struct SplitModel {
   Matrix<R, kMaxLinearStates, kMaxLinearStates> a;
   Matrix<R, kMaxLinearStates, kMaxLinearControls> b;
   R coupling;  // largest entry of A outside the two blocks
+  R largest;   // and inside
 };
 
 namespace reduction_detail {
@@ -134,7 +135,7 @@ template <class R>
 void split(const LinearModel<R>& model, SplitModel<R>& out) {
   namespace d = reduction_detail;
   out.states = out.longitudinal = 0;
-  out.coupling = R(0);
+  out.coupling = out.largest = R(0);
   set_zero(out.a);
   set_zero(out.b);
   for (int pass = 0; pass < 2; ++pass) {  // longitudinal, lateral
@@ -151,8 +152,10 @@ void split(const LinearModel<R>& model, SplitModel<R>& out) {
   out.controls = model.controls;
   for (int j = 0; j < model.controls; ++j) out.control[j] = model.control[j];
 
+  d::Parts place[kMaxLinearStates];
+  for (int i = 0; i < out.states; ++i) place[i] = d::parts(model, out.coordinate[i]);
   for (int i = 0; i < out.states; ++i) {
-    const d::Parts row = d::parts(model, out.coordinate[i]);
+    const d::Parts& row = place[i];
     // (row of right +- row of left) / 2
     const auto rows = [&row](const auto& matrix, int column) {
       const R first = matrix(row.first, column);
@@ -161,13 +164,14 @@ void split(const LinearModel<R>& model, SplitModel<R>& out) {
       return R(0.5) * (row.sign > 0 ? first + second : first - second);
     };
     for (int j = 0; j < out.states; ++j) {
-      const d::Parts column = d::parts(model, out.coordinate[j]);
+      const d::Parts& column = place[j];
       R entry = rows(model.a, column.first);
       if (column.sign > 0) entry += rows(model.a, column.second);
       if (column.sign < 0) entry -= rows(model.a, column.second);
       out.a(i, j) = entry;
       const bool outside = (i < out.longitudinal) != (j < out.longitudinal);
-      if (outside && !(std::fabs(entry) <= out.coupling)) out.coupling = std::fabs(entry);
+      R& bound = outside ? out.coupling : out.largest;
+      if (!(std::fabs(entry) <= bound)) bound = std::fabs(entry);
     }
     for (int j = 0; j < out.controls; ++j) out.b(i, j) = rows(model.b, j);
   }

@@ -7,7 +7,8 @@
 //
 // Simulation is plain: a snapshot is a copy, and a replay is exact. Heading, and position when it is a state,
 // are integrated with the rest. A and B at any moment: linearize(c, flight.state, current_controls(flight),
-// ..., current_azimuth(c, flight)).
+// ..., current_azimuth(c, flight)); the rates it finds are the first evaluation of the step that follows:
+// advance(c, work, flight, model.xdot) takes them over and finds the same bits for one derivative less.
 #pragma once
 
 #include <type_traits>
@@ -18,10 +19,11 @@
 
 namespace tiltrotor {
 
-// rk4: explicit, four derivatives a step; stable to about 20 ms (the progressing flapping mode).
-// rodas3: Rosenbrock, L-stable, three derivatives and one Jacobian a step; for longer steps and stiff
-// settings.
-enum class Integrator : unsigned char { rk4, rodas3 };
+// rk3: explicit, three derivatives a step; stable to 16 ms (the progressing flapping mode; in helicopter mode
+//   18 ms); for frames of 5 ms and less.
+// rk4: explicit, four derivatives a step; stable to 18 ms (in helicopter mode 25 ms).
+// rodas3: Rosenbrock, L-stable, two derivatives and one Jacobian a step; for longer steps and stiff settings.
+enum class Integrator : unsigned char { rk3, rk4, rodas3 };
 
 inline constexpr int kMaxInputs = 8;
 
@@ -174,8 +176,9 @@ Status rodas3(const RightSide<R, Policy>& f, R time, R dt) {
   Policy::jacobian([&f, azimuth](const auto* x, auto* rates) { f.rates(x, rates, azimuth); }, n, n, work.x,
                    work.scale, work.rates, work.differentiation,
                    [&work](int i, int j, R slope) { work.jacobian(i, j) = slope; });
+  const R* known = work.rates;
   if (c.setup.options.azimuth == AzimuthMode::averaged)
-    return rodas3_step(f, work.jacobian, time, dt, work.x, n, work.method.rosenbrock);
+    return rodas3_step(f, work.jacobian, time, dt, work.x, n, work.method.rosenbrock, known);
 
   // Blades that turn make f depend on time; azimuth carries no partials, so a central difference.
   const R step = std::cbrt(std::numeric_limits<R>::epsilon());
@@ -184,7 +187,7 @@ Status rodas3(const RightSide<R, Policy>& f, R time, R dt) {
   for (int k = 0; k < n; ++k)
     work.ahead[k] = c.setup.rotor_speed * (work.ahead[k] - work.behind[k]) / (R(2) * step);
   return rodas3_step(f, work.jacobian, static_cast<const R*>(work.ahead), time, dt, work.x, n,
-                     work.method.rosenbrock);
+                     work.method.rosenbrock, known);
 }
 
 }  // namespace response_detail
@@ -192,10 +195,12 @@ Status rodas3(const RightSide<R, Policy>& f, R time, R dt) {
 // One step of dt. The controls are held during a step at their value in its middle: an input takes effect on
 // the step boundary nearest to its time. Status: ok; not_finite or out_of_range (the flight has diverged:
 // fault_state and fault_time tell which state and when, the state stays that of the last good step); singular
-// (rodas3). A failed simulation does not move again. Cost: four derivatives (rk4); three derivatives and a
-// Jacobian (rodas3).
+// (rodas3). A failed simulation does not move again. Cost: three derivatives (rk3); four (rk4); two and a
+// Jacobian (rodas3). `xdot`[state_count]: the rates at the present state and controls, when they are known
+// (LinearModel); they spare rk3 and rk4 their first derivative.
 template <class R, class Policy>
-Status advance(const Configuration<R>& c, SimulationWorkspace<R, Policy>& work, Simulation<R>& s) {
+Status advance(const Configuration<R>& c, SimulationWorkspace<R, Policy>& work, Simulation<R>& s,
+               const R* xdot = nullptr) {
   if (s.status != Status::ok) return s.status;
   work.active = active_states(c.setup.options, true);
   const int n = work.active.count;
@@ -206,10 +211,21 @@ Status advance(const Configuration<R>& c, SimulationWorkspace<R, Policy>& work, 
   s.fault_state = -1;
   const response_detail::RightSide<R, Policy> f{c, work, controls, s.fault_state};
 
-  if (s.integrator == Integrator::rk4) {
-    s.status = rk4_step(f, time, s.dt, work.x, n, work.method.runge_kutta);
-  } else {
-    s.status = response_detail::rodas3(f, time, s.dt);
+  const R* known = nullptr;
+  if (xdot != nullptr) {
+    for (int k = 0; k < n; ++k) work.rates[k] = xdot[work.active.index[k]];
+    known = work.rates;
+  }
+  switch (s.integrator) {
+    case Integrator::rk3:
+      s.status = rk3_step(f, time, s.dt, work.x, n, work.method.runge_kutta, known);
+      break;
+    case Integrator::rk4:
+      s.status = rk4_step(f, time, s.dt, work.x, n, work.method.runge_kutta, known);
+      break;
+    case Integrator::rodas3:
+      s.status = response_detail::rodas3(f, time, s.dt);
+      break;
   }
   for (int k = 0; k < n && s.status == Status::ok; ++k) {
     const int index = work.active.index[k];

@@ -1,7 +1,8 @@
-// One step of an initial value problem x' = f(t, x): explicit Runge-Kutta (RK4) and Rosenbrock (RODAS3).
+// One step of an initial value problem x' = f(t, x): explicit Runge-Kutta (RK3, RK4) and Rosenbrock (RODAS3).
 //
 // The right side is a callable  Status f(R t, const R* x, R* xdot).  A step replaces x[n] only when every
 // evaluation returned ok and the result is finite; otherwise it returns the reason and x stays as it was.
+// `known` is f(t, x) when the caller has it already, nullptr when not: every method begins with it.
 #pragma once
 
 #include "tiltrotor/math/lu.hpp"
@@ -41,19 +42,55 @@ inline Status accept(const R* candidate, int n, R* x) {
   return Status::ok;
 }
 
+template <class R>
+inline Status startable(R t, R dt, const R* x, int n, int most) {
+  if (n < 1 || n > most) return Status::bad_argument;
+  return is_finite(t) && is_finite(dt) && vector_finite(x, n) ? Status::ok : Status::not_finite;
+}
+
+// f at the beginning of the step.
+template <class R, class RightSide>
+inline Status first_slope(RightSide&& f, R t, const R* x, int n, const R* known, R* slope) {
+  if (known == nullptr) return f(t, x, slope);
+  for (int i = 0; i < n; ++i) slope[i] = known[i];
+  return vector_finite(slope, n) ? Status::ok : Status::not_finite;
+}
+
 }  // namespace integrate_detail
+
+// Kutta's method of order 3, three evaluations of f, from t to t + dt.
+// Status: that of f; not_finite; bad_argument (n outside 1..N).
+template <class R, int N, class RightSide>
+inline Status rk3_step(RightSide&& f, R t, R dt, R* x, int n, RungeKuttaWorkspace<R, N>& work,
+                       const R* known = nullptr) {
+  Status status = integrate_detail::startable(t, dt, x, n, N);
+  if (status != Status::ok) return status;
+  status = integrate_detail::first_slope(f, t, static_cast<const R*>(x), n, known, work.slope[0]);
+  if (status != Status::ok) return status;
+  for (int i = 0; i < n; ++i) work.stage[i] = x[i] + R(0.5) * dt * work.slope[0][i];
+  status = f(t + R(0.5) * dt, static_cast<const R*>(work.stage), static_cast<R*>(work.slope[1]));
+  if (status != Status::ok) return status;
+  for (int i = 0; i < n; ++i) work.stage[i] = x[i] + dt * (R(2) * work.slope[1][i] - work.slope[0][i]);
+  status = f(t + dt, static_cast<const R*>(work.stage), static_cast<R*>(work.slope[2]));
+  if (status != Status::ok) return status;
+  for (int i = 0; i < n; ++i)
+    work.stage[i] = x[i] + dt / R(6) * (work.slope[0][i] + R(4) * work.slope[1][i] + work.slope[2][i]);
+  return integrate_detail::accept(work.stage, n, x);
+}
 
 // The classical method of order 4, four evaluations of f, from t to t + dt.
 // Status: that of f; not_finite; bad_argument (n outside 1..N).
 template <class R, int N, class RightSide>
-inline Status rk4_step(RightSide&& f, R t, R dt, R* x, int n, RungeKuttaWorkspace<R, N>& work) {
-  if (n < 1 || n > N) return Status::bad_argument;
-  if (!is_finite(t) || !is_finite(dt) || !integrate_detail::vector_finite(x, n)) return Status::not_finite;
+inline Status rk4_step(RightSide&& f, R t, R dt, R* x, int n, RungeKuttaWorkspace<R, N>& work,
+                       const R* known = nullptr) {
+  Status status = integrate_detail::startable(t, dt, x, n, N);
+  if (status != Status::ok) return status;
+  status = integrate_detail::first_slope(f, t, static_cast<const R*>(x), n, known, work.slope[0]);
+  if (status != Status::ok) return status;
   const R node[4] = {R(0), R(0.5), R(0.5), R(1)};
-  for (int s = 0; s < 4; ++s) {
-    for (int i = 0; i < n; ++i) work.stage[i] = s == 0 ? x[i] : x[i] + node[s] * dt * work.slope[s - 1][i];
-    const Status status =
-        f(t + node[s] * dt, static_cast<const R*>(work.stage), static_cast<R*>(work.slope[s]));
+  for (int s = 1; s < 4; ++s) {
+    for (int i = 0; i < n; ++i) work.stage[i] = x[i] + node[s] * dt * work.slope[s - 1][i];
+    status = f(t + node[s] * dt, static_cast<const R*>(work.stage), static_cast<R*>(work.slope[s]));
     if (status != Status::ok) return status;
   }
   for (int i = 0; i < n; ++i) {
@@ -74,7 +111,8 @@ inline Status rk4_step(RightSide&& f, R t, R dt, R* x, int n, RungeKuttaWorkspac
 // with ok.
 template <class R, int N, class RightSide>
 inline Status rodas3_step(RightSide&& f, const Matrix<R, N, N>& jacobian, const R* time_slope, R t, R dt,
-                          R* x, int n, RosenbrockWorkspace<R, N>& work, R* error = nullptr) {
+                          R* x, int n, RosenbrockWorkspace<R, N>& work, const R* known = nullptr,
+                          R* error = nullptr) {
   constexpr R kDiagonal = R(2);  // 1 / gamma
   constexpr R kNode[4] = {R(0), R(0), R(1), R(1)};
   constexpr R kTimeSlope[4] = {R(0.5), R(1.5), R(0), R(0)};
@@ -84,25 +122,27 @@ inline Status rodas3_step(RightSide&& f, const Matrix<R, N, N>& jacobian, const 
   constexpr R kWeight[4] = {R(2), R(0), R(1), R(1)};
   // The embedded solution leaves out the last increment, which is therefore the error estimate.
 
-  if (n < 1 || n > N || dt == R(0)) return Status::bad_argument;
-  if (!is_finite(t) || !is_finite(dt) || !integrate_detail::vector_finite(x, n)) return Status::not_finite;
+  if (dt == R(0)) return Status::bad_argument;
+  Status status = integrate_detail::startable(t, dt, x, n, N);
+  if (status != Status::ok) return status;
   for (int i = 0; i < n; ++i) {
     for (int j = 0; j < n; ++j) work.system(i, j) = -jacobian(i, j);
     work.system(i, i) += kDiagonal / dt;
   }
-  const Status factored = lu_factor(work.system, n, work.lu);
-  if (factored != Status::ok) return factored;
+  status = lu_factor(work.system, n, work.lu);
+  if (status != Status::ok) return status;
 
   for (int s = 0; s < 4; ++s) {
-    if (s != 1) {  // the second stage shares the point of the first
+    if (s == 0) {
+      status = integrate_detail::first_slope(f, t, static_cast<const R*>(x), n, known, work.slope);
+    } else if (s > 1) {  // the second stage shares the point of the first
       for (int i = 0; i < n; ++i) {
         work.stage[i] = x[i];
         for (int p = 0; p < s; ++p) work.stage[i] += kStage[s][p] * work.increment[p][i];
       }
-      const Status status =
-          f(t + kNode[s] * dt, static_cast<const R*>(work.stage), static_cast<R*>(work.slope));
-      if (status != Status::ok) return status;
+      status = f(t + kNode[s] * dt, static_cast<const R*>(work.stage), static_cast<R*>(work.slope));
     }
+    if (status != Status::ok) return status;
     R* u = work.increment[s];
     for (int i = 0; i < n; ++i) {
       R coupled = R(0);
@@ -110,24 +150,24 @@ inline Status rodas3_step(RightSide&& f, const Matrix<R, N, N>& jacobian, const 
       u[i] = work.slope[i] + coupled / dt;
       if (time_slope != nullptr) u[i] += kTimeSlope[s] * dt * time_slope[i];
     }
-    const Status solved = lu_solve(work.lu, u);
-    if (solved != Status::ok) return solved;
+    status = lu_solve(work.lu, u);
+    if (status != Status::ok) return status;
   }
   for (int i = 0; i < n; ++i) {
     work.stage[i] = x[i];
     for (int p = 0; p < 4; ++p) work.stage[i] += kWeight[p] * work.increment[p][i];
   }
-  const Status accepted = integrate_detail::accept(work.stage, n, x);
-  if (accepted == Status::ok && error != nullptr)
+  status = integrate_detail::accept(work.stage, n, x);
+  if (status == Status::ok && error != nullptr)
     for (int i = 0; i < n; ++i) error[i] = work.increment[3][i];
-  return accepted;
+  return status;
 }
 
 // The same for a right side that does not depend on time.
 template <class R, int N, class RightSide>
 inline Status rodas3_step(RightSide&& f, const Matrix<R, N, N>& jacobian, R t, R dt, R* x, int n,
-                          RosenbrockWorkspace<R, N>& work, R* error = nullptr) {
-  return rodas3_step(f, jacobian, static_cast<const R*>(nullptr), t, dt, x, n, work, error);
+                          RosenbrockWorkspace<R, N>& work, const R* known = nullptr, R* error = nullptr) {
+  return rodas3_step(f, jacobian, static_cast<const R*>(nullptr), t, dt, x, n, work, known, error);
 }
 
 }  // namespace tiltrotor
