@@ -59,14 +59,16 @@ $(FUZZ_TARGETS:%=$(BUILD)/fuzz_%): $(BUILD)/fuzz_%: $(BUILD)/tests/fuzz/test_%.o
 
 # ---- coverage ----
 
-COVERAGE_CXX ?= clang++
-coverage: ## statement and branch coverage of include/ and src/ by all tests, with what is not covered
+# Conditions and decisions (MC/DC) need clang 18 or later.
+COVERAGE_CXX ?= $(shell command -v clang++-19 || echo clang++)
+coverage: ## statement, branch and condition/decision coverage of include/ and src/ by all tests, with what is not covered
 	+$(Q)if ! $(COVERAGE_CXX) -print-prog-name=llvm-cov 2>/dev/null | xargs -r test -x; then \
 	  echo "coverage: $(COVERAGE_CXX) with llvm-cov is not installed, nothing measured"; else \
 	  LLVM_PROFILE_FILE='$(abspath $(BUILD))/coverage/profiles/%2m.profraw' \
 	  $(MAKE) BUILD=$(BUILD)/coverage CXX=$(COVERAGE_CXX) HOST_CXX=$(COVERAGE_CXX) ARCH= COVERAGE_CXX=$(COVERAGE_CXX) \
 	    CXXFLAGS='$(mapped)' HOST_CXXFLAGS='$(mapped)' coverage-measured; fi
-mapped = -O1 -fprofile-instr-generate -fcoverage-mapping
+mapped = -O1 -fprofile-instr-generate -fcoverage-mapping $(call if_accepted,-fcoverage-mcdc)
+if_accepted = $(shell $(COVERAGE_CXX) -fprofile-instr-generate -fcoverage-mapping $(1) -E -x c++ /dev/null >/dev/null 2>&1 && echo $(1))
 
 coverage-measured: all $(BUILD)/run_tests
 	$(Q)rm -rf $(BUILD)/profiles

@@ -11,7 +11,9 @@ tool() { "$clang" -print-prog-name="$1"; }
 "$(tool llvm-cov)" show -format=html -instr-profile="$build/tests.profdata" "$build/run_tests" \
     -object "$build/tiltrotor" -object "$build/tablegen" -ignore-filename-regex='(tests|bench|generated)/' \
     -show-branches=count -output-dir="$build/coverage" >/dev/null 2>&1 || true
-# Branches with their columns, which lcov does not know: file TAB line:column TAB times true TAB times false.
+# What lcov does not know, with its place, in lines of four fields divided by TABs: sides of branches (file, line:column,
+# times true, times false) and conditions of decisions of two or more (file, line:column+place, "mcdc", 1 when shown to
+# decide alone).
 "$(tool llvm-cov)" export -skip-functions -instr-profile="$build/tests.profdata" "$build/run_tests" \
     -object "$build/tiltrotor" -object "$build/tablegen" | sed 's/{"branches":/\n&/g' | awk '
   /^\{"branches":\[.*\],"expansions":/ { branches = substr($0, 1, index($0, "],\"expansions\":")) }
@@ -23,6 +25,19 @@ tool() { "$clang" -print-prog-name="$1"; }
       if (split(item[i], x, ",") >= 6) printf "%s\t%d:%d\t%s\t%s\n", file, x[1], x[2], x[5], x[6]
     }
     branches = ""
+    if ((at = index($0, "\"mcdc_records\":[[")) == 0) next
+    records = substr($0, at + 17)
+    sub(/\]\]\].*/, "]]", records)
+    n = split(records, item, /\]\],\[/)
+    for (i = 1; i <= n; ++i) {
+      split(item[i], x, ",")
+      shown = item[i]
+      sub(/^[^[]*\[/, "", shown)
+      gsub(/\]/, "", shown)
+      conditions = split(shown, condition, ",")
+      for (k = 1; k <= conditions; ++k)
+        printf "%s\t%d:%d+%d\tmcdc\t%d\n", file, x[1], x[2], k, condition[k] == "true"
+    }
   }' >"$build/coverage.branches"
 awk -v root="$PWD/" -v exclusions=tests/coverage/exclusions.txt -f tests/coverage/summary.awk "$build/coverage.lcov" \
     "$build/coverage.branches" >"$build/coverage.txt"

@@ -1,4 +1,5 @@
-# Sums statements (DA of an lcov file) and sides of branches by folder, and lists what is not covered.
+# Sums statements (DA of an lcov file), sides of branches and conditions of decisions by folder, and lists what is not
+# covered.
 
 function excluded(file, line,    i) {
   for (i = 1; i <= rules; ++i)
@@ -22,6 +23,10 @@ function room(file) {
   if (file ~ /^include\//) return "include"
   split(file, part, "/")
   return part[1] "/" part[2]
+}
+
+function share(part, whole) {
+  return sprintf("%d of %d %6.2f%%", part, whole, whole ? 100 * part / whole : 100)
 }
 
 BEGIN {
@@ -48,10 +53,19 @@ BEGIN {
   }
 }
 
-# The other file: branches of every instance of a template, at the same place of the source.
+# The other file: branches and conditions of every instance of a template, at the same place of the source.
 FNR < NR && split($0, field, "\t") == 4 && index(field[1], root) == 1 {
   file = substr(field[1], length(root) + 1)
   if (file !~ /^(include|src)\// || file ~ /^src\/(examples|firmware)\//) next
+  if (field[3] == "mcdc") {
+    key = file SUBSEP (field[2] + 0) SUBSEP field[2]
+    decides[key] += field[4]
+    if (!(key in condition_seen)) {
+      condition_seen[key] = 1
+      condition_order[++conditions] = key
+    }
+    next
+  }
   for (side = 0; side < 2; ++side) {
     key = file SUBSEP (field[2] + 0) SUBSEP field[2] SUBSEP side
     taken[key] += field[3 + side]
@@ -77,12 +91,18 @@ END {
     if (taken[branch_order[i]] > 0) ++sides_hit[room(at[1])]
     else if (hits[at[1], at[2]] > 0) one_sided = one_sided at[1] ":" at[2] ": one side only: " text(at[1], at[2]) "\n"
   }
-  printf "%s%s", missing, one_sided
-  printf "%-14s %22s %22s\n", "", "statements", "sides of branches"
+  for (i = 1; i <= conditions; ++i) {
+    split(condition_order[i], at, SUBSEP)
+    if (excluded(at[1], at[2])) continue
+    ++terms[room(at[1])]
+    if (decides[condition_order[i]] > 0) ++terms_hit[room(at[1])]
+    else if (hits[at[1], at[2]] > 0) idle = idle at[1] ":" at[3] ": never decides: " text(at[1], at[2]) "\n"
+  }
+  printf "%s%s%s", missing, one_sided, idle
+  printf "%-14s %22s %22s %22s\n", "", "statements", "sides of branches", "conditions (MC/DC)"
   for (name in statements)
-    printf "%-14s %6d of %6d %6.2f%% %6d of %6d %6.2f%%\n", name, statements_hit[name], statements[name],
-           100 * statements_hit[name] / statements[name], sides_hit[name], sides[name],
-           (sides[name] ? 100 * sides_hit[name] / sides[name] : 100)
+    printf "%-14s %22s %22s %22s\n", name, share(statements_hit[name], statements[name]),
+           share(sides_hit[name], sides[name]), conditions ? share(terms_hit[name], terms[name]) : "not measured"
   for (i = 1; i <= rules; ++i)
     if (!(i in used)) print "exclusion without a line: " rule_file[i] " | " rule_words[i]
 }
