@@ -294,8 +294,35 @@ TEST(linearize_refuses_bad_input) {
   Point p = reference_point("mast00_v000");
   CHECK(linearize(c, p.x, p.u, ControlSet{1, {control_count}}, work, model) == Status::bad_argument);
   CHECK_EQ(model.states, 0);
+  CHECK(linearize(c, p.x, p.u, ControlSet{1, {-1}}, work, model) == Status::bad_argument);
   CHECK(linearize(c, p.x, p.u, ControlSet{kMaxLinearControls + 1, {}}, work, model) == Status::bad_argument);
+  CHECK(linearize(c, p.x, p.u, ControlSet{-1, {}}, work, model) == Status::bad_argument);
+  CHECK(linearize(c, p.x, p.u, ControlSet{0, {}}, work, model) == Status::ok);
+  CHECK_EQ(model.controls, 0);
   p.x.velocity.x = std::nan("");
   CHECK(linearize(c, p.x, p.u, kInceptors, work, model) == Status::not_finite);
   CHECK(linearize(Configuration<double>{}, p.x, p.u, kInceptors, work, model) == Status::bad_argument);
+}
+
+// A model of rigid-body states alone is its own quasi-steady model; fast states that stand still have none.
+TEST(residualised_model_at_the_ends_of_its_range) {
+  static LinearModel<double> full, reduced, again;
+  static ResidualisationWorkspace<double> work;
+  const Point p = reference_point("mast00_v000");
+  linear_model(configuration(0), p.x, p.u, kInceptors, full);
+  CHECK(residualise(full, work, reduced) == Status::ok);
+  CHECK(residualise(reduced, work, again) == Status::ok);
+  for (int i = 0; i < kRigidStates; ++i) {
+    for (int j = 0; j < kRigidStates; ++j) CHECK_EQ(again.a(i, j), reduced.a(i, j));
+    for (int j = 0; j < reduced.controls; ++j) CHECK_EQ(again.b(i, j), reduced.b(i, j));
+  }
+  reduced.states = kRigidStates - 1;
+  CHECK(residualise(reduced, work, again) == Status::bad_argument);
+  for (int j = 0; j < full.states; ++j) full.a(kRigidStates, j) = 0;
+  CHECK(residualise(full, work, again) == Status::singular);
+  CHECK_EQ(again.states, 0);
+  linear_model(configuration(0), p.x, p.u, kInceptors, full);
+  full.b(kRigidStates + 1, 0) = std::nan("");
+  CHECK(residualise(full, work, again) == Status::not_finite);
+  CHECK_EQ(again.states, 0);
 }

@@ -240,6 +240,72 @@ TEST(modes_refuse_bad_input) {
   CHECK(modes(model, work, set) == Status::not_finite);
   CHECK_EQ(set.count, 0);
   CHECK(follow(other, set) == Status::bad_argument);
-  model.states = 0;
-  CHECK(modes(model, work, set) == Status::bad_argument);
+  for (const int states : {0, kRigidStates - 1, kMaxLinearStates + 1}) {
+    model.states = states;
+    CHECK(modes(model, work, set) == Status::bad_argument);
+  }
+  set = other;
+  CHECK(follow(other, set) == Status::ok);
+  set.states -= 1;
+  CHECK(follow(other, set) == Status::bad_argument);
+  set = other;
+  set.coordinate[2].state = ix_yaw;
+  CHECK(follow(other, set) == Status::bad_argument);
+  set = other;
+  other.count = 0;
+  CHECK(follow(other, set) == Status::bad_argument);
+}
+
+// All roots of [0 1; 0 0] and zeros are zero: no frequency, no time to half, no participation of the
+// defective pair, hence equal shares of the eight states.
+TEST(modes_of_a_chain_of_integrators) {
+  static LinearModel<double> model;
+  static ModesWorkspace<double> work;
+  static ModeSet<double> set;
+  const Point p = reference_point("mast30_v050");
+  static LinearModel<double> full;
+  static ResidualisationWorkspace<double> residual;
+  linear_model(configuration(30), p.x, p.u, kInceptors, full);
+  CHECK(residualise(full, residual, model) == Status::ok);
+  set_zero(model.a);
+  model.a(0, 1) = 1;
+  CHECK(modes(model, work, set) == Status::ok);
+  CHECK_EQ(set.count, 8);
+  check_names_unique(set);
+  int equal = 0;
+  for (int i = 0; i < set.count; ++i) {
+    const Mode<double>& m = set.mode[i];
+    CHECK(m.frequency == 0 && m.damping_ratio == 0 && std::isinf(m.time_to_half));
+    CHECK_NEAR(m.shares.body(), 1, 1e-12);
+    equal += std::abs(m.shares.u - 0.125) + std::abs(m.shares.r - 0.125) < 1e-12;
+    CHECK(std::isfinite(overlap(set, i, set, i)));
+  }
+  CHECK_EQ(equal, 2);
+}
+
+// With coning as states each rotor set has two more; they stand apart from flapping by their shares.
+TEST(modes_with_coning_states) {
+  Options options;
+  options.coning_states = true;
+  static ModeSet<double> set;
+  const Configuration<double> c = configuration(60, options);
+  const TrimResult<double> r = trimmed(c, level(60));
+  CHECK(is_trimmed(r.status));
+  modes_of(c, r.state, r.controls, set);
+  check_names_unique(set);
+  CHECK(has(set, "coning_sym") && has(set, "coning_anti") && has(set, "downwash"));
+  for (int i = 0; i < set.count; ++i) {
+    const ModeShares<double>& s = set.mode[i].shares;
+    if (set.mode[i].label.kind != ModeKind::coning) continue;
+    CHECK_LT(std::max({s.flap, s.inflow_mean, s.inflow_cyclic, s.body()}), s.coning);
+    CHECK((s.mean > s.difference) == (set.mode[i].label.symmetry == Symmetry::mean));
+  }
+}
+
+TEST(modes_names_are_written_with_two_digits) {
+  char name[kModeNameLength];
+  write_name({ModeKind::flap_progressing, Symmetry::difference, 12}, name);
+  CHECK_EQ(std::string(name), "flap_progressing_anti_12");
+  write_name({ModeKind::spiral, Symmetry::none, 2}, name);
+  CHECK_EQ(std::string(name), "spiral_2");
 }

@@ -198,7 +198,22 @@ TEST(response_inputs_have_their_shapes) {
   s.inputs = 0;
   CHECK(add_input(s, {InputShape::pulse, iu_pedal, 1, 0, 0}) == Status::bad_argument);
   CHECK(add_input(s, {InputShape::step, control_count, 1, 0, 0}) == Status::bad_argument);
-  CHECK(add_input(s, {InputShape::step, iu_pedal, std::nan(""), 0, 0}) == Status::bad_argument);
+  const double nan = std::nan("");
+  CHECK(add_input(s, {InputShape::step, iu_pedal, nan, 0, 0}) == Status::bad_argument);
+  CHECK(add_input(s, {InputShape::step, -1, 1, 0, 0}) == Status::bad_argument);
+  CHECK(add_input(s, {InputShape::step, iu_pedal, 1, HUGE_VAL, 0}) == Status::bad_argument);
+  CHECK(add_input(s, {InputShape::doublet, iu_pedal, 1, 0, nan}) == Status::bad_argument);
+  CHECK(add_input(s, {InputShape::step, iu_pedal, 1, 0, nan}) == Status::ok);  // a step has no duration
+
+  for (const double dt : {0.0, -0.01, 1.001, nan})
+    CHECK(start(c, s.state, s.controls, dt, Integrator::rk4, s) == Status::out_of_range);
+  CHECK(start(c, s.state, s.controls, 1.0, Integrator::rk4, s) == Status::ok);
+  Controls<double> u = s.controls;
+  u.lat_stick = nan;
+  CHECK(start(c, s.state, u, 0.01, Integrator::rk4, s) == Status::not_finite);
+  State<double> x = s.state;
+  x.yaw = HUGE_VAL;
+  CHECK(start(c, x, Controls<double>{}, 0.01, Integrator::rk4, s) == Status::not_finite);
 }
 
 TEST(response_replay_is_exact) {

@@ -317,8 +317,11 @@ TEST(trim_refuses_bad_input) {
     CHECK(contains(explanation(r), "bad input"));
   }
   TrimOptions options;
-  options.max_iterations = 0;
-  CHECK(trimmed(c, level(10), options).status == TrimStatus::out_of_range);
+  for (const int bad : {0, kMaxTrimIterations + 1}) {
+    options.max_iterations = bad;
+    CHECK(trimmed(c, level(10), options).status == TrimStatus::out_of_range);
+    CHECK(explanation(trimmed(c, level(10), options)) == "bad input: configuration or options");
+  }
   const Configuration<double> unprepared{};
   CHECK(trimmed(unprepared, level(10)).status == TrimStatus::out_of_range);
 }
@@ -343,4 +346,107 @@ TEST(trim_under_every_set_of_states) {
     const double omega = c.setup.rotor_speed;
     for (int i = 0; i < active.count; ++i) CHECK_NEAR(flat[active.index[i]], 0, 1e-9 * omega * omega);
   }
+}
+
+// Each limit alone, a tenth beyond on either side and just within.
+TEST(trim_limits_are_found_one_by_one) {
+  const Configuration<double> c = configuration(0);
+  const ControlTables<double>& t = c.aircraft->controls;
+  struct Case {
+    TrimLimit limit;
+    double bound;
+    double Controls<double>::*control;
+    double BladeControls<double>::*surface;
+  };
+  using U = Controls<double>;
+  using S = BladeControls<double>;
+  const Case cases[] = {{TrimLimit::long_stick, t.long_travel, &U::long_stick, nullptr},
+                        {TrimLimit::lat_stick, t.lat_travel, &U::lat_stick, nullptr},
+                        {TrimLimit::pedal, t.pedal_travel, &U::pedal, nullptr},
+                        {TrimLimit::elevator, t.elevator_limit, nullptr, &S::elevator},
+                        {TrimLimit::aileron, t.aileron_limit, nullptr, &S::aileron},
+                        {TrimLimit::rudder, t.rudder_limit, nullptr, &S::rudder}};
+  for (const Case& k : cases) {
+    for (const double part : {-1.1, -1.0, 1.0, 1.1}) {
+      Controls<double> u{};
+      BladeControls<double> surfaces{};
+      (k.control != nullptr ? u.*k.control : surfaces.*k.surface) = part * k.bound;
+      const LimitCheck<double> check = check_limits(c, 0.0, 0.0, State<double>{}, u, surfaces);
+      const bool beyond = std::abs(part) > 1;
+      CHECK(check.limit == (beyond ? k.limit : TrimLimit::none));
+      CHECK(check.status == (beyond ? TrimStatus::control_limit : TrimStatus::ok));
+      CHECK_EQ(check.value, beyond ? part * k.bound : 0.0);
+      CHECK_EQ(check.bound, beyond ? std::copysign(k.bound, part) : 0.0);
+    }
+  }
+  for (const int side : {right, left}) {
+    State<double> x{};
+    x.rotor[side].b1c = -0.8 * t.flap_limit;
+    CHECK(check_limits(c, 0.0, 0.0, x, {}, {}).status == TrimStatus::ok);
+    x.rotor[side].b1s = 0.8 * t.flap_limit;
+    const LimitCheck<double> check = check_limits(c, 0.0, 0.0, x, {}, {});
+    CHECK(check.status == TrimStatus::flap_limit && is_trimmed(check.status));
+    CHECK(check.limit == (side == right ? TrimLimit::gimbal_right : TrimLimit::gimbal_left));
+    CHECK_NEAR(check.value, std::sqrt(1.28) * t.flap_limit, 1e-15);
+  }
+}
+
+TEST(trim_explanations_of_every_outcome) {
+  TrimResult<double> r{};
+  r.status = TrimStatus::not_finite;
+  r.residual_state = ix_w;
+  CHECK(explanation(r) == "the rate of w is not a number at the first guess");
+  r.status = TrimStatus::singular;
+  r.iterations = 12;
+  const std::string begin = "no trim found in 12 Newton steps: scaled residual ";
+  const auto residual = [&](double value, const char* words) {
+    r.residual = value;
+    if (!CHECK(explanation(r) == begin + words + " left in the rate of w")) NOTE(explanation(r));
+  };
+  residual(0, "0");
+  residual(7654, "7e3");
+  residual(2.5e-4, "2e-4");
+  residual(HUGE_VAL, "no number");
+  residual(std::nan(""), "no number");
+  residual(-1, "no number");
+  r.status = TrimStatus::flap_limit;
+  const auto limit = [&](TrimLimit which, double value, double bound, const std::string& words) {
+    r.limit = which;
+    r.limit_value = value;
+    r.limit_bound = bound;
+    if (!CHECK(explanation(r) == "trimmed, but " + words)) NOTE(explanation(r));
+  };
+  limit(TrimLimit::gimbal_left, 12.345 * kDeg, 12 * kDeg, "left gimbal tilt 12.35 deg is beyond 12.00 deg");
+  limit(TrimLimit::lat_stick, -4.904, -4.8, "lateral stick -4.90 in is beyond -4.80 in");
+  limit(TrimLimit::pedal, -0.001, std::nan(""), "pedal 0.00 in is beyond no number in");
+  limit(TrimLimit::pedal, -1e9, HUGE_VAL, "pedal very large in is beyond very large in");
+  r.status = TrimStatus::count;
+  CHECK(explanation(r) == "bad input: configuration or options");
+  CHECK(std::string(trim_status_word(TrimStatus::count)) == "unknown");
+}
+
+// A first guess that is no number is refused with the rate it spoils, and leaves no NaN behind.
+TEST(trim_from_a_guess_that_is_no_number) {
+  static TrimWorkspace<double> work;
+  const Configuration<double> c = configuration(0);
+  TrimResult<double> r = trimmed(c, level(20));
+  r.state.pitch = std::nan("");
+  CHECK(trim_from(c, level(20), work, r) == TrimStatus::not_finite);
+  CHECK(contains(explanation(r), "is not a number at the first guess"));
+  CHECK_EQ(r.iterations, 0);
+  double x[state_count];
+  pack(r.state, x);
+  for (const double value : x) CHECK(std::isfinite(value));
+  CHECK(trim_from(c, level(-1), work, r) == TrimStatus::out_of_range);
+  CHECK(r.invalid == SteadyFlightField::speed);
+}
+
+// Where there is no trim, each way to approach one is tried: from level flight where the flight is not, and
+// from a speed below and above.
+TEST(trim_tries_every_approach) {
+  const Configuration<double> c = configuration(0);
+  CHECK_EQ(trimmed(c, level(140)).attempts, 3);
+  CHECK_EQ(trimmed(c, {140, 0, 0.1, 0}).attempts, 4);
+  CHECK_EQ(trimmed(c, {140, 0, 0, 0.1}).attempts, 4);
+  CHECK_EQ(trimmed(c, {140, 0.1, 0, 0}).attempts, 4);
 }

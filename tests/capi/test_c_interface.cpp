@@ -366,6 +366,16 @@ TEST(capi_bad_flights_leave_the_aircraft_alone) {
     CHECK(std::strlen(result.text) > 0);
     CHECK(same_bits(sim, before));
   }
+  // Beyond a limit: the aircraft takes the trim, and the status names the kind of limit.
+  const auto beyond = [&work](tr_real mast_deg, const tr_flight& flight, const char* words) {
+    tr_sim limited = sim_at(mast_deg);
+    tr_trim_result result;
+    const tr_status status = tr_trim(&limited, work.get(), &flight, &result);
+    CHECK(std::strstr(result.text, words) != nullptr);
+    return status;
+  };
+  CHECK_EQ(beyond(30, {24, 0, 0, 0}, "wing angle of attack"), TR_WING_STALL);
+  CHECK_EQ(beyond(0, {40, 0, 0, tr_real(0.35)}, "pedal"), TR_CONTROL_LIMIT);
   // 140 m/s in helicopter mode: no trim, or one beyond a limit; never a crash, always a reason.
   const tr_flight fast = {140, 0, 0, 0};
   tr_trim_result result;
@@ -506,6 +516,19 @@ TEST(capi_agrees_with_the_analyses) {
       for (std::size_t j = 0; j < 14; ++j) same = same && b[i * 14 + j] == model->b(int(i), int(j));
     }
     CHECK(same);
+    // The blade controls are some of all controls: the same columns.
+    std::vector<tr_real> b_blades(b.size());
+    tr_linear_shape blades;
+    CHECK_EQ(tr_linearize(&sim, work.get(), TR_BLADE_CONTROLS, &blades, a.data(), a.size(), b_blades.data(),
+                          b_blades.size()),
+             TR_OK);
+    const auto columns = static_cast<std::size_t>(blades.controls);
+    CHECK_EQ(columns, static_cast<std::size_t>(kBladeControls.count));
+    for (std::size_t j = 0; j < columns; ++j) {
+      const auto all = static_cast<std::size_t>(kBladeControls.index[j]);
+      for (std::size_t i = 0; i < n; ++i)
+        CHECK_REL(b_blades[i * columns + j], b[i * 14 + all], sizeof(tr_real) > 4 ? 1e-12 : 1e-4);
+    }
     const auto modes_work = std::make_unique<ModesWorkspace<tr_real>>();
     const auto set = std::make_unique<ModeSet<tr_real>>();
     CHECK(modes(*model, *modes_work, *set) == Status::ok);

@@ -123,3 +123,16 @@ TEST(cli_modes_every_fills_rows_at_its_interval) {
     CHECK_EQ(flight.text(row, "mode1").empty(), row % 5 != 0);
   }
 }
+
+// Euler angles end where the nose points straight up: the rows so far, the time and the state, exit status 1.
+TEST(cli_respond_reports_a_lost_flight) {
+  const check::ProgramResult lost =
+      run_tiltrotor("respond --speed 40 --input long_stick=30in@0.5 --duration 30 --dt 0.01 --format csv");
+  CHECK_EQ(lost.exit_status, 1);
+  CHECK(lost.err.find("respond: the flight cannot be continued beyond ") != std::string::npos);
+  CHECK(lost.err.find(", state ") != std::string::npos);
+  const CsvText rows(lost.out);
+  CHECK_LT(51u, rows.rows.size());
+  CHECK_LT(rows.rows.size(), 3001u);
+  CHECK_LT(rows.number(rows.rows.size() - 1, "time_s"), 30.0);
+}

@@ -1,5 +1,7 @@
 // Files appear whole or not at all; a reader that leaves and a full disk are reported; formats and shards.
 #include <algorithm>
+#include <sstream>
+#include <vector>
 
 #include "check.hpp"
 #include "cli/csv_text.hpp"
@@ -128,4 +130,67 @@ TEST(cli_table_has_one_line_a_row) {
   const std::string table = run_tiltrotor("trim --speed 0:10:50 --format table").out;
   CHECK_EQ(std::count(table.begin(), table.end(), '\n'), 7);
   CHECK_EQ(table.find(','), std::string::npos);
+}
+
+namespace {
+
+// Numbers of "model(1).NAME = [ ... ];" in row order.
+std::vector<double> matlab_numbers(const std::string& text, const std::string& name) {
+  const std::size_t begin = text.find("model(1)." + name + " = [");
+  std::vector<double> numbers;
+  if (!CHECK(begin != std::string::npos)) return numbers;
+  const std::size_t open = text.find('[', begin);
+  std::string inside = text.substr(open + 1, text.find(']', open) - open - 1);
+  std::replace(inside.begin(), inside.end(), ';', ' ');
+  std::istringstream in(inside);
+  for (double x; in >> x;) numbers.push_back(x);
+  return numbers;
+}
+
+}  // namespace
+
+// The file's states, as the derivative command takes them: one model a row, and none of them changes a state.
+// A name with quotation marks and a control character stays itself in JSON.
+TEST(cli_linearize_at_given_states) {
+  const std::string states = " --states " + check::quoted(reference_states);
+  const check::CsvText rates(run_tiltrotor("derivative" + states + " --format csv").out);
+  const check::ProgramResult run = run_tiltrotor("linearize --reduce rigid --format csv" + states);
+  CHECK_EQ(run.exit_status, 0);
+  const check::CsvText models(run.out);
+  std::size_t theta = 0;
+  for (std::size_t row = 0; row < models.rows.size(); ++row) {
+    if (models.text(row, "matrix") != "x0" || models.text(row, "row") != "theta") continue;
+    if (!CHECK(theta < rates.rows.size())) return;
+    CHECK_EQ(models.number(row, "value"), rates.number(theta, "theta"));
+    CHECK(models.text(row, "case") == rates.text(theta, "case"));
+    ++theta;
+  }
+  CHECK_EQ(theta, rates.rows.size());
+}
+
+// The same model in three forms: every number of the script stands in the CSV, in the order of A's and B's
+// rows; the table has one row a state.
+TEST(cli_linearize_forms_agree) {
+  const std::string command = "linearize --mast 90 --speed 80 --reduce rigid --format ";
+  const check::CsvText csv(run_tiltrotor(command + "csv").out);
+  const check::ProgramResult script = run_tiltrotor(command + "matlab");
+  CHECK_EQ(script.exit_status, 0);
+  const std::vector<double> a = matlab_numbers(script.out, "A");
+  const std::vector<double> b = matlab_numbers(script.out, "B");
+  CHECK(a.size() == 64 && b.size() == 32);
+  CHECK_EQ(matlab_numbers(script.out, "x0").size(), 8u);
+  CHECK_EQ(matlab_numbers(script.out, "u0").size(), 4u);
+  std::size_t in_a = 0, in_b = 0;
+  for (std::size_t row = 0; row < csv.rows.size(); ++row) {
+    const std::string which = csv.text(row, "matrix");
+    if (which == "A" && in_a < a.size()) CHECK_EQ(csv.number(row, "value"), a[in_a++]);
+    if (which == "B" && in_b < b.size()) CHECK_EQ(csv.number(row, "value"), b[in_b++]);
+  }
+  CHECK(in_a == 64 && in_b == 32);
+  CHECK(script.out.find("model(1).states = {'u', ") != std::string::npos);
+  const check::ProgramResult table = run_tiltrotor(command + "table");
+  CHECK_EQ(std::count(table.out.begin(), table.out.end(), '\n'), 10);
+  CHECK(table.out.find("mast 90 deg, 80 m/s: ok") != std::string::npos);
+  CHECK(run_tiltrotor("linearize --mast 90 --speed 20 --format matlab").out.find("'not_converged'") !=
+        std::string::npos);
 }

@@ -105,6 +105,37 @@ TEST(isolated_rotor_refuses_bad_flow) {
   CHECK(stand.run(flow(8, 200, 0)) == Status::out_of_range);
   CHECK(stand.run(flow(8, 0, nan)) == Status::out_of_range);
   CHECK(stand.run(flow(91, 0, 0)) == Status::out_of_range);
+  for (const double cyclic : {nan, 0.6, -0.6}) {
+    RotorFlow<double> f = flow(8, 0, 0);
+    f.lateral_cyclic = cyclic;
+    CHECK(stand.run(f) == Status::out_of_range);
+    f.lateral_cyclic = 0;
+    f.long_cyclic = cyclic;
+    CHECK(stand.run(f) == Status::out_of_range);
+  }
+}
+
+// Figure of merit and efficiency are ratios of useful to spent power: none where nothing is lifted or pulled,
+// and none where the stream turns the rotor.
+TEST(isolated_rotor_figures_exist_where_they_mean_something) {
+  Stand stand(0);
+  const auto run = [&](double collective, double axial, double in_plane) {
+    CHECK(stand.run(flow(collective, axial, in_plane)) == Status::ok);
+    return stand.rotor.figures;
+  };
+  const RotorFigures<double> hover = run(9, 0, 0);
+  CHECK_LT(0.5, hover.figure_of_merit);
+  CHECK_LT(hover.figure_of_merit, 1.0);
+  CHECK(std::isnan(hover.efficiency));
+  const RotorFigures<double> pushes_down = run(-12, 0, 0);
+  CHECK(pushes_down.thrust < 0 && std::isnan(pushes_down.figure_of_merit));
+  CHECK(std::isnan(run(9, 0, 20).figure_of_merit) && std::isnan(run(9, 0, 20).efficiency));
+  const RotorFigures<double> climb = run(14, 15, 0);
+  CHECK_REL(climb.efficiency, climb.thrust * 15 / climb.power, 1e-14);
+  CHECK_LT(climb.efficiency, 1.0);
+  CHECK(std::isnan(climb.figure_of_merit));
+  const RotorFigures<double> windmill = run(0, 60, 0);
+  CHECK(windmill.thrust < 0 && std::isnan(windmill.efficiency));
 }
 
 TEST(isolated_rotor_converges_over_its_range) {

@@ -481,3 +481,13 @@ TEST(eigen_same_bits_every_time) {  // what was in the workspace before does not
     for (int i = 0; i < 23; ++i) CHECK_EQ(again.left(i, k), bench.system.left(i, k));
   }
 }
+
+// Half of the smallest normal number's exponent and half of the digits on top: 2^-484 in double, 2^-50 in
+// single precision, so that the square of a larger one is a normal number with all its digits.
+TEST(eigen_negligible_size_has_a_normal_square) {
+  double size = tiltrotor::francis_detail::negligible_size<double>();
+  CHECK_EQ(size, std::ldexp(1.0, -484));
+  float small = tiltrotor::francis_detail::negligible_size<float>();
+  CHECK_EQ(small, std::ldexp(1.0f, -50));
+  CHECK_LT(std::numeric_limits<double>::min() / std::numeric_limits<double>::epsilon(), size * size * 4);
+}

@@ -223,3 +223,47 @@ TEST(integrators_leave_the_state_alone_when_they_fail) {
   CHECK_EQ(x[1], 2.0);
   CHECK_EQ(x[2], 3.0);
 }
+
+TEST(integrators_refuse_bad_sizes_times_and_states) {
+  static RungeKuttaWorkspace<double, 2> runge_kutta;
+  static RosenbrockWorkspace<double, 2> rosenbrock;
+  static Matrix<double, 2, 2> jacobian;
+  set_zero(jacobian);
+  int calls = 0;
+  const auto f = [&calls](double, const double*, double* xdot) {
+    xdot[0] = xdot[1] = 0.0;
+    ++calls;
+    return Status::ok;
+  };
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const double infinity = std::numeric_limits<double>::infinity();
+  const auto both = [&](double t, double dt, double second, int n, Status expected) {
+    double x[2] = {1.0, second}, error[2] = {5.0, 5.0};
+    CHECK(rk4_step(f, t, dt, x, n, runge_kutta) == expected);
+    CHECK(rodas3_step(f, jacobian, t, dt, x, n, rosenbrock, error) == expected);
+    CHECK(x[0] == 1.0 && error[0] == (expected == Status::ok ? 0.0 : 5.0));
+  };
+  both(0.0, 0.1, 2.0, 2, Status::ok);
+  both(0.0, 0.1, nan, 1, Status::ok);  // beyond n nothing is read
+  calls = 0;
+  both(0.0, 0.1, 2.0, 0, Status::bad_argument);
+  both(0.0, 0.1, 2.0, 3, Status::bad_argument);
+  both(nan, 0.1, 2.0, 2, Status::not_finite);
+  both(0.0, infinity, 2.0, 2, Status::not_finite);
+  both(0.0, 0.1, -infinity, 2, Status::not_finite);
+  CHECK_EQ(calls, 0);
+}
+
+// Every increment of a step is finite, their sum with a state near the end of the range is not.
+TEST(integrators_report_a_sum_beyond_the_range) {
+  static RosenbrockWorkspace<double, 1> rosenbrock;
+  static RungeKuttaWorkspace<double, 1> runge_kutta;
+  const auto f = [](double, const double*, double* xdot) {
+    xdot[0] = 2e307;
+    return Status::ok;
+  };
+  double x[1] = {1.79e308}, error[1] = {5.0};
+  CHECK(rodas3_step(f, Matrix<double, 1, 1>{}, 0.0, 1.0, x, 1, rosenbrock, error) == Status::not_finite);
+  CHECK(rk4_step(f, 0.0, 1.0, x, 1, runge_kutta) == Status::not_finite);
+  CHECK(x[0] == 1.79e308 && error[0] == 5.0);
+}

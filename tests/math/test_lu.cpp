@@ -194,3 +194,41 @@ TEST(lu_survives_extreme_scales) {
   for (double solution : x) CHECK_REL(solution, 1.0, 1e-15);
   CHECK_REL(lu_reciprocal_condition(lu), 1e-240, 1e-12);
 }
+
+TEST(lu_every_solution_refuses_factors_and_columns_that_are_none) {
+  static LU<double, 4> lu;
+  static Matrix<double, 4, 2> b, x;
+  double y[4] = {1, 2, 3, 4};
+  CHECK(lu_factor(identity<double, 4>(), 4, lu) == Status::ok);
+  for (const int columns : {-1, 3}) CHECK(lu_solve(lu, b, columns, x) == Status::bad_argument);
+  b(2, 1) = std::numeric_limits<double>::infinity();
+  CHECK(lu_solve(lu, b, 2, x) == Status::not_finite);
+  for (int i = 0; i < 4; ++i) CHECK(std::isnan(x(i, 0)) && std::isnan(x(i, 1)));
+  CHECK(lu_solve(lu, b, 1, x) == Status::ok);  // the bad column is not asked for
+  for (const int size : {-1, 0, 5}) {
+    lu.size = size;
+    CHECK(lu_solve(lu, y) == Status::bad_argument);
+    CHECK(lu_solve_transposed(lu, y) == Status::bad_argument);
+    x(0, 0) = 7;
+    CHECK(lu_solve(lu, b, 1, x) == Status::bad_argument);
+    CHECK_EQ(x(0, 0), 0.0);
+    CHECK_EQ(lu_reciprocal_condition(lu), 0.0);
+  }
+  for (int i = 0; i < 4; ++i) CHECK_EQ(y[i], i + 1.0);
+}
+
+// By hand: the inverse of [e 1/e; 0 e] holds -1/e^3, of diag(e, 1/e) the condition number is 1/e^2.
+TEST(lu_condition_beyond_the_range_is_zero) {
+  static LU<double, 2> lu;
+  static Matrix<double, 2, 2> a;
+  const double e = std::ldexp(1.0, -600);
+  set_zero(a);
+  a(0, 0) = a(1, 1) = e;
+  a(0, 1) = 1 / e;
+  CHECK(lu_factor(a, 2, lu) == Status::ok);
+  CHECK_EQ(lu_reciprocal_condition(lu), 0.0);
+  a(0, 1) = 0;
+  a(1, 1) = 1 / e;
+  CHECK(lu_factor(a, 2, lu) == Status::ok);
+  CHECK_EQ(lu_reciprocal_condition(lu), 0.0);
+}

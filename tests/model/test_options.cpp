@@ -308,6 +308,9 @@ TEST(options_and_setup_ranges) {
   CHECK(refused([](S& s) { s.mast_deg = -0.1; }));
   CHECK(refused([](S& s) { s.mast_deg = 90.1; }));
   CHECK(refused([](S& s) { s.mast_deg = std::nan(""); }));
+  CHECK(refused([](S& s) { s.mast_rate = -1.1; }));
+  CHECK(refused([](S& s) { s.sl_cg = 8.1; }));
+  CHECK(refused([](S& s) { s.wl_cg = 1.4; }));
   CHECK(refused([](S& s) { s.flap_deg = 76; }));
   CHECK(refused([](S& s) { s.altitude = 12000; }));
   CHECK(refused([](S& s) { s.rotor_speed = 0; }));

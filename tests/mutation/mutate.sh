@@ -62,7 +62,7 @@ built() {
     timeout 300 "$cxx" $flags -I"$2" "${defines[@]}" -c "$1" -o "$work/test.o" 2>/dev/null &&
         "$cxx" "$work/test.o" $data -o "$work/run" 2>/dev/null
 }
-passes() { timeout 120 "$work/run" --skip slow_ >/dev/null 2>&1; }
+passes() { ( timeout 120 "$work/run" --skip slow_ ) >/dev/null 2>&1; }
 # sound TEST: it passes without a mutant. Asked only of tests that noticed one, once each.
 sound() {
     local name

@@ -42,7 +42,6 @@ constexpr const char* axis_word(ModeAxis axis) {
 constexpr const char* kind_word(ModeKind kind) {
   return mode_detail::kKindWords[static_cast<unsigned>(kind)];
 }
-constexpr bool is_rotor_kind(ModeKind kind) { return kind >= ModeKind::flap_progressing; }
 
 // What the name of a mode is made of. Two modes of one set never have the same.
 struct ModeLabel {

@@ -36,7 +36,7 @@ class Sentence {
   // Two decimals.
   Sentence& fixed(double number) {
     const double limit = 1e7;
-    if (!(number > -limit && number < limit)) return *this << (number > 0 ? "very large" : "no number");
+    if (!(number > -limit && number < limit)) return *this << (number == number ? "very large" : "no number");
     const double size = number < 0 ? -number : number;
     const long hundredths = static_cast<long>(size * 100 + 0.5);
     if (number < 0 && hundredths > 0) put('-');
