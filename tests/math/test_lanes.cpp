@@ -85,7 +85,7 @@ TEST(lanes_operations_against_scalar_loops) {
 
 TEST(lanes_width_fits_the_count) {
   CHECK_EQ(lane_width<double>(1), 1);
-  const int widest = kVectorBytes / static_cast<int>(sizeof(double));
+  const int widest = kWidestLanes<double>;
   CHECK_EQ(lane_width<double>(1000), widest);
   for (int count = 1; count <= 64; ++count) {
     const int width = lane_width<double>(count);

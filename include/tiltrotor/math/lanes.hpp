@@ -1,7 +1,8 @@
 // Partials: a short fixed vector of partial derivatives, padded to the lane width of the target.
 //
 // The lane width is chosen at compile time from the instruction set (AVX-512 64 bytes, AVX 32, SSE2 and
-// NEON 16, otherwise one scalar). With GCC and clang the lanes are compiler vector types; elsewhere, or with
+// NEON 16, otherwise one scalar of any precision: pairs of floats without instructions for them double the
+// code). With GCC and clang the lanes are compiler vector types; elsewhere, or with
 // TILTROTOR_PORTABLE_LANES defined, plain arrays take their place. Each lane sees the same operations in the
 // same order in both forms, so the results are the same. Padding lanes start at zero and stay unread.
 #pragma once
@@ -25,15 +26,19 @@ inline constexpr int kVectorBytes = 32;
 #elif defined(__SSE2__) || defined(__ARM_NEON)
 inline constexpr int kVectorBytes = 16;
 #else
-inline constexpr int kVectorBytes = 8;
+inline constexpr int kVectorBytes = 4;
 #endif
+
+// Numbers of type R in the widest vector, at least one.
+template <class R>
+inline constexpr int kWidestLanes =
+    kVectorBytes > static_cast<int>(sizeof(R)) ? kVectorBytes / static_cast<int>(sizeof(R)) : 1;
 
 // Lanes of one vector for `count` partials of type R: the widest the target has, but no wider than needed.
 template <class R>
 constexpr int lane_width(int count) {
-  const int widest = kVectorBytes / static_cast<int>(sizeof(R));
   int width = 1;
-  while (width < widest && width < count) width *= 2;
+  while (width < kWidestLanes<R> && width < count) width *= 2;
   return width;
 }
 

@@ -15,7 +15,7 @@
 namespace tiltrotor {
 
 template <class R>
-inline constexpr int kPackLanes = kVectorBytes / static_cast<int>(sizeof(R));
+inline constexpr int kPackLanes = kWidestLanes<R>;
 
 namespace detail {
 
