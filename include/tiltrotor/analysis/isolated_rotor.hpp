@@ -51,8 +51,21 @@ struct IsolatedRotor {
 // Two flapping or cyclic angles, three inflow states, coning.
 inline constexpr int kRotorUnknowns = 6;
 
+// Input, response and memory of one evaluation on scalar T.
+template <class T>
+struct IsolatedRotorRoom {
+  T flat[RotorInput<T>::kCount];
+  T variable[kRotorUnknowns];
+  T residual[kRotorUnknowns];
+  RotorInput<T> in;
+  RotorResponse<T> out;
+  RotorRoom<T> rotor;
+};
+
 template <class R>
 struct IsolatedRotorWorkspace {
+  RotorRoom<R> plain;
+  IsolatedRotorRoom<Dual<R, kRotorUnknowns>> seeded;
   Matrix<R, kRotorUnknowns, kRotorUnknowns> jacobian;
   LU<R, kRotorUnknowns> factors;
 };
@@ -160,30 +173,28 @@ R largest(const R* x, int n) {
 // Residuals at z on plain numbers; `rotor` receives input and response.
 template <class R>
 void evaluate(const Configuration<R>& c, const Unknowns& set, CyclicUse cyclic, const R* z,
-              IsolatedRotor<R>& rotor, R* residual) {
+              RotorRoom<R>& room, IsolatedRotor<R>& rotor, R* residual) {
   place(set, cyclic, z, rotor.input);
-  rotor.response = rotor_response(c, rotor.input, c.azimuth);
+  rotor_response(c, rotor.input, c.azimuth, room, rotor.response);
   residuals(c, set, rotor.response, residual);
 }
 
 template <class R>
 void jacobian(const Configuration<R>& c, const Unknowns& set, CyclicUse cyclic, const R* z,
-              const RotorInput<R>& at, Matrix<R, kRotorUnknowns, kRotorUnknowns>& matrix) {
+              const RotorInput<R>& at, IsolatedRotorWorkspace<R>& work) {
   using D = Dual<R, kRotorUnknowns>;
-  D flat[RotorInput<D>::kCount];
+  IsolatedRotorRoom<D>& room = work.seeded;
   R plain[RotorInput<R>::kCount];
   pack(at, plain);
-  for (int i = 0; i < RotorInput<R>::kCount; ++i) flat[i] = D(plain[i]);
-  RotorInput<D> in;
-  unpack(flat, in);
-  D variable[kRotorUnknowns];
-  D residual[kRotorUnknowns];
+  for (int i = 0; i < RotorInput<R>::kCount; ++i) room.flat[i] = D(plain[i]);
+  unpack(room.flat, room.in);
   const int n = set.count();
-  for (int j = 0; j < n; ++j) variable[j] = D::variable(z[j], j);
-  place(set, cyclic, variable, in);
-  residuals(c, set, rotor_response(c, in, c.azimuth), residual);
+  for (int j = 0; j < n; ++j) room.variable[j] = D::variable(z[j], j);
+  place(set, cyclic, room.variable, room.in);
+  rotor_response(c, room.in, c.azimuth, room.rotor, room.out);
+  residuals(c, set, room.out, room.residual);
   for (int i = 0; i < n; ++i) {
-    for (int j = 0; j < n; ++j) matrix(i, j) = residual[i].d.get(j);
+    for (int j = 0; j < n; ++j) work.jacobian(i, j) = room.residual[i].d.get(j);
   }
 }
 
@@ -258,7 +269,7 @@ Status isolated_rotor(const Configuration<R>& c, const RotorFlow<R>& flow, Isola
   }
   z[2] = first_inflow(c, flow, solidity);
   if (set.coning) z[2 + set.harmonics] = c.coning;
-  isolated_rotor_detail::evaluate(c, set, flow.cyclic, z, rotor, residual);
+  isolated_rotor_detail::evaluate(c, set, flow.cyclic, z, work.plain, rotor, residual);
 
   Status status = Status::not_converged;
   for (; rotor.iterations < kMaxIterations; ++rotor.iterations) {
@@ -271,7 +282,7 @@ Status isolated_rotor(const Configuration<R>& c, const RotorFlow<R>& flow, Isola
       status = Status::ok;
       break;
     }
-    jacobian(c, set, flow.cyclic, z, rotor.input, work.jacobian);
+    jacobian(c, set, flow.cyclic, z, rotor.input, work);
     R step[kRotorUnknowns];
     for (int i = 0; i < n; ++i) step[i] = -residual[i];
     status = lu_factor(work.jacobian, n, work.factors);
@@ -284,7 +295,7 @@ Status isolated_rotor(const Configuration<R>& c, const RotorFlow<R>& flow, Isola
     R trial[kRotorUnknowns];
     for (int halving = 0; halving <= kMaxHalvings; ++halving) {
       for (int j = 0; j < n; ++j) trial[j] = z[j] + step[j];
-      isolated_rotor_detail::evaluate(c, set, flow.cyclic, trial, rotor, residual);
+      isolated_rotor_detail::evaluate(c, set, flow.cyclic, trial, work.plain, rotor, residual);
       if (sum_of_squares(residual, n) < before) break;
       for (int j = 0; j < n; ++j) step[j] *= R(0.5);
     }

@@ -73,6 +73,19 @@ void trim_equations(const Configuration<R>& c, TrimEquations<R>& equations) {
   }
 }
 
+// Velocity and rates of the steady flight at the attitude in room.x.
+template <class T>
+TILTROTOR_NOINLINE void set_steady_motion(const SteadyFlight<Real<T>>& flight, ModelRoom<T>& room) {
+  const Vec3<T> velocity = steady_velocity(flight, room.x[ix_roll], room.x[ix_pitch]);
+  const Vec3<T> rates = steady_rates(flight, room.x[ix_roll], room.x[ix_pitch]);
+  room.x[ix_u] = velocity.x;
+  room.x[ix_v] = velocity.y;
+  room.x[ix_w] = velocity.z;
+  room.x[ix_p] = rates.x;
+  room.x[ix_q] = rates.y;
+  room.x[ix_r] = rates.z;
+}
+
 // Residuals of the unknowns z, on plain numbers or duals. `controls`: values of the inputs that are not
 // unknowns.
 template <class T>
@@ -89,14 +102,7 @@ void trim_residuals(const Configuration<Real<T>>& c, const SteadyFlight<Real<T>>
       room.u[row.control] = z[j];
     }
   }
-  const Vec3<T> velocity = steady_velocity(flight, room.x[ix_roll], room.x[ix_pitch]);
-  const Vec3<T> rates = steady_rates(flight, room.x[ix_roll], room.x[ix_pitch]);
-  room.x[ix_u] = velocity.x;
-  room.x[ix_v] = velocity.y;
-  room.x[ix_w] = velocity.z;
-  room.x[ix_p] = rates.x;
-  room.x[ix_q] = rates.y;
-  room.x[ix_r] = rates.z;
+  set_steady_motion(flight, room);
   model_rates(c, R(0), room);
   for (int j = 0; j < equations.count; ++j) {
     residual[j] = room.x[equations.row[j].rate] * equations.row[j].rate_scale;

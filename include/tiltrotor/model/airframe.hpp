@@ -40,7 +40,7 @@ void airframe_response(const Configuration<Real<T>>& c, const AirframeInput<T>& 
                        AirframeResponse<T>& out, Record&& record) {
   const FreeStream<T>& stream = room.stream = free_stream(c, in.velocity);
 
-  for (const Side side : {right, left}) room.wake[side] = wing_in_wake(c, in, stream, side);
+  for (const Side side : {right, left}) wing_in_wake(c, in, stream, side, room.wake[side]);
   out.total = room.wake[right].loads + room.wake[left].loads;
   record(wing_wake_right, room.wake[right].loads);
   record(wing_wake_left, room.wake[left].loads);
@@ -49,7 +49,7 @@ void airframe_response(const Configuration<Real<T>>& c, const AirframeInput<T>& 
     out.total = out.total + room.loads;
     record(component, static_cast<const Loads<T>&>(room.loads));
   };
-  room.wing = free_wing(c, in, stream, room.wake);
+  free_wing(c, in, stream, room.wake, room.wing);
   room.loads = room.wing.loads;
   add(wing_free);
   out.wing_alpha = room.wing.alpha;

@@ -208,8 +208,9 @@ AzimuthStations<R> averaged_azimuth(int blades, int count) {
 
 // Individual mode: the blades themselves, the first at `azimuth` (rad).
 template <class R>
-AzimuthStations<R> individual_azimuth(int blades, R azimuth) {
-  AzimuthStations<R> a{};
+void individual_azimuth(int blades, R azimuth, AzimuthStations<R>& a) {
+  for (R& x : a.cosine) x = R(0);
+  for (R& x : a.sine) x = R(0);
   a.count = blades;
   a.weight = R(1);
   for (int k = 0; k < blades; ++k) {
@@ -217,6 +218,11 @@ AzimuthStations<R> individual_azimuth(int blades, R azimuth) {
     a.cosine[k] = cos(psi);
     a.sine[k] = sin(psi);
   }
+}
+template <class R>
+AzimuthStations<R> individual_azimuth(int blades, R azimuth) {
+  AzimuthStations<R> a;
+  individual_azimuth(blades, azimuth, a);
   return a;
 }
 

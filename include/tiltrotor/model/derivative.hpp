@@ -98,6 +98,7 @@ struct Overlay<First, Second, false> {
 // Memory beyond the waist of a rotor and of the airframe.
 template <class T>
 struct BeyondRotor {
+  AzimuthStations<Real<T>> blades;  // individual blades alone
   WaistRoom<RotorInput, RotorResponse, T> waist;
   RotorRoom<WaistScalar<RotorInput, T>> room;
 };
@@ -158,14 +159,11 @@ TILTROTOR_NOINLINE void evaluate_rotor(const Configuration<Real<T>>& c, const St
   using R = Real<T>;
   const bool averaged = c.setup.options.azimuth == AzimuthMode::averaged;
   rotor_input(c, x, work.velocity, work.controls, side, work.hub);
-  through_waist(work.hub, work.beyond.first.waist, work.rotor[side], [&](const auto& in, auto& out) {
-    if (averaged) {
-      rotor_response(c, in, c.azimuth, work.beyond.first.room, out);
-    } else {
-      rotor_response(c, in, individual_azimuth<R>(c.aircraft->rotor.blades, azimuth), work.beyond.first.room,
-                     out);
-    }
-  });
+  BeyondRotor<T>& beyond = work.beyond.first;
+  if (!averaged) individual_azimuth(c.aircraft->rotor.blades, azimuth, beyond.blades);
+  const AzimuthStations<R>& stations = averaged ? c.azimuth : beyond.blades;
+  through_waist(work.hub, beyond.waist, work.rotor[side],
+                [&](const auto& in, auto& out) { rotor_response(c, in, stations, beyond.room, out); });
   add_rotor(c, x, side, work);
   record(side == right ? rotor_right : rotor_left, static_cast<const Loads<T>&>(work.hub_loads));
 }

@@ -129,6 +129,29 @@ struct RotorRoom {
   RotorLoads<T> still;
 };
 
+// The steps of a rotor's evaluation are functions of their own, so that what one of them needs on the stack
+// does not lie below the blade elements, which need most.
+namespace detail {
+
+template <class T>
+TILTROTOR_NOINLINE void quasi_static_tilt(const Configuration<Real<T>>& c, const RotorInput<T>& in,
+                                          const RotorLoads<T>& still, FlapRates<T>& out) {
+  out = quasi_static_flap_rates(c, in.state, in.rates, still.mc, still.ms);
+}
+template <class T>
+TILTROTOR_NOINLINE void second_order_tilt(const Configuration<Real<T>>& c, const RotorInput<T>& in,
+                                          RotorResponse<T>& out) {
+  out.flapping = flap_rates(c, in.state, in.rates, out.loads.mc, out.loads.ms);
+}
+template <class T>
+TILTROTOR_NOINLINE void coning_and_inflow(const Configuration<Real<T>>& c, const RotorInput<T>& in,
+                                          RotorResponse<T>& out) {
+  out.coning_acceleration = coning_acceleration(c, in.coning, out.loads.m0);
+  out.inflow = inflow_rates(c, in.state, inflow_forcing(c, in, out.loads));
+}
+
+}  // namespace detail
+
 // First-order flapping: tilt rates in balance with the loads at rest, then the loads at those rates.
 template <class T>
 TILTROTOR_NOINLINE void quasi_static_rotor(const Configuration<Real<T>>& c, const RotorInput<T>& in,
@@ -139,7 +162,7 @@ TILTROTOR_NOINLINE void quasi_static_rotor(const Configuration<Real<T>>& c, cons
   room.moving.state.b1c_rate = T(R(0));
   room.moving.state.b1s_rate = T(R(0));
   rotor_loads(c, room.moving, azimuth, room.group, room.still);
-  out.flapping = quasi_static_flap_rates(c, in.state, in.rates, room.still.mc, room.still.ms);
+  detail::quasi_static_tilt(c, in, room.still, out.flapping);
   room.moving.state.b1c_rate = out.flapping.b1c_rate;
   room.moving.state.b1s_rate = out.flapping.b1s_rate;
   rotor_loads(c, room.moving, azimuth, room.group, out.loads);
@@ -154,10 +177,9 @@ void rotor_response(const Configuration<Real<T>>& c, const RotorInput<T>& in,
     quasi_static_rotor(c, in, azimuth, room, out);
   } else {
     rotor_loads(c, in, azimuth, room.group, out.loads);
-    out.flapping = flap_rates(c, in.state, in.rates, out.loads.mc, out.loads.ms);
+    detail::second_order_tilt(c, in, out);
   }
-  out.coning_acceleration = coning_acceleration(c, in.coning, out.loads.m0);
-  out.inflow = inflow_rates(c, in.state, inflow_forcing(c, in, out.loads));
+  detail::coning_and_inflow(c, in, out);
 }
 
 template <class T>

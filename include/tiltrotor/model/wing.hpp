@@ -7,13 +7,6 @@
 
 namespace tiltrotor {
 
-template <class T>
-struct FreeWing {
-  T alpha;     // alpha_WFS: free-stream angle less the deflection by the rotors' wakes, rad
-  T downwash;  // at the tail, not yet lagged, rad
-  Loads<T> loads;
-};
-
 // Roll and yaw coefficients due to sideslip and rates (NASA CR-166536 pp. A-71, B-31 to B-33; DATCOM
 // compressibility factors).
 template <class T>
@@ -21,10 +14,23 @@ struct LateralCoefficients {
   T roll, yaw;
 };
 
+// The result, and what leads to it: kept here rather than on the stack, where with partials it takes 8 kB.
 template <class T>
-LateralCoefficients<T> wing_lateral_coefficients(const Configuration<Real<T>>& c, const AirframeInput<T>& in,
-                                                 const FreeStream<T>& stream, const T& beta,
-                                                 const WingCoefficients<T>& k) {
+struct FreeWing {
+  T alpha;       // alpha_WFS: free-stream angle less the deflection by the rotors' wakes, rad
+  T beta;        // sideslip at the wing, rad
+  T pressure;    // dynamic pressure in the plane of symmetry, Pa
+  T rotor_wash;  // rotor force over the square of the advance ratio, with the table's factor
+  WingCoefficients<T> coefficients;
+  LateralCoefficients<T> lateral;
+  T downwash;  // at the tail, not yet lagged, rad
+  Loads<T> loads;
+};
+
+template <class T>
+TILTROTOR_NOINLINE void wing_lateral_coefficients(const Configuration<Real<T>>& c, const AirframeInput<T>& in,
+                                                  const FreeStream<T>& stream, const T& beta,
+                                                  const WingCoefficients<T>& k, LateralCoefficients<T>& out) {
   using R = Real<T>;
   const WingTables<R>& w = c.aircraft->wing;
   const R aspect = c.wing.aspect_ratio;
@@ -49,8 +55,8 @@ LateralCoefficients<T> wing_lateral_coefficients(const Configuration<Real<T>>& c
   const T p_wind = in.rates.x * ca * cbeta + in.rates.y * sb + in.rates.z * sa * cbeta;
   const T r_wind = in.rates.z * ca - in.rates.x * sa;
   const T half_span_over_speed = (w.span / R(2)) / total_speed(in.velocity, c.aircraft->smooth.rate_speed);
-  return {roll_beta * beta + half_span_over_speed * (roll_p * p_wind + roll_r * r_wind),
-          yaw_beta * beta + half_span_over_speed * (yaw_p * p_wind + yaw_r * r_wind)};
+  out.roll = roll_beta * beta + half_span_over_speed * (roll_p * p_wind + roll_r * r_wind);
+  out.yaw = yaw_beta * beta + half_span_over_speed * (yaw_p * p_wind + yaw_r * r_wind);
 }
 
 // Aileron effectiveness fade: 1 up to 8 deg of wing angle, 0 beyond 25 deg. The plain |alpha| is safe because
@@ -80,55 +86,93 @@ Loads<T> free_half_wing(const Configuration<Real<T>>& c, const ImmersedWing<T>& 
   return {force, cross(Vec3<T>{T(line.x), side_sign<R>(side) * lateral, T(line.z)}, force)};
 }
 
+namespace detail {
+
+// Angles and pressure, with the deflection of the free stream by the rotors (K_XRW).
 template <class T>
-TILTROTOR_NOINLINE FreeWing<T> free_wing(const Configuration<Real<T>>& c, const AirframeInput<T>& in,
-                                         const FreeStream<T>& stream, const WingInWake<T> (&wake)[2]) {
+TILTROTOR_NOINLINE void free_wing_flow(const Configuration<Real<T>>& c, const AirframeInput<T>& in,
+                                       FreeWing<T>& out) {
   using R = Real<T>;
   const WingTables<R>& w = c.aircraft->wing;
   const SmoothingWidths<R>& e = c.aircraft->smooth;
   const Vec3<R> arm = station_arm(c.mass, w.sl, R(0), w.wl);
   const Vec3<T> v =
       c.setup.options.wing_rate_velocity ? in.velocity + rate_cross_arm(in.rates, arm) : in.velocity;
-
-  // Deflection of the free stream by the rotors (K_XRW) and rotor-induced lift (K_RW).
   const T advance = smooth_max(in.advance_ratio, w.advance_floor, e.advance_floor);
-  const T rotor_wash = c.wing.rotor_wash * in.rotor_force / (advance * advance);
-  const R rotor_lift =
-      c.setup.options.rotor_lift_on_wing ? R(2) * w.rotor_wash_lift * square(cos(c.mast)) : R(0);
+  out.rotor_wash = c.wing.rotor_wash * in.rotor_force / (advance * advance);
+  out.alpha = angle_of_attack(v, e) - w.rotor_wash_angle * out.rotor_wash;
+  out.beta = sideslip_angle(v, e.lateral_plane_speed);
+  out.pressure = R(0.5) * c.air.density * (v.x * v.x + v.z * v.z);
+}
 
-  FreeWing<T> out;
-  out.alpha = angle_of_attack(v, e) - w.rotor_wash_angle * rotor_wash;
-  const T beta = sideslip_angle(v, e.lateral_plane_speed);
-  WingCoefficients<T> k = wing_coefficients(c, out.alpha, stream.mach);
-  k.lift = k.lift * (R(1) + rotor_lift * rotor_wash);
-  const T pressure = R(0.5) * c.air.density * (v.x * v.x + v.z * v.z);
-  const T wake_pressure = R(0.5) * (wake[right].pressure + wake[left].pressure);
-
-  const T lift_per_area = pressure * k.lift;
-  const T drag_per_area = pressure * k.drag;
-  const T half_aileron_loss =
-      pressure * (R(0.5) * w.area * c.wing.aileron_lift_loss) * smooth_abs_zero(in.aileron, e.angle);
+// Lift, drag and the loss by the ailerons, on both halves.
+template <class T>
+TILTROTOR_NOINLINE void free_wing_forces(const Configuration<Real<T>>& c, const AirframeInput<T>& in,
+                                         const WingInWake<T> (&wake)[2], FreeWing<T>& out) {
+  using R = Real<T>;
+  const WingTables<R>& w = c.aircraft->wing;
+  const T lift_per_area = out.pressure * out.coefficients.lift;
+  const T drag_per_area = out.pressure * out.coefficients.drag;
+  const T half_aileron_loss = out.pressure * (R(0.5) * w.area * c.wing.aileron_lift_loss) *
+                              smooth_abs_zero(in.aileron, c.aircraft->smooth.angle);
   const Vec3<T> per_area = wind_force(lift_per_area, drag_per_area, T(R(0)), out.alpha, T(R(0)));
   const Vec3<T> half_loss = wind_force(half_aileron_loss, T(R(0)), T(R(0)), out.alpha, T(R(0)));
   out.loads = free_half_wing(c, wake[right].immersed, per_area, half_loss, right) +
               free_half_wing(c, wake[left].immersed, per_area, half_loss, left);
+}
 
-  const LateralCoefficients<T> lateral = wing_lateral_coefficients(c, in, stream, beta, k);
+// Moments by sideslip, rates, ailerons and camber.
+template <class T>
+TILTROTOR_NOINLINE void add_free_wing_moments(const Configuration<Real<T>>& c, const AirframeInput<T>& in,
+                                              const FreeStream<T>& stream, const WingInWake<T> (&wake)[2],
+                                              FreeWing<T>& out) {
+  using R = Real<T>;
+  const WingTables<R>& w = c.aircraft->wing;
+  const T wake_pressure = R(0.5) * (wake[right].pressure + wake[left].pressure);
   const R area_span = w.area * w.span;
   const T aileron_slope = (w.aileron_roll_slope * c.wing.aileron_roll) * aileron_fade(c, out.alpha);
-  const T aileron_yaw = c.wing.aileron_yaw_0 + c.wing.aileron_yaw * k.lift * aileron_slope;
-  const T roll = area_span * (pressure * lateral.roll + wake_pressure * aileron_slope * in.aileron);
-  const T yaw = area_span * (pressure * lateral.yaw + wake_pressure * aileron_yaw * in.aileron);
+  const T aileron_yaw = c.wing.aileron_yaw_0 + c.wing.aileron_yaw * out.coefficients.lift * aileron_slope;
+  const T roll = area_span * (out.pressure * out.lateral.roll + wake_pressure * aileron_slope * in.aileron);
+  const T yaw = area_span * (out.pressure * out.lateral.yaw + wake_pressure * aileron_yaw * in.aileron);
   const T sa = sin(stream.alpha);
   const T ca = cos(stream.alpha);
   out.loads.moment.x += roll * ca - yaw * sa;
-  out.loads.moment.y += pressure * (w.area * w.chord * c.wing.moment);
+  out.loads.moment.y += out.pressure * (w.area * w.chord * c.wing.moment);
   out.loads.moment.z += roll * sa + yaw * ca;
+}
 
-  // Downwash at the tail, compressibility-corrected.
+// Downwash at the tail, compressibility-corrected.
+template <class T>
+TILTROTOR_NOINLINE void wing_downwash(const Configuration<Real<T>>& c, const FreeStream<T>& stream,
+                                      FreeWing<T>& out) {
+  using R = Real<T>;
   const T alpha_deg[1] = {out.alpha * kDegree<R>};
-  out.downwash = lookup(w.downwash, c.setup.options.tables, c.downwash_mast_flap, alpha_deg) /
+  out.downwash = lookup(c.aircraft->wing.downwash, c.setup.options.tables, c.downwash_mast_flap, alpha_deg) /
                  sqrt(R(1) - stream.mach * stream.mach);
+}
+
+}  // namespace detail
+
+template <class T>
+void free_wing(const Configuration<Real<T>>& c, const AirframeInput<T>& in, const FreeStream<T>& stream,
+               const WingInWake<T> (&wake)[2], FreeWing<T>& out) {
+  using R = Real<T>;
+  detail::free_wing_flow(c, in, out);
+  wing_coefficients(c, out.alpha, stream.mach, out.coefficients);
+  const R rotor_lift = c.setup.options.rotor_lift_on_wing
+                           ? R(2) * c.aircraft->wing.rotor_wash_lift * square(cos(c.mast))
+                           : R(0);  // rotor-induced lift (K_RW)
+  out.coefficients.lift = out.coefficients.lift * (R(1) + rotor_lift * out.rotor_wash);
+  detail::free_wing_forces(c, in, wake, out);
+  wing_lateral_coefficients(c, in, stream, out.beta, out.coefficients, out.lateral);
+  detail::add_free_wing_moments(c, in, stream, wake, out);
+  detail::wing_downwash(c, stream, out);
+}
+template <class T>
+FreeWing<T> free_wing(const Configuration<Real<T>>& c, const AirframeInput<T>& in,
+                      const FreeStream<T>& stream, const WingInWake<T> (&wake)[2]) {
+  FreeWing<T> out;
+  free_wing(c, in, stream, wake, out);
   return out;
 }
 

@@ -47,8 +47,8 @@ T upright_pylon_weight(const Configuration<Real<T>>& c, const T& alpha) {
 }
 
 template <class T>
-TILTROTOR_NOINLINE WingCoefficients<T> wing_coefficients(const Configuration<Real<T>>& c, const T& alpha,
-                                                         const T& mach) {
+TILTROTOR_NOINLINE void wing_coefficients(const Configuration<Real<T>>& c, const T& alpha, const T& mach,
+                                          WingCoefficients<T>& out) {
   using R = Real<T>;
   const WingTables<R>& w = c.aircraft->wing;
   const Interpolation mode = c.setup.options.tables;
@@ -58,12 +58,25 @@ TILTROTOR_NOINLINE WingCoefficients<T> wing_coefficients(const Configuration<Rea
   const auto drag_0 = [&](int k) { return lookup(w.drag_0[k], mode, a); };
   const auto lift_90 = [&](int k) { return lookup(w.lift_90[k], mode, a, mach); };
   const auto drag_90 = [&](int k) { return lookup(w.drag_90[k], mode, a, mach); };
-  if (mast <= R(0)) return {detail::blend_flaps<T>(c.wing, lift_0), detail::blend_flaps<T>(c.wing, drag_0)};
-  if (mast >= R(1)) return {detail::blend_flaps<T>(c.wing, lift_90), detail::blend_flaps<T>(c.wing, drag_90)};
-  const T k0 = upright_pylon_weight(c, alpha);
-  return {
-      (R(1) - mast) * detail::blend_flaps<T>(c.wing, lift_0) + mast * detail::blend_flaps<T>(c.wing, lift_90),
-      k0 * detail::blend_flaps<T>(c.wing, drag_0) + (R(1) - k0) * detail::blend_flaps<T>(c.wing, drag_90)};
+  if (mast <= R(0)) {
+    out.lift = detail::blend_flaps<T>(c.wing, lift_0);
+    out.drag = detail::blend_flaps<T>(c.wing, drag_0);
+  } else if (mast >= R(1)) {
+    out.lift = detail::blend_flaps<T>(c.wing, lift_90);
+    out.drag = detail::blend_flaps<T>(c.wing, drag_90);
+  } else {
+    const T k0 = upright_pylon_weight(c, alpha);
+    out.lift = (R(1) - mast) * detail::blend_flaps<T>(c.wing, lift_0) +
+               mast * detail::blend_flaps<T>(c.wing, lift_90);
+    out.drag =
+        k0 * detail::blend_flaps<T>(c.wing, drag_0) + (R(1) - k0) * detail::blend_flaps<T>(c.wing, drag_90);
+  }
+}
+template <class T>
+WingCoefficients<T> wing_coefficients(const Configuration<Real<T>>& c, const T& alpha, const T& mach) {
+  WingCoefficients<T> out;
+  wing_coefficients(c, alpha, mach, out);
+  return out;
 }
 
 }  // namespace tiltrotor
