@@ -35,18 +35,27 @@
 extern "C" {
 #endif
 
+/* Vectors of other processors are padded: less is enough on a microcontroller. */
+#if defined(__ARM_ARCH_PROFILE) && __ARM_ARCH_PROFILE == 'M'
+#define TR_DOUBLE_WORK_SIZE 100352
+#define TR_SINGLE_WORK_SIZE 53248
+#else
+#define TR_DOUBLE_WORK_SIZE 147456
+#define TR_SINGLE_WORK_SIZE 90112
+#endif
+
 #ifdef TR_SINGLE_PRECISION
 typedef float tr_real;
 #define TR_API_VERSION 0x00010004u
 #define TR_SIM_SIZE 3072
-#define TR_WORK_SIZE 90112
+#define TR_WORK_SIZE TR_SINGLE_WORK_SIZE
 #else
 typedef double tr_real;
 /* Changes when a program must be compiled again: interface in the upper half, bytes of a tr_real in the
  * lower. */
 #define TR_API_VERSION 0x00010008u
-#define TR_SIM_SIZE 6144    /* bytes */
-#define TR_WORK_SIZE 147456 /* bytes */
+#define TR_SIM_SIZE 6144 /* bytes */
+#define TR_WORK_SIZE TR_DOUBLE_WORK_SIZE
 #endif
 
 typedef enum tr_status {

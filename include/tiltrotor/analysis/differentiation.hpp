@@ -9,6 +9,7 @@
 
 #include <cmath>
 #include <limits>
+#include <type_traits>
 
 #include "tiltrotor/math/dual.hpp"
 #include "tiltrotor/math/waist.hpp"
@@ -120,18 +121,37 @@ constexpr R control_scale(int index) {
   return index >= iu_gust ? R(10) : R(1);
 }
 
-// State, control and rate of one evaluation of the model on scalar T, with the flat arrays to fill them from.
+// What an evaluation of the model reads and finds, and its memory. What is not needed at the same time lies
+// in one place where the scalar allows it: x is read before the evaluation and written after it, u is read
+// before the rates are written.
+template <class T, bool = std::is_trivially_default_constructible_v<T>&& std::is_trivially_destructible_v<T>>
+struct ModelMemory {
+  union {
+    T x[state_count];
+    DerivativeWorkspace<T> derivative;
+  };
+  union {
+    T u[control_count];
+    State<T> rates;
+  };
+};
 template <class T>
-struct ModelRoom {
-  T x[state_count];  // in the order of State::each; overwritten by the rates
-  T u[control_count];
-  State<T> state;
-  State<T> rates;
-  Controls<T> controls;
+struct ModelMemory<T, false> {
+  T x[state_count];
   DerivativeWorkspace<T> derivative;
+  T u[control_count];
+  State<T> rates;
 };
 
-// x, u -> xdot, all in `room`: room.x becomes xdot.
+// State, control and rate of one evaluation of the model on scalar T, with the flat arrays to fill them from:
+// x in the order of State::each.
+template <class T>
+struct ModelRoom : ModelMemory<T> {
+  State<T> state;
+  Controls<T> controls;
+};
+
+// x, u -> xdot, all in `room`: room.x becomes xdot, room.u is lost.
 template <class T>
 void model_rates(const Configuration<Real<T>>& c, Real<T> azimuth, ModelRoom<T>& room) {
   unpack(room.x, room.state);

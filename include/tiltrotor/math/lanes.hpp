@@ -31,8 +31,9 @@ inline constexpr int kVectorBytes = 4;
 
 // Numbers of type R in the widest vector, at least one.
 template <class R>
-inline constexpr int kWidestLanes =
-    kVectorBytes > static_cast<int>(sizeof(R)) ? kVectorBytes / static_cast<int>(sizeof(R)) : 1;
+inline constexpr int kWidestLanes = kVectorBytes > static_cast<int>(sizeof(R))
+                                        ? kVectorBytes / static_cast<int>(sizeof(R))
+                                        : 1;
 
 // Lanes of one vector for `count` partials of type R: the widest the target has, but no wider than needed.
 template <class R>
