@@ -1,7 +1,21 @@
-# What the library needs on a Cortex-M7, against tests/budget/limits.csv.
+# What the library needs on a Cortex-M7, and the stack it needs on x86-64, against tests/budget/limits.csv.
+
+# Call graphs for the widest vectors, whose stack is the largest; nothing of this runs. Clang writes none.
+STACK_OBJECTS := $(if $(CROSS_COMPILE),,$(if $(findstring x86_64,$(shell $(CXX) -dumpmachine 2>/dev/null)),\
+                   $(if $(call accepts,-fcallgraph-info=su),\
+                     $(addprefix $(BUILD)/stack/,library/c_interface.o library/analysis_double.o isolated_rotor.o))))
+STACK_FLAGS   := $(CORE_FLAGS) -march=x86-64-v4 -fcallgraph-info=su
+
+$(STACK_OBJECTS): $(BUILD)/flags.stamp
+$(BUILD)/stack/library/%.o: src/library/%.cpp
+	$(call compile,$(STACK_FLAGS),call graph)
+$(BUILD)/stack/%.o: tests/budget/%.cpp
+	$(call compile,$(STACK_FLAGS),call graph)
+-include $(STACK_OBJECTS:.o=.d)
 
 .PHONY: budget
-budget: firmware ## memory, stack and instructions on a Cortex-M7 against tests/budget/limits.csv; build/budget.csv
+budget: firmware $(STACK_OBJECTS) ## memory, stack and instructions on a Cortex-M7, stack on x86-64, against tests/budget/limits.csv; build/budget.csv
 	$(Q)if ! command -v $(FIRMWARE_PREFIX)g++ >/dev/null || ! command -v qemu-system-arm >/dev/null; then \
 	  echo "budget: $(FIRMWARE_PREFIX)g++ or qemu-system-arm is not installed, nothing measured"; exit 0; fi; \
-	tests/budget/budget.sh $(BUILD)/cortex-m7 $(FIRMWARE_PREFIX) mps2-an500 $(MEASURED_STATES) $(BUILD)/budget.csv
+	tests/budget/budget.sh $(BUILD)/cortex-m7 $(FIRMWARE_PREFIX) mps2-an500 $(MEASURED_STATES) $(BUILD)/budget.csv \
+	  $(STACK_OBJECTS:.o=.ci)

@@ -1,12 +1,14 @@
 #!/bin/sh
-# budget.sh FOLDER TOOL_PREFIX MACHINE STATES OUTPUT: what the library needs on a target, against limits.csv.
-# FOLDER holds the target's build: libtiltrotor.a, call graphs, flight.elf, measure.elf.
+# budget.sh FOLDER TOOL_PREFIX MACHINE STATES OUTPUT [GRAPH...]: what the library needs on a target, against limits.csv.
+# FOLDER holds the target's build: libtiltrotor.a, call graphs, flight.elf, measure.elf. GRAPH: call graphs of this
+# machine's library; without them the limits named host_... are left out.
 set -eu
 folder=$1
 prefix=$2
 machine=$3
 states=$4
 output=$5
+shift 5
 here=$(dirname "$0")
 values=$folder/budget_values.txt
 
@@ -22,6 +24,8 @@ objects=$(sed -n 's/^.*libtiltrotor\.a(\([a-z_]*\.o\)).*$/\1/p' "$folder/flight.
     graphs=$(for object in $objects; do echo "$folder/ad/library/${object%.o}.ci"; done)
     awk -v library_bytes=512 -v paths="${BUDGET_PATHS:-}" -f "$here/deepest_stack.awk" $graphs
 
+    [ $# -eq 0 ] || awk -v library_bytes=512 -v paths="${BUDGET_PATHS:-}" -f "$here/deepest_stack.awk" "$@" | sed 's/^/host_/'
+
     "${prefix}size" -A "$folder/flight.elf" | awk '
         $1 == ".text" { code = $2 }
         $1 == ".rodata" || $1 == ".ARM.exidx" { constants += $2 }
@@ -34,7 +38,7 @@ objects=$(sed -n 's/^.*libtiltrotor\.a(\([a-z_]*\.o\)).*$/\1/p' "$folder/flight.
     "$here/../../src/firmware/emulate.sh" "$machine" "$folder/measure.elf" "$states" -icount shift=5
 } >"$values" || { cat "$values"; exit 1; }
 
-awk -F, -v values="$values" -v output="$output" '
+awk -F, -v values="$values" -v output="$output" -v graphs=$# '
     BEGIN {
         while ((getline line <values) > 0) { split(line, word, " "); value[word[1]] = word[2] }
         value["stack_measured"] = value["deepest_stack_bytes"]
@@ -48,7 +52,7 @@ awk -F, -v values="$values" -v output="$output" '
         }
         print "name,value,limit,unit" >output
     }
-    NR == 1 { next }
+    NR == 1 || (!graphs && $1 ~ /^host_/) { next }
     !($1 in value) { print "budget: " $1 " was not measured"; bad = 1; next }
     {
         print $1 "," value[$1] "," $2 "," $3 >output
