@@ -33,7 +33,7 @@ td.long { text-align: left; white-space: normal; min-width: 40em; }
 summary { cursor: pointer; }
 .files { font-size: .9rem; }
 @media print {
-  nav, summary, .download { display: none; }
+  nav, summary { display: none; }
   body { max-width: none; padding: 0; font-size: 11pt; }
   .pictures { grid-template-columns: 1fr 1fr; }
   .pictures svg, .findings li { break-inside: avoid; }
@@ -98,7 +98,7 @@ std::string html_table(const Table& table) {
 std::string html_tables(const std::vector<NumberedTable>& tables) {
   std::string out;
   for (const NumberedTable& t : tables) {
-    const std::string link = "<a class=\"download\" download=\"" + t.name +
+    const std::string link = "<a download=\"" + t.name +
                              ".csv\" href=\"data:text/csv;charset=utf-8," + percent_encoded(t.table.csv()) +
                              "\">" + t.name + ".csv</a>";
     const std::string what = escaped(t.what) + " (" + std::to_string(t.table.rows()) + " rows)";

@@ -56,8 +56,8 @@ inline bool eliminate_groups(LU<R, N>& lu, Pivot<R> pivot) {
       const int pivot_row = lu.row[pivot.place];
       lu.row[pivot.place] = lu.row[k];
       lu.row[k] = pivot_row;
-      const R pivot_entry = lu.upper(pivot_row, k);
-      lu.inverse_pivot[k] = R(1) / pivot_entry;
+      const R inverse = R(1) / lu.upper(pivot_row, k);
+      lu.inverse_pivot[k] = inverse;
       alignas(64) R from[kWidth];
       for (int c = 0; c < kWidth; ++c) from[c] = lu.upper(pivot_row, kBegin + c);
       const int here = k - kBegin, next = here + 1 < kWidth ? here + 1 : here;
@@ -65,7 +65,7 @@ inline bool eliminate_groups(LU<R, N>& lu, Pivot<R> pivot) {
       for (int i = k + 1; i < n; ++i) {
         const int row = lu.row[i];
         R* to = lu.upper.row(row) + kBegin;
-        const R multiplier = to[here] / pivot_entry;
+        const R multiplier = to[here] * inverse;
         lu.lower(row, k) = multiplier;
         for (int c = 0; c < kWidth; ++c) to[c] -= multiplier * from[c];
         pivot.offer(i, to[next]);
