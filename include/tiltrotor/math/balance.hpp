@@ -80,36 +80,12 @@ inline bool unequal(R column, R row) {
   return (row > kRatio * column || column > kRatio * row) && row > R(0) && column > R(0);
 }
 
-// Column and row sums of absolute off-diagonal entries of the block; returns whether any pair is unequal.
+// One pass over the block in order, each index scaled with the norms as they then are. Returns whether any
+// was.
 template <class R, int N>
-inline bool needs_scaling(const PaddedSquare<R, N>& a, int low, int high) {
-  constexpr int kWide = lane_ceil<R>(N);
-  const int begin = lane_floor<R>(low), end = lane_ceil<R>(high + 1);
-  R column[kWide] = {};
-  R row[N];
-  for (int i = low; i <= high; ++i) {
-    const R* x = a.row(i);
-    R lane[kLane<R>] = {};
-    for (int c = begin; c < end; c += kLane<R>)
-      for (int l = 0; l < kLane<R>; ++l) {
-        const int j = c + l;
-        const R size = j >= low && j <= high && j != i ? std::fabs(x[j]) : R(0);
-        column[j] += size;
-        lane[l] += size;
-      }
-    R sum = R(0);
-    for (int l = 0; l < kLane<R>; ++l) sum += lane[l];
-    row[i] = sum;
-  }
-  for (int i = low; i <= high; ++i)
-    if (unequal(column[i], row[i])) return true;
-  return false;
-}
-
-// One pass over the block in order, each index scaled with the norms as they then are.
-template <class R, int N>
-inline void scale_once(PaddedSquare<R, N>& a, int n, Balance<R, N>& b) {
+inline bool scale_once(PaddedSquare<R, N>& a, int n, Balance<R, N>& b) {
   constexpr int kLargestExponent = std::numeric_limits<R>::max_exponent / 2;
+  bool scaled = false;
   for (int i = b.low; i <= b.high; ++i) {
     R column = R(0), row = R(0);
     for (int j = b.low; j <= b.high; ++j) {
@@ -129,10 +105,12 @@ inline void scale_once(PaddedSquare<R, N>& a, int n, Balance<R, N>& b) {
     const R factor = std::ldexp(R(1), exponent);
     const R inverse = std::ldexp(R(1), -exponent);
     if (column * factor + row * inverse >= R(0.95) * (column + row)) continue;
+    scaled = true;
     b.scale[i] *= factor;
     for (int j = b.low; j < n; ++j) a(i, j) *= inverse;
     for (int j = 0; j <= b.high; ++j) a(j, i) *= factor;
   }
+  return scaled;
 }
 
 }  // namespace balance_detail
@@ -148,9 +126,8 @@ inline void balance(Matrix<R, N, lane_ceil<R>(N)>& a, int n, Balance<R, N>& b) {
     b.swap[i] = i;
   }
   balance_detail::permute<R, N>(a, n, b);
-  for (int sweep = 0; sweep < kBalanceSweeps && balance_detail::needs_scaling<R, N>(a, b.low, b.high);
-       ++sweep)
-    balance_detail::scale_once<R, N>(a, n, b);
+  for (int sweep = 0; sweep < kBalanceSweeps && balance_detail::scale_once<R, N>(a, n, b); ++sweep) {
+  }
 }
 
 // Takes the rows of a matrix of eigenvectors back to the states of A: right vectors are multiplied by P D,

@@ -39,15 +39,33 @@ struct OuterPartials<Dual<R, M>> {
   static constexpr int count = M;
 };
 
-// out.d[outer] = sum over the waist of slope[j] = (d out / d waist input j) times (d waist input j / d outer)
+// Groups of lanes that are summed at a time: few enough for registers, enough to hide the delay of additions.
+inline constexpr int kGroupsAtOnce = 4;
+
+template <int kGroups, int N, class R, int M>
+TILTROTOR_INLINE void add_chained_groups(Partials<R, M>& d, int first, const R* slope,
+                                         const Dual<R, M>* waist) {
+  typename Partials<R, M>::Lane sum[kGroups];
+  for (int g = 0; g < kGroups; ++g) sum[g] = d.group[first + g];
+  for (int j = 0; j < N; ++j)
+    for (int g = 0; g < kGroups; ++g) sum[g] = sum[g] + slope[j] * waist[j].d.group[first + g];
+  for (int g = 0; g < kGroups; ++g) d.group[first + g] = sum[g];
+}
+// d[outer] += sum over the N inputs of the waist of slope[j] = (d out / d input j) times (d input j / d
+// outer)
+template <int N, class R, int M>
+TILTROTOR_INLINE void add_chained(Partials<R, M>& d, const R* slope, const Dual<R, M>* waist) {
+  constexpr int kGroups = Partials<R, M>::kGroups;
+  constexpr int kRest = kGroups % kGroupsAtOnce;
+  for (int first = 0; first < kGroups - kRest; first += kGroupsAtOnce)
+    add_chained_groups<kGroupsAtOnce, N>(d, first, slope, waist);
+  if constexpr (kRest > 0) add_chained_groups<kRest, N>(d, kGroups - kRest, slope, waist);
+}
+// out.d[outer] = that sum
 template <class R, int N, int M>
 Dual<R, M> chain(R local, const R (&slope)[N], const Dual<R, M>* waist) {
   Dual<R, M> r(local, scaled(slope[0], waist[0].d));
-  for (int j = 1; j < N; ++j) {
-    for (int g = 0; g < Partials<R, M>::kGroups; ++g) {
-      r.d.group[g] = r.d.group[g] + slope[j] * waist[j].d.group[g];
-    }
-  }
+  if constexpr (N > 1) add_chained<N - 1>(r.d, slope + 1, waist + 1);
   return r;
 }
 template <class R, int N, int M>
