@@ -55,7 +55,7 @@ $(BUILD)/fuzz_tables: $(TABLEGEN_PARTS)
 $(BUILD)/fuzz_command_line $(BUILD)/fuzz_state_file: $(PROGRAM_PARTS)
 $(FUZZ_TARGETS:%=$(BUILD)/fuzz_%): $(BUILD)/fuzz_%: $(BUILD)/tests/fuzz/test_%.o $(BUILD)/libtiltrotor.a
 	$(link)
-	$(Q)$(CXX) $(FLAGS) $(LDFLAGS) -fsanitize=fuzzer $(filter %.o %.a,$^) $(LDLIBS) -o $@
+	$(Q)$(CXX) $(FLAGS) $(LDFLAGS) -fsanitize=fuzzer $(filter %.o,$^) $(filter %.a,$^) $(LDLIBS) -o $@
 
 # ---- coverage ----
 
