@@ -224,6 +224,8 @@ TEST(integrators_leave_the_state_alone_when_they_fail) {
   CHECK_EQ(x[2], 3.0);
 }
 
+constexpr const double* kNoSlope = nullptr;  // none known
+
 TEST(integrators_refuse_bad_sizes_times_and_states) {
   static RungeKuttaWorkspace<double, 2> runge_kutta;
   static RosenbrockWorkspace<double, 2> rosenbrock;
@@ -239,8 +241,9 @@ TEST(integrators_refuse_bad_sizes_times_and_states) {
   const double infinity = std::numeric_limits<double>::infinity();
   const auto both = [&](double t, double dt, double second, int n, Status expected) {
     double x[2] = {1.0, second}, error[2] = {5.0, 5.0};
+    CHECK(rk3_step(f, t, dt, x, n, runge_kutta) == expected);
     CHECK(rk4_step(f, t, dt, x, n, runge_kutta) == expected);
-    CHECK(rodas3_step(f, jacobian, t, dt, x, n, rosenbrock, error) == expected);
+    CHECK(rodas3_step(f, jacobian, t, dt, x, n, rosenbrock, kNoSlope, error) == expected);
     CHECK(x[0] == 1.0 && error[0] == (expected == Status::ok ? 0.0 : 5.0));
   };
   both(0.0, 0.1, 2.0, 2, Status::ok);
@@ -263,7 +266,9 @@ TEST(integrators_report_a_sum_beyond_the_range) {
     return Status::ok;
   };
   double x[1] = {1.79e308}, error[1] = {5.0};
-  CHECK(rodas3_step(f, Matrix<double, 1, 1>{}, 0.0, 1.0, x, 1, rosenbrock, error) == Status::not_finite);
+  CHECK(rodas3_step(f, Matrix<double, 1, 1>{}, 0.0, 1.0, x, 1, rosenbrock, kNoSlope, error) ==
+        Status::not_finite);
+  CHECK(rk3_step(f, 0.0, 1.0, x, 1, runge_kutta) == Status::not_finite);
   CHECK(rk4_step(f, 0.0, 1.0, x, 1, runge_kutta) == Status::not_finite);
   CHECK(x[0] == 1.79e308 && error[0] == 5.0);
 }
