@@ -271,4 +271,10 @@ TEST(integrators_report_a_sum_beyond_the_range) {
   CHECK(rk3_step(f, 0.0, 1.0, x, 1, runge_kutta) == Status::not_finite);
   CHECK(rk4_step(f, 0.0, 1.0, x, 1, runge_kutta) == Status::not_finite);
   CHECK(x[0] == 1.79e308 && error[0] == 5.0);
+  // From zero it is a plain step, with the estimate of a constant slope or without.
+  x[0] = 0;
+  CHECK(rodas3_step(f, Matrix<double, 1, 1>{}, 0.0, 1.0, x, 1, rosenbrock, kNoSlope, error) == Status::ok);
+  CHECK(rodas3_step(f, Matrix<double, 1, 1>{}, 0.0, 1.0, x, 1, rosenbrock) == Status::ok);
+  CHECK_REL(x[0], 4e307, 1e-15);
+  CHECK_EQ(error[0], 0.0);
 }

@@ -200,6 +200,9 @@ TEST(lu_every_solution_refuses_factors_and_columns_that_are_none) {
   static Matrix<double, 4, 2> b, x;
   double y[4] = {1, 2, 3, 4};
   CHECK(lu_factor(identity<double, 4>(), 4, lu) == Status::ok);
+  CHECK(lu_solve_transposed(lu, y) == Status::ok);
+  CHECK_EQ(y[3], 4.0);
+  CHECK_EQ(lu_reciprocal_condition(lu), 1.0);
   for (const int columns : {-1, 3}) CHECK(lu_solve(lu, b, columns, x) == Status::bad_argument);
   b(2, 1) = std::numeric_limits<double>::infinity();
   CHECK(lu_solve(lu, b, 2, x) == Status::not_finite);
