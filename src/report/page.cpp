@@ -98,9 +98,8 @@ std::string html_table(const Table& table) {
 std::string html_tables(const std::vector<NumberedTable>& tables) {
   std::string out;
   for (const NumberedTable& t : tables) {
-    const std::string link = "<a download=\"" + t.name +
-                             ".csv\" href=\"data:text/csv;charset=utf-8," + percent_encoded(t.table.csv()) +
-                             "\">" + t.name + ".csv</a>";
+    const std::string link = "<a download=\"" + t.name + ".csv\" href=\"data:text/csv;charset=utf-8," +
+                             percent_encoded(t.table.csv()) + "\">" + t.name + ".csv</a>";
     const std::string what = escaped(t.what) + " (" + std::to_string(t.table.rows()) + " rows)";
     out += "<div class=\"files\">" + link + ": " + what;
     if (t.whole || t.table.rows() <= kMostRowsShown) {
