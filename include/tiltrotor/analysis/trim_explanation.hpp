@@ -38,7 +38,8 @@ class Sentence {
     const double limit = 1e7;
     if (!(number > -limit && number < limit)) return *this << (number == number ? "very large" : "no number");
     const double size = number < 0 ? -number : number;
-    const long hundredths = static_cast<long>(size * 100 + 0.5);
+    // Never negative, and small enough to be exact.
+    const long hundredths = static_cast<long>(size * 100 + 0.5);  // NOLINT(bugprone-incorrect-roundings)
     if (number < 0 && hundredths > 0) put('-');
     *this << static_cast<int>(hundredths / 100);
     put('.');
