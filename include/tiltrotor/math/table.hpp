@@ -36,7 +36,7 @@ template <class R, int Smooth, int Linear = 0>
 struct Table {
   static_assert(Smooth >= 1 && Smooth + Linear <= 4, "tables have 1 to 4 axes");
   Axis<R> smooth[Smooth];
-  Axis<R> linear[Linear > 0 ? Linear : 1];
+  Axis<R> linear[Linear > 0 ? Linear : 1];  // NOLINT(bugprone-branch-clone)
   const R* node;
 };
 
