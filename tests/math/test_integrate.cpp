@@ -278,3 +278,16 @@ TEST(integrators_report_a_sum_beyond_the_range) {
   CHECK_REL(x[0], 4e307, 1e-15);
   CHECK_EQ(error[0], 0.0);
 }
+
+// With x' = g(t) the method is Simpson's rule, exact for cubic polynomials: the middle stage stands at t + dt
+// / 2.
+TEST(rk3_is_exact_for_cubic_polynomials_in_time) {
+  static RungeKuttaWorkspace<double, 1> work;
+  const auto f = [](double t, const double*, double* xdot) {
+    xdot[0] = 4 * t * t * t - 6 * t + 1;
+    return Status::ok;
+  };
+  double x[1] = {0.0};
+  CHECK(rk3_step(f, 1.0, 2.0, x, 1, work) == Status::ok);
+  CHECK_NEAR(x[0], 58.0, 1e-12);  // t^4 - 3 t^2 + t between 1 and 3: 57 + 1
+}
