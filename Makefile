@@ -81,11 +81,14 @@ BENCH_SOURCE    := $(wildcard bench/*.cpp)
 
 TABLEGEN_OBJECTS   := $(TABLEGEN_SOURCE:src/%.cpp=$(BUILD)/host/%.o)
 LIBRARY_OBJECTS    := $(LIBRARY_SOURCE:src/%.cpp=$(BUILD)/ad/%.o)
-LIBRARY_ND_OBJECTS := $(LIBRARY_SOURCE:src/%.cpp=$(BUILD)/nd/%.o)
+# The instances name their policy and the tables have none: these are compiled once, for both libraries.
+COMMON_SOURCE      := $(filter %/aircraft_data.cpp %/analysis_double.cpp %/analysis_float.cpp,$(LIBRARY_SOURCE))
+COMMON_OBJECTS     := $(COMMON_SOURCE:src/%.cpp=$(BUILD)/ad/%.o)
+LIBRARY_ND_OBJECTS := $(COMMON_OBJECTS) $(patsubst src/%.cpp,$(BUILD)/nd/%.o,$(filter-out $(COMMON_SOURCE),$(LIBRARY_SOURCE)))
 PROGRAM_OBJECTS    := $(PROGRAM_SOURCE:src/%.cpp=$(BUILD)/program/%.o)
 TEST_OBJECTS       := $(TEST_SOURCE:tests/%.cpp=$(BUILD)/tests/%.o)
 BENCH_OBJECTS      := $(BENCH_SOURCE:bench/%.cpp=$(BUILD)/bench/%.o)
-OBJECTS            := $(TABLEGEN_OBJECTS) $(LIBRARY_OBJECTS) $(LIBRARY_ND_OBJECTS) $(PROGRAM_OBJECTS) \
+OBJECTS            := $(TABLEGEN_OBJECTS) $(sort $(LIBRARY_OBJECTS) $(LIBRARY_ND_OBJECTS)) $(PROGRAM_OBJECTS) \
                       $(TEST_OBJECTS) $(BENCH_OBJECTS)
 
 GENERATED  := $(if $(TABLEGEN_SOURCE),$(BUILD)/generated/aircraft_tables.inc) $(BUILD)/generated/reference_points.inc
@@ -208,7 +211,7 @@ define compile
 endef
 
 # The generated tables must exist before the first compilation; from then on the dependency files know who reads them.
-$(LIBRARY_OBJECTS) $(LIBRARY_ND_OBJECTS) $(PROGRAM_OBJECTS) $(TEST_OBJECTS) $(BENCH_OBJECTS): \
+$(sort $(LIBRARY_OBJECTS) $(LIBRARY_ND_OBJECTS)) $(PROGRAM_OBJECTS) $(TEST_OBJECTS) $(BENCH_OBJECTS): \
   $(BUILD)/flags.stamp | $(GENERATED)
 
 $(BUILD)/ad/%.o: src/%.cpp
