@@ -37,7 +37,7 @@ endif
 # $(call image_make,TARGET,PRECISION): make for another target, whatever this make was told
 image_make = $(MAKE) --no-print-directory CROSS_COMPILE=$(FIRMWARE_PREFIX) CXX=$(FIRMWARE_PREFIX)g++ \
   CC=$(FIRMWARE_PREFIX)gcc AR=$(FIRMWARE_PREFIX)ar HOST_CXX='$(HOST_CXX)' TARGET=$(1) PRECISION=$(2) ARCH= RUNNER= \
-  CXXFLAGS='-O2 -fcallgraph-info=su -fstack-usage' LDFLAGS= BUILD=$(BUILD)/$(1)
+  CXXFLAGS='-O3 -fcallgraph-info=su -fstack-usage' LDFLAGS= BUILD=$(BUILD)/$(1)
 IMAGES := $(BUILD)/cortex-m7/flight.elf $(BUILD)/cortex-m4f/flight.elf
 
 firmware: ## images of the reference flight for Cortex-M7 and Cortex-M4F
