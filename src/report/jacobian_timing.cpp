@@ -9,6 +9,7 @@
 #include "report/linear_models.hpp"
 #include "report/reference_points.hpp"
 #include "report/sections.hpp"
+#include "report/step_error.hpp"
 #include "report/svg_plot.hpp"
 #include "report/wording.hpp"
 
@@ -163,6 +164,7 @@ Section jacobian_timing() {
        "and flapping anew; here both ways evaluate the same function, once for each entry they need."});
   section.pictures = {picture(table)};
   section.tables.push_back({"jacobian_timing", "times and ratios", table});
+  add_step_error(section);
   return section;
 }
 

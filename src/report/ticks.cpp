@@ -46,14 +46,19 @@ Scale linear_scale(double low, double high, int count, bool fixed) {
   return scale;
 }
 
+// Numbers at every power of ten; over few powers at 2 and 5 as well, over many at every third and none
+// between.
 Scale logarithmic_scale(double low, double high) {
   Scale scale{low, high, true, {}};
-  const bool few = std::log10(high / low) < 3;
+  const double powers = std::log10(high / low);
+  const bool few = powers < 3;
+  const bool many = powers > 7;
   for (double power = std::floor(std::log10(low)); power <= std::log10(high); ++power) {
-    for (int digit = 1; digit < 10; ++digit) {
+    for (int digit = 1; digit < (many ? 2 : 10); ++digit) {
       const double value = digit * std::pow(10.0, power);
       if (value < low * (1 - 1e-9) || value > high * (1 + 1e-9)) continue;
-      const bool numbered = digit == 1 || (few && (digit == 2 || digit == 5));
+      const bool numbered =
+          many ? std::fmod(power, 3) == 0 : digit == 1 || (few && (digit == 2 || digit == 5));
       scale.ticks.push_back({value, numbered ? cli::number_text(value, 3) : ""});
     }
   }

@@ -120,5 +120,9 @@ TEST(report_ticks_are_round) {
   CHECK_EQ(linear_scale(0, 0.3, 3, false).ticks.back().text, "0.3");
   CHECK_EQ(linear_scale(0, 2000, 5, false).ticks.back().text, "2000");
   CHECK_EQ(logarithmic_scale(0.1, 100).ticks.front().text, "0.1");
+  const Scale wide = logarithmic_scale(1e-13, 0.1);
+  CHECK_EQ(wide.ticks.size(), std::size_t{13});
+  CHECK_EQ(wide.ticks[1].text, "1e-12");
+  CHECK_EQ(wide.ticks[2].text, "");
   CHECK_EQ(coordinate(-0.001), "0");
 }

@@ -98,7 +98,7 @@ inline void substitute(const LU<R, N>& lu, R* x) {
   }
   for (int first = 0; first < n; first += kGroup) {
     const int last = first + kGroup < n ? first + kGroup : n;
-    R own[kGroup];
+    R own[kGroup] = {};
     for (int i = first; i < last; ++i) own[i - first] = x[lu.row[i]] - known_part(lower[i], y, 0, first);
     for (int k = first; k < last; ++k) {
       y[k] = own[k - first];
@@ -108,7 +108,7 @@ inline void substitute(const LU<R, N>& lu, R* x) {
   const int end = lane_ceil<R>(n);
   for (int first = end - kGroup; first >= 0; first -= kGroup) {
     const int last = first + kGroup < n ? first + kGroup : n;
-    R own[kGroup];
+    R own[kGroup] = {};
     for (int i = first; i < last; ++i) own[i - first] = y[i] - known_part(upper[i], y, first + kGroup, end);
     for (int k = last - 1; k >= first; --k) {
       own[k - first] *= lu.inverse_pivot[k];
