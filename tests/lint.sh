@@ -16,8 +16,9 @@ else
 fi
 
 if command -v cppcheck >/dev/null; then
+    # One configuration, that of GCC: its parser needs minutes a file for each of them.
     # shellcheck disable=SC2086
-    if cppcheck --quiet --std=c++17 --language=c++ --inline-suppr --enable=warning,performance,portability \
+    if cppcheck -D__GNUC__=12 -DTILTROTOR_NUMERICAL_DIFFERENCES=0 --quiet --std=c++17 --language=c++ --inline-suppr --enable=warning,performance,portability \
         --suppressions-list=tests/cppcheck.txt --error-exitcode=1 -j "$(nproc)" -Iinclude -Isrc "$@"; then
         echo "cppcheck: $# files, nothing found"
     else

@@ -160,7 +160,7 @@ void LinearOutput::add_matlab(const LinearCase& which, const Model& model) {
 void LinearOutput::add_table(const LinearCase& which, const Model& model) {
   constexpr int digits = 5;
   constexpr std::size_t width = 13;
-  const auto cell = [](std::string text) {
+  const auto cell = [](const std::string& text) {
     return std::string(text.size() < width ? width - text.size() : 1, ' ') + text;
   };
   std::string text = (count_ > 0 ? "\n" : "") + std::string("mast ") + number_text(which.mast_deg, digits) +
