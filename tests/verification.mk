@@ -84,7 +84,7 @@ trace: all $(BUILD)/run_tests ## check that every requirement has tests, that th
 
 LINTED := $(filter-out src/examples/% src/firmware/%,$(call find,src,*.cpp))
 lint: $(GENERATED) ## clang-tidy and cppcheck on src/ and the headers it includes
-	$(Q)tests/lint.sh '-std=c++17 -Iinclude $(PRIVATE)' $(LINTED)
+	$(Q)tests/lint.sh "-std=c++17 -Iinclude $(PRIVATE)" $(LINTED)
 
 # ---- mutation ----
 
