@@ -39,8 +39,9 @@ struct WithoutTailWash {
   std::vector<double> zeros;
   WithoutTailWash() {
     auto& factor = aircraft.htail.rotor_wash_beta;
-    constexpr int numbers_per_knot = 2;  // value and slope
-    zeros.assign(static_cast<std::size_t>(numbers_per_knot * factor.smooth[0].count * factor.linear[0].count),
+    constexpr std::size_t numbers_per_knot = 2;  // value and slope
+    zeros.assign(numbers_per_knot * static_cast<std::size_t>(factor.smooth[0].count) *
+                     static_cast<std::size_t>(factor.linear[0].count),
                  0.0);
     factor.node = zeros.data();
   }
@@ -91,9 +92,9 @@ void fly(const Case& which, Records& records) {
   Status status = start(c, trim.state, trim.controls, kStep, Integrator::rk4, flight);
   if (status == Status::ok)
     status = add_input(flight, {InputShape::step, iu_collective, one_degree, 0.0, 0.0});
-  const int steps = static_cast<int>(kDuration / kStep + 0.5);
-  const int record_steps = static_cast<int>(kRecordEvery / kStep + 0.5);
-  const int second = static_cast<int>(1 / kStep + 0.5);
+  const int steps = static_cast<int>(std::lround(kDuration / kStep));
+  const int record_steps = static_cast<int>(std::lround(kRecordEvery / kStep));
+  const int second = static_cast<int>(std::lround(1 / kStep));
   for (int k = 0; k <= steps && status == Status::ok; ++k) {
     if (k % record_steps == 0) record_motion(which.name, flight, records.motion);
     if (k % second == 0) record_modes(which.name, c, flight, *modes, k > 0, records.modes);

@@ -1,6 +1,7 @@
 #include "report/flights.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <stdexcept>
 
@@ -81,7 +82,7 @@ double middle_speed(double mast_deg) {
 SpeedSweep speed_sweep(double mast_deg, double step_mps, double highest_mps) {
   SpeedSweep sweep{mast_deg, configured(mast_deg), {}};
   const int first = static_cast<int>(middle_speed(mast_deg) / step_mps);
-  const int last = static_cast<int>(highest_mps / step_mps + 0.5);
+  const int last = static_cast<int>(std::lround(highest_mps / step_mps));
   std::vector<LevelFlight>& flights = sweep.flights;
   const auto add = [&](int k) {
     const double speed = k * step_mps;
