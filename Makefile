@@ -60,6 +60,8 @@ FLAGS      := -std=c++17 $(CXXFLAGS) $(ARCH_FLAGS) -ffp-contract=off -fno-tree-s
 HOST_FLAGS := -std=c++17 $(HOST_CXXFLAGS) $(WARNINGS) -Iinclude -Isrc
 FLAGS      += $(if $(filter single,$(PRECISION)),-DTR_SINGLE_PRECISION)
 CORE_FLAGS := -fno-exceptions -fno-rtti
+# The numbers are made in the library; the program around it need not be fast, but quick to build.
+PROGRAM_FLAGS := $(if $(filter -O3,$(CXXFLAGS)),-O1)
 ND_FLAGS   := -DTILTROTOR_NUMERICAL_DIFFERENCES=1
 PRIVATE    := -Isrc -I$(BUILD)/generated -DTILTROTOR_VERSION=\"$(VERSION)\"
 TEST_FLAGS := -Itests '-DTILTROTOR_SOURCE_DIR="$(CURDIR)"' '-DTILTROTOR_BINARY_DIR="$(abspath $(BUILD))"' \
@@ -221,7 +223,7 @@ $(BUILD)/nd/%.o: src/%.cpp
 	$(call compile,$(CORE_FLAGS) $(ND_FLAGS),numerical differences)
 
 $(BUILD)/program/%.o: src/%.cpp
-	$(call compile)
+	$(call compile,$(PROGRAM_FLAGS))
 
 $(BUILD)/tests/%.o: tests/%.cpp
 	$(call compile,$(TEST_FLAGS))
