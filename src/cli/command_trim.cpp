@@ -111,8 +111,8 @@ Command trim_command() {
           "Level, climbing, turning or sideslipping flight, each from a cold start. --mast and --speed take "
           "a value,\n"
           "a list or a range. A row without a trim says so in `status` (wing_stall, control_limit, "
-          "not_converged,\n"
-          "...), stderr explains it, and the exit status is 1.\n",
+          "rotor_stall,\n"
+          "not_converged, ...), stderr explains it, and the exit status is 1.\n",
           "tiltrotor trim --mast 0,30 --speed 0:5:50 --format csv",
           flight_list() + SetupOptions::list() + Output::list(),
           run};

@@ -119,6 +119,8 @@ tr_status translated(TrimStatus status) {
       return TR_CONTROL_LIMIT;
     case TrimStatus::flap_limit:
       return TR_FLAP_LIMIT;
+    case TrimStatus::rotor_stall:
+      return TR_ROTOR_STALL;
     case TrimStatus::not_converged:
       return TR_NOT_CONVERGED;
     case TrimStatus::singular:
@@ -149,6 +151,7 @@ constexpr StatusWords kWords[] = {
     {"wing_stall", "trimmed, but the wing is past its stall"},
     {"control_limit", "trimmed, but a control is beyond its stop"},
     {"flap_limit", "trimmed, but a gimbal is beyond its stop"},
+    {"rotor_stall", "no trim: the rotors stall before they carry the weight"},
 };
 static_assert(sizeof(kWords) / sizeof(kWords[0]) == TR_STATUS_COUNT, "one row per status");
 

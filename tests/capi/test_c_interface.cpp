@@ -376,6 +376,17 @@ TEST(capi_bad_flights_leave_the_aircraft_alone) {
   };
   CHECK_EQ(beyond(30, {24, 0, 0, 0}, "wing angle of attack"), TR_WING_STALL);
   CHECK_EQ(beyond(0, {40, 0, 0, tr_real(0.35)}, "pedal"), TR_CONTROL_LIMIT);
+  // In thin air the rotors stall before they carry the weight: the aircraft stays as it was.
+  tr_setup setup = setup_at(0);
+  setup.altitude_m = 3500;
+  tr_sim high;
+  CHECK_EQ(tr_init(&high, TR_API_VERSION, &setup), TR_OK);
+  const tr_sim high_before = high;
+  const tr_flight slow = {6, 0, 0, 0};
+  tr_trim_result stalled;
+  CHECK_EQ(tr_trim(&high, work.get(), &slow, &stalled), TR_ROTOR_STALL);
+  CHECK(std::strstr(stalled.text, "the rotors carry at most") != nullptr);
+  CHECK(same_bits(high, high_before));
   // 140 m/s in helicopter mode: no trim, or one beyond a limit; never a crash, always a reason.
   const tr_flight fast = {140, 0, 0, 0};
   tr_trim_result result;

@@ -11,11 +11,7 @@
 // special case in which half of them agree.
 #pragma once
 
-#include <type_traits>
-
-#include "tiltrotor/analysis/trim_equations.hpp"
-#include "tiltrotor/analysis/trim_limits.hpp"
-#include "tiltrotor/math/lu.hpp"
+#include "tiltrotor/analysis/trim_continuation.hpp"
 
 namespace tiltrotor {
 
@@ -43,27 +39,9 @@ struct TrimResult {
   R download_fraction;  // force of the rotor wakes on the wing against the thrust, over the rotors' force (at
                         // least a tenth of the weight); 0 where the wing in the wake pulls forward
 
+  R weight_carried;            // 1; with rotor_stall the part of the weight that the rotors carry at most
   TrimLimit limit;             // the first limit exceeded, or none
   R limit_value, limit_bound;  // rad or in
-};
-
-template <class R, class Policy = DefaultDifferentiation>
-struct TrimWorkspace {
-  static constexpr int kDirections =
-      kMaxTrimUnknowns < kModelDirections ? kMaxTrimUnknowns : kModelDirections;
-  using Seeded = typename Policy::template Scalar<R, kDirections>;
-  typename Policy::template Workspace<R, kDirections, kMaxTrimUnknowns, kMaxTrimUnknowns> differentiation;
-  ModelRooms<R, Seeded> rooms;
-  TrimEquations<R> equations;
-  Matrix<R, kMaxTrimUnknowns, kMaxTrimUnknowns> jacobian;
-  LU<R, kMaxTrimUnknowns> lu;
-  R z[kMaxTrimUnknowns];        // current unknowns
-  R first_z[kMaxTrimUnknowns];  // where the cold start ended
-  R trial[kMaxTrimUnknowns];
-  R step[kMaxTrimUnknowns];
-  R residual[kMaxTrimUnknowns];
-  R trial_residual[kMaxTrimUnknowns];
-  Evaluation<R> evaluation;
 };
 
 inline constexpr int kMaxTrimIterations = 200;
@@ -75,8 +53,9 @@ struct TrimOptions {
 
 // Trim from a cold start. The result is defined whatever is returned; when is_trimmed(status) it fulfils the
 // equations of motion to the tolerance (1e-10 in double), otherwise it describes the best point of the first
-// attempt. not_converged: no trim found; result.residual_state tells which equation is left, result.limit
-// which limit the last point exceeds, often the reason. Cost: typically 3 to 9 Jacobians; at most about 450
+// attempt. rotor_stall: there is none short of the rotors' stall, result.weight_carried is what they lift
+// before. not_converged: no trim found; result.residual_state tells which equation is left, result.limit
+// which limit the last point exceeds, often the reason. Cost: typically 3 to 9 Jacobians; at most about 800
 // with the default options.
 template <class R, class Policy>
 TrimStatus trim(const Configuration<R>& c, const SteadyFlight<R>& flight, TrimWorkspace<R, Policy>& work,
@@ -88,144 +67,6 @@ TrimStatus trim_from(const Configuration<R>& c, const SteadyFlight<R>& flight, T
                      TrimResult<R>& result, const TrimOptions& options = {});
 
 namespace trim_detail {
-
-// Largest scaled residual of a converged trim. In single precision the rounding of the loads sets it.
-template <class R>
-constexpr R tolerance() {
-  const R wanted = R(1e-10);
-  const R rounding = R(100) * std::numeric_limits<R>::epsilon();
-  return wanted > rounding ? wanted : rounding;
-}
-
-inline constexpr int kHalvings = 12;
-inline constexpr int kStageIterations =
-    12;                                  // Newton steps of one stage of a continuation, and of a start nearby
-inline constexpr int kFlightStages = 8;  // from level flight to the climb, turn and sideslip asked for
-inline constexpr int kSpeedSearch = 4;   // neighbouring speeds tried on each side, 5 m/s apart
-inline constexpr int kStagesPerSearch = 2;  // the way back in steps of 2.5 m/s
-
-template <class R>
-struct NewtonOutcome {
-  TrimStatus status;  // ok, not_converged, singular or not_finite
-  R residual;         // largest
-  int worst;          // its equation
-};
-
-// Largest entry by size, and where; NaN counts as infinite.
-template <class R>
-NewtonOutcome<R> largest(const R* residual, int n) {
-  NewtonOutcome<R> found{TrimStatus::not_converged, R(0), 0};
-  for (int i = 0; i < n; ++i) {
-    const R size = std::fabs(residual[i]);
-    if (!is_finite(size)) return {TrimStatus::not_finite, std::numeric_limits<R>::infinity(), i};
-    if (size > found.residual) {
-      found.residual = size;
-      found.worst = i;
-    }
-  }
-  if (found.residual < tolerance<R>()) found.status = TrimStatus::ok;
-  return found;
-}
-
-template <class R>
-R square_norm(const R* residual, int n) {
-  R sum = R(0);
-  for (int i = 0; i < n; ++i) sum += residual[i] * residual[i];
-  return sum;
-}
-
-// The whole step shortened, its direction kept, until no unknown moves by more than its limit.
-template <class R>
-void limit_step(const TrimEquations<R>& equations, R* step) {
-  R factor = R(1);
-  for (int j = 0; j < equations.count; ++j) {
-    const R limit = equations.row[j].step_limit;
-    const R size = std::fabs(step[j]);
-    if (limit > R(0) && size * factor > limit) factor = limit / size;
-  }
-  for (int j = 0; j < equations.count; ++j) step[j] *= factor;
-}
-
-// Newton from work.z, which holds the best point found when it returns.
-template <class R, class Policy>
-NewtonOutcome<R> newton(const Configuration<R>& c, const SteadyFlight<R>& flight,
-                        TrimWorkspace<R, Policy>& work, int max_iterations, int& iterations) {
-  const int n = work.equations.count;
-  const auto residuals = [&](const auto* z, auto* residual) {
-    using T = std::remove_reference_t<decltype(*residual)>;
-    trim_residuals(c, flight, work.equations, work.rooms.template of<T>(), z, residual);
-  };
-  R scale[kMaxTrimUnknowns];
-  for (int j = 0; j < n; ++j) scale[j] = work.equations.row[j].scale;
-
-  for (int iteration = 0; iteration <= max_iterations; ++iteration) {
-    Policy::jacobian(residuals, n, n, work.z, scale, work.residual, work.differentiation,
-                     [&work](int i, int j, R slope) { work.jacobian(i, j) = slope; });
-    NewtonOutcome<R> outcome = largest(work.residual, n);
-    if (outcome.status != TrimStatus::not_converged || iteration == max_iterations) return outcome;
-
-    for (int i = 0; i < n; ++i) work.step[i] = -work.residual[i];
-    if (lu_factor(work.jacobian, n, work.lu) != Status::ok || lu_solve(work.lu, work.step) != Status::ok) {
-      outcome.status = TrimStatus::singular;
-      return outcome;
-    }
-    limit_step(work.equations, work.step);
-
-    const R before = square_norm(work.residual, n);
-    R length = R(1);
-    bool accepted = false;
-    for (int halving = 0; halving <= kHalvings && !accepted; ++halving) {
-      for (int j = 0; j < n; ++j) work.trial[j] = work.z[j] + length * work.step[j];
-      residuals(static_cast<const R*>(work.trial), work.trial_residual);
-      accepted = square_norm(work.trial_residual, n) < before;  // false for NaN
-      length *= R(0.5);
-    }
-    if (!accepted) return outcome;
-    ++iterations;
-    for (int j = 0; j < n; ++j) work.z[j] = work.trial[j];
-    outcome = largest(work.trial_residual, n);
-    if (outcome.status == TrimStatus::ok) return outcome;
-  }
-  return largest(work.residual, n);
-}
-
-// Climb, turn and sideslip in equal parts, beginning at level flight.
-template <class R, class Policy>
-NewtonOutcome<R> from_level_flight(const Configuration<R>& c, const SteadyFlight<R>& flight,
-                                   TrimWorkspace<R, Policy>& work, int& iterations) {
-  SteadyFlight<R> stage{flight.speed, R(0), R(0), R(0)};
-  trim_first_guess(c, stage, work.equations, work.z);
-  NewtonOutcome<R> outcome = newton(c, stage, work, kStageIterations, iterations);
-  for (int k = 1; k <= kFlightStages && outcome.status == TrimStatus::ok; ++k) {
-    const R part = static_cast<R>(k) / R(kFlightStages);
-    stage = {flight.speed, part * flight.climb, part * flight.turn_rate, part * flight.sideslip};
-    outcome = newton(c, stage, work, kStageIterations, iterations);
-  }
-  return outcome;
-}
-
-// The nearest speed on one side that has a trim, and from there back to the speed asked for.
-template <class R, class Policy>
-NewtonOutcome<R> from_other_speed(const Configuration<R>& c, const SteadyFlight<R>& flight, R direction,
-                                  TrimWorkspace<R, Policy>& work, int& iterations) {
-  const R spacing = R(5);  // m/s
-  NewtonOutcome<R> outcome{TrimStatus::not_converged, std::numeric_limits<R>::infinity(), 0};
-  SteadyFlight<R> stage = flight;
-  int distance = 0;
-  for (int k = 1; k <= kSpeedSearch && outcome.status != TrimStatus::ok; ++k) {
-    stage.speed = flight.speed + direction * spacing * static_cast<R>(k);
-    if (first_invalid(stage) != SteadyFlightField::none) return outcome;
-    trim_first_guess(c, stage, work.equations, work.z);
-    outcome = newton(c, stage, work, kStageIterations, iterations);
-    distance = k;
-  }
-  const int stages = distance * kStagesPerSearch;
-  for (int k = stages - 1; k >= 0 && outcome.status == TrimStatus::ok; --k) {
-    stage.speed = flight.speed + direction * spacing * static_cast<R>(k) / R(kStagesPerSearch);
-    outcome = newton(c, stage, work, kStageIterations, iterations);
-  }
-  return outcome;
-}
 
 template <class R, class Policy>
 void unpack_unknowns(const SteadyFlight<R>& flight, const TrimWorkspace<R, Policy>& work, State<R>& state,
@@ -324,6 +165,7 @@ bool begin(const Configuration<R>& c, const SteadyFlight<R>& flight, const TrimO
   result.attempts = 0;
   result.residual = std::numeric_limits<R>::quiet_NaN();
   result.residual_state = ix_u;
+  result.weight_carried = R(1);
   result.limit = TrimLimit::none;
   result.limit_value = result.limit_bound = R(0);
   result.invalid = first_invalid(flight);
@@ -359,8 +201,14 @@ TrimStatus trim(const Configuration<R>& c, const SteadyFlight<R>& flight, TrimWo
       ++result.attempts;
       outcome = trim_detail::from_other_speed(c, flight, side == 0 ? R(-1) : R(1), work, result.iterations);
     }
+    if (outcome.status != TrimStatus::ok && c.setup.mast_deg < trim_detail::kRotorborneMast<R>) {
+      ++result.attempts;
+      outcome = trim_detail::from_less_weight(c, flight, work, result.iterations, result.weight_carried);
+    }
     if (outcome.status != TrimStatus::ok) {
+      const bool stalled = outcome.status == TrimStatus::rotor_stall;
       outcome = first_outcome;
+      if (stalled) outcome.status = TrimStatus::rotor_stall;
       for (int j = 0; j < n; ++j) work.z[j] = work.first_z[j];
     }
   }

@@ -10,8 +10,8 @@ namespace tiltrotor {
 // Roll, pitch, four inceptors, five states a rotor, downwash, two coning angles.
 inline constexpr int kMaxTrimUnknowns = 19;
 
-// One unknown and one equation. The unknown is a state or a control; the equation says that the rate of a
-// state, scaled, is zero.
+// One unknown and one equation. The unknown is a state, a control or, where both places are -1, the part of
+// the weight that is carried; the equation says that the rate of a state, scaled, is zero.
 template <class R>
 struct TrimEquation {
   int state;     // place of the unknown in State, or -1
@@ -22,11 +22,21 @@ struct TrimEquation {
   R rate_scale;  // residual = rate * rate_scale
 };
 
+// With `relieved` a vertical force takes the rest of the weight off the aircraft; the collective is then
+// `collective` where it is no unknown, the part of the weight carried is `carried` where it is none.
 template <class R>
 struct TrimEquations {
   int count;
   TrimEquation<R> row[kMaxTrimUnknowns];
+  bool relieved;
+  R carried;
+  R collective;  // rad
 };
+
+// Places in TrimEquations::row that are the same with all options.
+inline constexpr int kRollRow = 0;
+inline constexpr int kPitchRow = 1;
+inline constexpr int kCollectiveRow = 2;
 
 inline namespace trim_limits_of_step {
 template <class R>
@@ -45,6 +55,9 @@ void trim_equations(const Configuration<R>& c, TrimEquations<R>& equations) {
   const R omega = c.setup.rotor_speed;
   const R gravity = R(1) / kGravity<R>;
   equations.count = 0;
+  equations.relieved = false;
+  equations.carried = R(1);
+  equations.collective = R(0);
   const auto add_state = [&](int state, R limit, int rate, R rate_scale) {
     equations.row[equations.count++] = {state, -1, limit, state_scale<R>(state), rate, rate_scale};
   };
@@ -73,6 +86,25 @@ void trim_equations(const Configuration<R>& c, TrimEquations<R>& equations) {
   }
 }
 
+// The aircraft carries a given part of its weight, with the collective that this needs.
+template <class R>
+void set_carried_weight(TrimEquations<R>& equations, R carried) {
+  equations.relieved = true;
+  equations.carried = carried;
+}
+
+// The collective is given, and the aircraft carries the part of its weight that follows: the unknown in the
+// collective's place.
+template <class R>
+void set_collective(TrimEquations<R>& equations, R collective) {
+  equations.relieved = true;
+  equations.collective = collective;
+  TrimEquation<R>& row = equations.row[kCollectiveRow];
+  row.control = -1;
+  row.step_limit = R(0);
+  row.scale = R(1);
+}
+
 // Velocity and rates of the steady flight at the attitude in room.x.
 template <class T>
 TILTROTOR_NOINLINE void set_steady_motion(const SteadyFlight<Real<T>>& flight, ModelRoom<T>& room) {
@@ -86,6 +118,16 @@ TILTROTOR_NOINLINE void set_steady_motion(const SteadyFlight<Real<T>>& flight, M
   room.x[ix_r] = rates.z;
 }
 
+// A force of `part` of the weight, upwards, added to the rates in room.x.
+template <class T>
+TILTROTOR_NOINLINE void relieve_weight(const T& roll, const T& pitch, const T& part, ModelRoom<T>& room) {
+  const T relief = part * kGravity<Real<T>>;
+  const T level = relief * cos(pitch);
+  room.x[ix_u] += relief * sin(pitch);
+  room.x[ix_v] -= level * sin(roll);
+  room.x[ix_w] -= level * cos(roll);
+}
+
 // Residuals of the unknowns z, on plain numbers or duals. `controls`: values of the inputs that are not
 // unknowns.
 template <class T>
@@ -94,22 +136,27 @@ void trim_residuals(const Configuration<Real<T>>& c, const SteadyFlight<Real<T>>
   using R = Real<T>;
   for (T& x : room.x) x = T(R(0));
   for (T& u : room.u) u = T(R(0));
+  room.u[iu_collective] = T(equations.collective);
+  T carried(equations.carried);
   for (int j = 0; j < equations.count; ++j) {
     const TrimEquation<R>& row = equations.row[j];
     if (row.state >= 0) {
       room.x[row.state] = z[j];
-    } else {
+    } else if (row.control >= 0) {
       room.u[row.control] = z[j];
+    } else {
+      carried = z[j];
     }
   }
   set_steady_motion(flight, room);
   model_rates(c, R(0), room);
+  if (equations.relieved) relieve_weight(z[kRollRow], z[kPitchRow], R(1) - carried, room);
   for (int j = 0; j < equations.count; ++j) {
     residual[j] = room.x[equations.row[j].rate] * equations.row[j].rate_scale;
   }
 }
 
-// First guess for any mast angle and speed , extended to turns and climbs: bank of a
+// First guess for any mast angle and speed, extended to turns and climbs: bank of a
 // coordinated turn, its load factor on the rotors, and the part of the climb that thrust along the path must
 // carry.
 template <class R>

@@ -97,6 +97,10 @@ int explain(const TrimResult<R>& r, char* text, int capacity) {
       sentence << "trimmed, but ";
       trim_detail::write_limit(r, sentence);
       break;
+    case TrimStatus::rotor_stall:
+      sentence << "no trim: the rotors carry at most ";
+      sentence.fixed(100 * static_cast<double>(r.weight_carried)) << " % of the weight before they stall";
+      break;
     case TrimStatus::not_converged:
     case TrimStatus::singular:
       sentence << "no trim found in " << r.iterations << " Newton steps: scaled residual ";

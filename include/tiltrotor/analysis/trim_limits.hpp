@@ -12,6 +12,7 @@ enum class [[nodiscard]] TrimStatus : unsigned char{
     wing_stall,     // trimmed, but the wing is past its stall
     control_limit,  // trimmed, but a control is beyond its stop
     flap_limit,     // trimmed, but a gimbal is beyond its stop
+    rotor_stall,    // no trim: the rotors stall before they carry the weight
     not_converged,  // no trim found
     singular,       // the Newton matrix was singular at the last step
     not_finite,     // the model gave NaN or infinity at the first guess
@@ -33,9 +34,9 @@ enum class TrimLimit : unsigned char {
 };
 
 namespace trim_detail {
-inline constexpr const char* kStatusWords[] = {"ok",         "wing_stall",    "control_limit",
-                                               "flap_limit", "not_converged", "singular",
-                                               "not_finite", "out_of_range"};
+inline constexpr const char* kStatusWords[] = {"ok",         "wing_stall",  "control_limit",
+                                               "flap_limit", "rotor_stall", "not_converged",
+                                               "singular",   "not_finite",  "out_of_range"};
 static_assert(sizeof(kStatusWords) / sizeof(kStatusWords[0]) == static_cast<unsigned>(TrimStatus::count),
               "one word per status");
 struct LimitName {
