@@ -71,7 +71,7 @@ int at_given_states(const Arguments& arguments, const SetupOptions& setup) {
 int at_trim(const Arguments& arguments, const SetupOptions& setup) {
   Linearizer linearizer(arguments, flight_cases(arguments).size() == 1);
   const int exit_status = for_each_trim(
-      arguments, setup, linearizer.shard(), linearizer.room(), [&](const TrimmedFlight& flight) -> int {
+      arguments, {setup}, linearizer.shard(), linearizer.room(), [&](const TrimmedFlight& flight) -> int {
         const bool trimmed = is_trimmed(flight.trim.status);
         const LinearCase which{std::to_string(flight.number), flight.mast_deg, flight.flight.speed,
                                trim_status_word(flight.trim.status), trimmed};

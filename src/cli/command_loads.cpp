@@ -62,7 +62,7 @@ int loads_at_trim(const Arguments& arguments, const SetupOptions& setup) {
   Records records = output.records(columns, Output::to_compare);
   const AnalysesRoom room;
   const int exit_status =
-      for_each_trim(arguments, setup, output.shard(), *room, [&](const TrimmedFlight& flight) -> int {
+      for_each_trim(arguments, {setup}, output.shard(), *room, [&](const TrimmedFlight& flight) -> int {
         if (!is_trimmed(flight.trim.status)) return exit_case_failed;
         return add_state(records, std::to_string(flight.number), flight.configuration, flight.trim.state,
                          flight.trim.controls);

@@ -152,7 +152,7 @@ int run(const Arguments& arguments) {
     std::fprintf(stderr, "tiltrotor: respond: cannot start: %s\n", status_text(status));
     return exit_case_failed;
   };
-  const int exit_status = for_each_trim(arguments, setup, Shard{}, *room, visit);
+  const int exit_status = for_each_trim(arguments, {setup}, Shard{}, *room, visit);
   companions.finish();
   records.finish();
   return exit_status;

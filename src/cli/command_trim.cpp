@@ -12,6 +12,7 @@ namespace {
 
 constexpr double radian = kRadian<double>;
 constexpr double kilo = 1000;
+constexpr double inch = 0.0254;
 
 using Flight = const TrimmedFlight&;
 
@@ -67,6 +68,8 @@ const Column columns_after_status[] = {
     {"n0_left", [](Flight f) { return f.trim.state.rotor[left].n0; }},
     {"flap_deg", [](Flight f) { return f.configuration.setup.flap_deg; }, true},
     {"rotor_rpm", [](Flight f) { return f.configuration.setup.rotor_speed * 30 / kPi<double>; }, true},
+    {"mass_kg", [](Flight f) { return f.configuration.setup.mass; }, true},
+    {"cg_sl_in", [](Flight f) { return f.configuration.setup.sl_cg / inch; }, true},
 };
 
 std::vector<std::string> column_names() {
@@ -90,12 +93,12 @@ Row row(Flight flight) {
 }
 
 int run(const Arguments& arguments) {
-  const SetupOptions setup(arguments);
-  flight_cases(arguments);
+  const std::vector<SetupOptions> setups = SetupOptions::every_combination(arguments);
+  flight_cases(arguments, setups.size());
   Output output(arguments);
   Records records = output.records(column_names(), Output::to_read);
   const AnalysesRoom room;
-  const int exit_status = for_each_trim(arguments, setup, output.shard(), *room, [&](Flight flight) {
+  const int exit_status = for_each_trim(arguments, setups, output.shard(), *room, [&](Flight flight) {
     records.add(row(flight));
     return 0;
   });
@@ -108,9 +111,10 @@ int run(const Arguments& arguments) {
 Command trim_command() {
   return {"trim",
           "equilibrium at every combination of mast angle and speed",
-          "Level, climbing, turning or sideslipping flight, each from a cold start. --mast and --speed take "
-          "a value,\n"
-          "a list or a range. A row without a trim says so in `status` (wing_stall, control_limit, "
+          "Level, climbing, turning or sideslipping flight, each from a cold start. --mast, --speed, "
+          "--altitude,\n"
+          "--mass and --cg-sl take a value, a list or a range. A row without a trim says so in `status` "
+          "(wing_stall, control_limit, "
           "rotor_stall,\n"
           "not_converged, ...), stderr explains it, and the exit status is 1.\n",
           "tiltrotor trim --mast 0,30 --speed 0:5:50 --format csv",

@@ -22,6 +22,15 @@ std::optional<double> optional_number(const Arguments& arguments, const char* na
   return arguments.number(name, 0, range) * unit;
 }
 
+// Nothing, as the only value, where the option is not given.
+std::vector<std::optional<double>> optional_numbers(const Arguments& arguments, const char* name,
+                                                    const Range& range, double unit) {
+  if (!arguments.given(name)) return {std::nullopt};
+  std::vector<std::optional<double>> values;
+  for (const double value : arguments.sweep(name, "", range)) values.emplace_back(value * unit);
+  return values;
+}
+
 std::optional<double> flap_setting(const Arguments& arguments) {
   if (!arguments.given("--flap")) return std::nullopt;
   const std::size_t setting = arguments.choice("--flap", "0", {"0", "20", "40", "75"});
@@ -59,12 +68,35 @@ OptionList SetupOptions::list() {
 
 OptionList SetupOptions::rotor_list() { return OptionList{altitude_option} + switch_options; }
 
-SetupOptions::SetupOptions(const Arguments& arguments)
-    : altitude_(arguments.number("--altitude", 0, kAltitudeRange)),
-      flap_deg_(flap_setting(arguments)),
-      rotor_speed_(optional_number(arguments, "--rotor-rpm", kRotorSpeedRange, rpm)),
-      mass_(optional_number(arguments, "--mass", mass_range, 1)),
-      sl_cg_(optional_number(arguments, "--cg-sl", cg_range, inch)) {
+SetupOptions::SetupOptions(const Arguments& arguments) : SetupOptions(arguments, Common{}) {
+  altitude_ = optional_number(arguments, "--altitude", kAltitudeRange, 1);
+  mass_ = optional_number(arguments, "--mass", mass_range, 1);
+  sl_cg_ = optional_number(arguments, "--cg-sl", cg_range, inch);
+}
+
+std::vector<SetupOptions> SetupOptions::every_combination(const Arguments& arguments) {
+  const auto altitudes = optional_numbers(arguments, "--altitude", kAltitudeRange, 1);
+  const auto masses = optional_numbers(arguments, "--mass", mass_range, 1);
+  const auto stations = optional_numbers(arguments, "--cg-sl", cg_range, inch);
+  require_few(arguments.command(), {altitudes.size(), masses.size(), stations.size()});
+  std::vector<SetupOptions> all;
+  SetupOptions one(arguments, Common{});
+  for (const auto& altitude : altitudes) {
+    for (const auto& mass : masses) {
+      for (const auto& station : stations) {
+        one.altitude_ = altitude;
+        one.mass_ = mass;
+        one.sl_cg_ = station;
+        all.push_back(one);
+      }
+    }
+  }
+  return all;
+}
+
+SetupOptions::SetupOptions(const Arguments& arguments, Common)
+    : flap_deg_(flap_setting(arguments)),
+      rotor_speed_(optional_number(arguments, "--rotor-rpm", kRotorSpeedRange, rpm)) {
   for (const std::string& assignment : arguments.texts("--option")) {
     const std::string where = arguments.where("--option") + " " + assignment;
     const std::size_t equals = assignment.find('=');
@@ -81,13 +113,22 @@ SetupOptions::SetupOptions(const Arguments& arguments)
 
 FlightSetup<double> SetupOptions::flight_setup(double mast_deg) const {
   FlightSetup<double> setup = tiltrotor::flight_setup(aircraft_data<double>(), mast_deg);
-  setup.altitude = altitude_;
+  setup.altitude = altitude_.value_or(0);
   setup.flap_deg = flap_deg_.value_or(setup.flap_deg);
   setup.rotor_speed = rotor_speed_.value_or(setup.rotor_speed);
   setup.mass = mass_.value_or(setup.mass);
   setup.sl_cg = sl_cg_.value_or(setup.sl_cg);
   setup.options = switches_;
   return setup;
+}
+
+std::string SetupOptions::text() const {
+  constexpr int digits = 6;
+  std::string given;
+  if (altitude_) given += ", " + number_text(*altitude_, digits) + " m";
+  if (mass_) given += ", " + number_text(*mass_, digits) + " kg";
+  if (sl_cg_) given += ", CG at " + number_text(*sl_cg_ / inch, digits) + " in";
+  return given;
 }
 
 Configuration<double> SetupOptions::configuration(double mast_deg) const {
@@ -112,7 +153,7 @@ OptionList flight_list() {
   };
 }
 
-std::vector<FlightCase> flight_cases(const Arguments& arguments) {
+std::vector<FlightCase> flight_cases(const Arguments& arguments, std::size_t setups) {
   SteadyFlight<double> flight{};
   flight.climb = arguments.number("--climb", 0, kAngleRange) * radian;
   flight.sideslip = arguments.number("--sideslip", 0, kAngleRange) * radian;
@@ -120,11 +161,13 @@ std::vector<FlightCase> flight_cases(const Arguments& arguments) {
   std::vector<FlightCase> cases;
   const std::vector<double> speeds = arguments.sweep("--speed", "0", kSpeedRange);
   const std::vector<double> masts = arguments.sweep("--mast", "0", kMastRange);
-  require_few(arguments.command(), {masts.size(), speeds.size()});
-  for (const double mast_deg : masts) {
-    for (const double speed : speeds) {
-      flight.speed = speed;
-      cases.push_back({mast_deg, flight});
+  require_few(arguments.command(), {setups, masts.size(), speeds.size()});
+  for (std::size_t setup = 0; setup < setups; ++setup) {
+    for (const double mast_deg : masts) {
+      for (const double speed : speeds) {
+        flight.speed = speed;
+        cases.push_back({setup, mast_deg, flight});
+      }
     }
   }
   return cases;

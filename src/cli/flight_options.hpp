@@ -22,18 +22,23 @@ class SetupOptions {
   static OptionList list();
   static OptionList rotor_list();  // what concerns an isolated rotor
   explicit SetupOptions(const Arguments& arguments);
+  // One for every combination of --altitude, --mass and --cg-sl, in that order.
+  static std::vector<SetupOptions> every_combination(const Arguments& arguments);
 
   // Throws UsageError when the model refuses the combination.
   Configuration<double> configuration(double mast_deg) const;
   // With another rotor speed, rad/s.
   Configuration<double> configuration(double mast_deg, double rotor_speed) const;
-  double altitude() const { return altitude_; }
+  // What was given of altitude, mass and CG, for a message: ", 3000 m, 6000 kg, CG at 300 in".
+  std::string text() const;
   const Options& switches() const { return switches_; }
 
  private:
+  struct Common {};
+  SetupOptions(const Arguments& arguments, Common);
   FlightSetup<double> flight_setup(double mast_deg) const;
 
-  double altitude_;
+  std::optional<double> altitude_;
   std::optional<double> flap_deg_;
   std::optional<double> rotor_speed_;
   std::optional<double> mass_;
@@ -45,13 +50,14 @@ class SetupOptions {
 OptionList mast_option();
 
 struct FlightCase {
+  std::size_t setup;  // among the setups of the command line
   double mast_deg;
   SteadyFlight<double> flight;
 };
 
-// Every combination of --mast and --speed, in that order, with the common --climb, --sideslip and
-// --turn-rate.
+// Every combination of so many setups, --mast and --speed, in that order, with the common --climb, --sideslip
+// and --turn-rate.
 OptionList flight_list();
-std::vector<FlightCase> flight_cases(const Arguments& arguments);
+std::vector<FlightCase> flight_cases(const Arguments& arguments, std::size_t setups = 1);
 
 }  // namespace tiltrotor::cli

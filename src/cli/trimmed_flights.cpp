@@ -19,9 +19,10 @@ std::string flight_text(const std::string& command, double mast_deg, double spee
   return command + ": mast " + number_text(mast_deg, 6) + " deg, " + number_text(speed, 6) + " m/s";
 }
 
-int for_each_trim(const Arguments& arguments, const SetupOptions& setup, const Shard& shard, Analyses& work,
-                  const std::function<int(const TrimmedFlight&)>& visit, const Connected& connected) {
-  const std::vector<FlightCase> cases = flight_cases(arguments);
+int for_each_trim(const Arguments& arguments, const std::vector<SetupOptions>& setups, const Shard& shard,
+                  Analyses& work, const std::function<int(const TrimmedFlight&)>& visit,
+                  const Connected& connected) {
+  const std::vector<FlightCase> cases = flight_cases(arguments, setups.size());
   const std::size_t begin = shard.begin(cases.size());
   const std::size_t end = shard.end(cases.size());
   std::size_t first = begin;
@@ -35,11 +36,12 @@ int for_each_trim(const Arguments& arguments, const SetupOptions& setup, const S
     trimmed.connects = i > first && connected && connected(cases[i - 1], cases[i]);
     trimmed.mast_deg = cases[i].mast_deg;
     trimmed.flight = cases[i].flight;
+    const SetupOptions& setup = setups[cases[i].setup];
     trimmed.configuration = setup.configuration(trimmed.mast_deg);
+    trimmed.where = flight_text(arguments.command(), trimmed.mast_deg, trimmed.flight.speed) + setup.text();
     const TrimStatus status = trim(trimmed.configuration, trimmed.flight, work, trimmed.trim);
     if (status != TrimStatus::ok && !trimmed.is_preliminary) {
-      progress.message(flight_text(arguments.command(), trimmed.mast_deg, trimmed.flight.speed) + ": " +
-                       trim_status_word(status) + ": " + explanation(trimmed.trim));
+      progress.message(trimmed.where + ": " + trim_status_word(status) + ": " + explanation(trimmed.trim));
       exit_status = exit_case_failed;
     }
     const int visited = visit(trimmed);

@@ -13,6 +13,7 @@ struct TrimmedFlight {
   std::size_t number;   // among all flights of the command line, from 0
   bool is_preliminary;  // belongs to the shard before and is visited for the sake of its successor only
   bool connects;        // continues the flight visited before
+  std::string where;    // beginning of a message: "trim: mast 30 deg, 10 m/s, 3000 m"
   double mast_deg;
   SteadyFlight<double> flight;
   Configuration<double> configuration;
@@ -23,10 +24,11 @@ struct TrimmedFlight {
 // early enough to carry the same.
 using Connected = std::function<bool(const FlightCase&, const FlightCase&)>;
 
-// Calls `visit` for every flight of this shard, in order, trimmed or not; a flight without a valid trim is
-// explained on stderr. Returns exit_case_failed when there was one or `visit` returned it.
-int for_each_trim(const Arguments& arguments, const SetupOptions& setup, const Shard& shard, Analyses& work,
-                  const std::function<int(const TrimmedFlight&)>& visit,
+// Calls `visit` for every flight of this shard, with each of the setups, in order, trimmed or not; a flight
+// without a valid trim is explained on stderr. Returns exit_case_failed when there was one or `visit`
+// returned it.
+int for_each_trim(const Arguments& arguments, const std::vector<SetupOptions>& setups, const Shard& shard,
+                  Analyses& work, const std::function<int(const TrimmedFlight&)>& visit,
                   const Connected& connected = nullptr);
 
 // Beginning of a message: "trim: mast 30 deg, 10 m/s"

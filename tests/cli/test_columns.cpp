@@ -45,6 +45,36 @@ TEST(cli_trim_sweeps_every_combination) {
   }
 }
 
+// Altitude, mass and CG are the outer loops; each row is that of the aircraft alone.
+TEST(cli_trim_and_modes_sweep_the_loading) {
+  const std::string options = " --mast 0 --speed 0,40 --format csv ";
+  const CsvText trim(
+      run_tiltrotor("trim" + options + "--altitude 0,2000 --mass 5000,6000 --cg-sl 300:2:302").out);
+  const CsvText modes(run_tiltrotor("modes" + options + "--altitude 0,2000 --mass 5000:1000:6000").out);
+  if (!CHECK_EQ(trim.rows.size(), 16u)) return;
+  for (std::size_t i = 0; i < 16; ++i) {
+    CHECK_EQ(trim.number(i, "altitude_m"), i < 8 ? 0.0 : 2000.0);
+    CHECK_EQ(trim.number(i, "mass_kg"), i / 4 % 2 == 0 ? 5000.0 : 6000.0);
+    CHECK_NEAR(trim.number(i, "cg_sl_in"), i / 2 % 2 == 0 ? 300.0 : 302.0, 1e-9);
+    CHECK_EQ(trim.number(i, "speed_mps"), i % 2 == 0 ? 0.0 : 40.0);
+  }
+  const std::string last = "--altitude 2000 --mass 6000 ";
+  const CsvText alone(run_tiltrotor("trim --mast 0 --speed 40 --cg-sl 302 --format csv " + last).out);
+  CHECK(alone.rows.back() == trim.rows.back());
+  const CsvText last_modes(run_tiltrotor("modes" + options + last).out);
+  if (!CHECK_LT(last_modes.rows.size(), modes.rows.size())) return;
+  const std::size_t first = modes.rows.size() - last_modes.rows.size();
+  for (std::size_t i = 0; i < last_modes.rows.size(); ++i) CHECK(last_modes.rows[i] == modes.rows[first + i]);
+}
+
+// A message names the loading where one was given.
+TEST(cli_message_names_the_loading) {
+  const check::ProgramResult result =
+      run_tiltrotor("trim --mast 90 --speed 20 --altitude 1000,2000 --mass 6000");
+  CHECK(result.err.find("trim: mast 90 deg, 20 m/s, 1000 m, 6000 kg: ") != std::string::npos);
+  CHECK(result.err.find("trim: mast 90 deg, 20 m/s, 2000 m, 6000 kg: ") != std::string::npos);
+}
+
 // The stick is counted from its rear stop: 4.8 in the middle (GTRS); near that in hover.
 TEST(cli_trim_counts_the_stick_from_the_rear_stop) {
   const CsvText trim(run_tiltrotor("trim").out);
