@@ -19,6 +19,7 @@ namespace tiltrotor {
 
 struct AutoDiff {
   static constexpr const char* kName = "automatic";
+  static constexpr bool kJacobianGivesValue = true;  // at the price of a few values
 
   template <class R, int N>
   using Scalar = Dual<R, N>;
@@ -50,6 +51,7 @@ struct AutoDiff {
 
 struct NumDiff {
   static constexpr const char* kName = "numerical";
+  static constexpr bool kJacobianGivesValue = false;  // a value costs a small part of a Jacobian
 
   template <class R, int N>
   using Scalar = R;

@@ -82,6 +82,10 @@ void limit_step(const TrimEquations<R>& equations, R* step) {
   for (int j = 0; j < equations.count; ++j) step[j] *= factor;
 }
 
+// Below this residual the next step is expected to be the last.
+template <class R>
+inline constexpr R kNearlyConverged = R(1e-4);
+
 // Newton from work.z, which holds the best point found when it returns.
 template <class R, class Policy>
 NewtonOutcome<R> newton(const Configuration<R>& c, const SteadyFlight<R>& flight,
@@ -93,13 +97,16 @@ NewtonOutcome<R> newton(const Configuration<R>& c, const SteadyFlight<R>& flight
   };
   R scale[kMaxTrimUnknowns];
   for (int j = 0; j < n; ++j) scale[j] = work.equations.row[j].scale;
-
-  for (int iteration = 0; iteration <= max_iterations; ++iteration) {
-    Policy::jacobian(residuals, n, n, work.z, scale, work.residual, work.differentiation,
+  const auto differentiate = [&](const R* z, R* residual) {
+    Policy::jacobian(residuals, n, n, z, scale, residual, work.differentiation,
                      [&work](int i, int j, R slope) { work.jacobian(i, j) = slope; });
-    NewtonOutcome<R> outcome = largest(work.residual, n);
-    if (outcome.status != TrimStatus::not_converged || iteration == max_iterations) return outcome;
+  };
 
+  differentiate(work.z, work.residual);
+  bool differentiated = true;  // the Jacobian is that of work.z
+  NewtonOutcome<R> outcome = largest(work.residual, n);
+  for (int k = 0; k < max_iterations && outcome.status == TrimStatus::not_converged; ++k) {
+    if (!differentiated) differentiate(work.z, work.residual);
     for (int i = 0; i < n; ++i) work.step[i] = -work.residual[i];
     if (lu_factor(work.jacobian, n, work.lu) != Status::ok || lu_solve(work.lu, work.step) != Status::ok) {
       outcome.status = TrimStatus::singular;
@@ -107,22 +114,32 @@ NewtonOutcome<R> newton(const Configuration<R>& c, const SteadyFlight<R>& flight
     }
     limit_step(work.equations, work.step);
 
+    // Mostly the whole step is accepted, and the next one needs the Jacobian there: it costs little more than
+    // the residuals alone, which come with it.
+    const bool at_once = Policy::kJacobianGivesValue && outcome.residual > kNearlyConverged<R>;
     const R before = square_norm(work.residual, n);
     R length = R(1);
     bool accepted = false;
     for (int halving = 0; halving <= kHalvings && !accepted; ++halving) {
       for (int j = 0; j < n; ++j) work.trial[j] = work.z[j] + length * work.step[j];
-      residuals(static_cast<const R*>(work.trial), work.trial_residual);
+      differentiated = at_once && halving == 0;
+      if (differentiated) {
+        differentiate(work.trial, work.trial_residual);
+      } else {
+        residuals(static_cast<const R*>(work.trial), work.trial_residual);
+      }
       accepted = square_norm(work.trial_residual, n) < before;  // false for NaN
       length *= R(0.5);
     }
     if (!accepted) return outcome;
     ++iterations;
-    for (int j = 0; j < n; ++j) work.z[j] = work.trial[j];
-    outcome = largest(work.trial_residual, n);
-    if (outcome.status == TrimStatus::ok) return outcome;
+    for (int j = 0; j < n; ++j) {
+      work.z[j] = work.trial[j];
+      work.residual[j] = work.trial_residual[j];
+    }
+    outcome = largest(work.residual, n);
   }
-  return largest(work.residual, n);
+  return outcome;
 }
 
 }  // namespace trim_detail
