@@ -1,0 +1,82 @@
+// The C interface: trim and steps of time.
+#include "library/c_linear.hpp"
+#include "library/c_words.hpp"
+
+namespace tiltrotor {
+
+namespace {
+
+constexpr R kLongestStep = R(0.02);   // s; the progressing flapping mode sets it,
+constexpr R kLongestOfRk3 = R(0.01);  // and this
+
+tr_status check_step(const tr_work* work, R dt) {
+  if (work == nullptr) return TR_BAD_ARGUMENT;
+  if (!is_finite(dt)) return TR_NOT_FINITE;
+  return dt > R(0) && dt <= kLongestStep ? TR_OK : TR_OUT_OF_RANGE;
+}
+
+// One step; `xdot`: the rates at its beginning, or nullptr.
+tr_status step(Sim& s, tr_work* work, R dt, const R* xdot) {
+  StepRoom& room = place<StepRoom>(work);
+  const Integrator integrator = dt <= kLongestOfRk3 ? Integrator::rk3 : Integrator::rk4;
+  // The model does not depend on time: every step begins a simulation of its own, and time is counted here.
+  const Status started = start(s.configuration, s.x, s.u, dt, integrator, room.simulation);
+  if (started != Status::ok) return translated(started);
+  const Status advanced = advance(s.configuration, room.workspace, room.simulation, xdot);
+  if (advanced != Status::ok) return translated(advanced);
+  s.x = room.simulation.state;
+  s.time += static_cast<double>(dt);
+  ++s.steps;
+  return TR_OK;
+}
+
+}  // namespace
+
+}  // namespace tiltrotor
+
+using namespace tiltrotor;
+
+tr_status tr_trim(tr_sim* sim, tr_work* work, const tr_flight* flight, tr_trim_result* result) {
+  const tr_status ready = check(sim);
+  if (ready != TR_OK) return ready;
+  if (work == nullptr || flight == nullptr) return TR_BAD_ARGUMENT;
+  Sim& s = *opened(sim);
+  TrimRoom& room = place<TrimRoom>(work);
+  const SteadyFlight<R> wanted = {flight->speed_mps, flight->climb_rad, flight->turn_rate_radps,
+                                  flight->sideslip_rad};
+  const TrimStatus status = trim(s.configuration, wanted, room.workspace, room.result);
+  if (result != nullptr) {
+    result->iterations = room.result.iterations;
+    result->attempts = room.result.attempts;
+    result->residual = room.result.residual;
+    explain(room.result, result->text, static_cast<int>(sizeof result->text));
+  }
+  if (is_trimmed(status)) {
+    s.x = room.result.state;
+    s.u = room.result.controls;
+    s.time = 0;
+    s.steps = 0;
+  }
+  return translated(status);
+}
+
+tr_status tr_step(tr_sim* sim, tr_work* work, tr_real dt) {
+  const tr_status ready = check(sim);
+  if (ready != TR_OK) return ready;
+  const tr_status possible = check_step(work, dt);
+  if (possible != TR_OK) return possible;
+  return step(*opened(sim), work, dt, nullptr);
+}
+
+tr_status tr_linearize_and_step(tr_sim* sim, tr_work* work, tr_real dt, int32_t columns,
+                                tr_linear_shape* shape, tr_real* a, size_t a_length, tr_real* b,
+                                size_t b_length) {
+  const tr_status ready = check(sim);
+  if (ready != TR_OK) return ready;
+  const tr_status possible = check_step(work, dt);
+  if (possible != TR_OK) return possible;
+  R xdot[state_count];
+  const tr_status linear =
+      linearize_here(*opened(sim), work, columns, shape, {a, a_length, b, b_length}, xdot);
+  return linear == TR_OK ? step(*opened(sim), work, dt, xdot) : linear;
+}

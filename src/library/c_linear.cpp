@@ -1,0 +1,137 @@
+// The C interface: linear model, eigenvalues and modes.
+#include "library/c_linear.hpp"
+
+#include <cstring>
+
+#include "library/c_words.hpp"
+
+namespace tiltrotor {
+
+namespace {
+
+static_assert(int{TR_MAX_LINEAR_STATES} == kMaxLinearStates);
+
+// nullptr for an unknown choice.
+const ControlSet* control_set(std::int32_t columns) {
+  switch (columns) {
+    case TR_INCEPTORS:
+      return &kInceptors;
+    case TR_BLADE_CONTROLS:
+      return &kBladeControls;
+    case TR_ALL_CONTROLS:
+      return &kAllControls;
+    default:
+      return nullptr;
+  }
+}
+
+// A shape that tr_linearize can have made: the model is then safe to work on.
+bool plausible(const tr_linear_shape& shape) {
+  if (shape.states < kRigidStates || shape.states > kMaxLinearStates) return false;
+  bool seen[state_count] = {};
+  for (int i = 0; i < shape.states; ++i) {
+    const int state = shape.state[i];
+    if (state < 0 || state >= ix_position || seen[state]) return false;
+    seen[state] = true;
+  }
+  for (int i = ix_rotor_right; i < ix_rotor_left; ++i)
+    if (seen[i] != seen[i + (ix_rotor_left - ix_rotor_right)]) return false;
+  return seen[ix_coning_right] == seen[ix_coning_left] &&
+         seen[ix_coning_right + 1] == seen[ix_coning_left + 1];
+}
+
+constexpr std::size_t entries(int rows, int columns) {
+  return static_cast<std::size_t>(rows) * static_cast<std::size_t>(columns);
+}
+
+}  // namespace
+
+tr_status linearize_here(const Sim& s, tr_work* work, std::int32_t columns, tr_linear_shape* shape,
+                         const LinearArrays& to, R* xdot) {
+  const ControlSet* set = control_set(columns);
+  if (work == nullptr || shape == nullptr || set == nullptr) return TR_BAD_ARGUMENT;
+  LinearRoom& room = place<LinearRoom>(work);
+  LinearModel<R>& model = room.model;
+  linear_states(s.configuration.setup.options, model);
+  shape->states = model.states;
+  shape->controls = set->count;
+  for (int i = 0; i < kMaxLinearStates; ++i) shape->state[i] = i < model.states ? model.state[i] : -1;
+  for (int j = 0; j < control_count; ++j) shape->control[j] = j < set->count ? set->index[j] : -1;
+  const bool wants_b = to.b != nullptr || to.b_length > 0;
+  const bool b_fits = !wants_b || to.b_length >= entries(model.states, set->count);
+  if (to.a_length < entries(model.states, model.states) || !b_fits) return TR_SHORT_BUFFER;
+  if (to.a == nullptr || (wants_b && to.b == nullptr)) return TR_BAD_ARGUMENT;
+
+  const Status status = linearize(s.configuration, s.x, s.u, *set, room.workspace, model);
+  if (status != Status::ok && status != Status::not_finite) return translated(status);
+  R* a = to.a;
+  R* b = to.b;
+  for (int i = 0; i < model.states; ++i) {
+    for (int j = 0; j < model.states; ++j) *a++ = model.a(i, j);
+    for (int j = 0; wants_b && j < set->count; ++j) *b++ = model.b(i, j);
+  }
+  for (int i = 0; i < state_count; ++i) xdot[i] = model.xdot[i];
+  return translated(status);
+}
+
+}  // namespace tiltrotor
+
+using namespace tiltrotor;
+
+tr_status tr_linearize(const tr_sim* sim, tr_work* work, int32_t columns, tr_linear_shape* shape, tr_real* a,
+                       size_t a_length, tr_real* b, size_t b_length) {
+  const tr_status ready = check(sim);
+  if (ready != TR_OK) return ready;
+  R xdot[state_count];
+  return linearize_here(*opened(sim), work, columns, shape, {a, a_length, b, b_length}, xdot);
+}
+
+tr_status tr_eigenvalues(tr_work* work, const tr_real* a, size_t n, tr_real* real, tr_real* imag,
+                         size_t length) {
+  if (work == nullptr || a == nullptr || real == nullptr || imag == nullptr) return TR_BAD_ARGUMENT;
+  if (n < 1 || n > kMaxLinearStates) return TR_BAD_ARGUMENT;
+  if (length < n) return TR_SHORT_BUFFER;
+  EigenRoom& room = place<EigenRoom>(work);
+  const int order = static_cast<int>(n);
+  set_zero(room.a);
+  for (int i = 0; i < order; ++i)
+    for (int j = 0; j < order; ++j) room.a(i, j) = *a++;
+  const Status status = eigenvalues(room.a, order, room.workspace, room.values);
+  if (status != Status::ok && status != Status::not_converged) return translated(status);
+  for (int i = 0; i < order; ++i) {
+    real[i] = room.values.real[i];
+    imag[i] = room.values.imag[i];
+  }
+  return translated(status);
+}
+
+tr_status tr_modes(tr_work* work, const tr_linear_shape* shape, const tr_real* a, size_t a_length,
+                   tr_mode* modes, size_t capacity, size_t* count) {
+  if (work == nullptr || shape == nullptr || a == nullptr || modes == nullptr || count == nullptr)
+    return TR_BAD_ARGUMENT;
+  if (!plausible(*shape)) return TR_BAD_ARGUMENT;
+  if (a_length < entries(shape->states, shape->states)) return TR_SHORT_BUFFER;
+  ModesRoom& room = place<ModesRoom>(work);
+  LinearModel<R>& model = room.model;
+  clear(model);
+  model.states = shape->states;
+  for (int i = 0; i < model.states; ++i) {
+    model.state[i] = shape->state[i];
+    for (int j = 0; j < model.states; ++j) model.a(i, j) = *a++;
+  }
+  const Status status = tiltrotor::modes(model, room.workspace, room.set);
+  if (status != Status::ok) return translated(status);
+  *count = static_cast<std::size_t>(room.set.count);
+  if (capacity < *count) return TR_SHORT_BUFFER;
+  for (int i = 0; i < room.set.count; ++i) {
+    const Mode<R>& mode = room.set.mode[i];
+    static_assert(sizeof(modes->name) == sizeof(mode.name));
+    modes[i].real = mode.real;
+    modes[i].imag = mode.imag;
+    modes[i].frequency_radps = mode.frequency;
+    modes[i].damping_ratio = mode.damping_ratio;
+    modes[i].time_to_half_s = mode.time_to_half;
+    std::memcpy(modes[i].name, mode.name, sizeof mode.name);
+  }
+  return TR_OK;
+}

@@ -1,0 +1,23 @@
+// The linear model at the present state of an aircraft of the C interface.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "library/c_memory.hpp"
+
+namespace tiltrotor {
+
+// The arrays of a caller for A and B.
+struct LinearArrays {
+  R* a;
+  std::size_t a_length;
+  R* b;
+  std::size_t b_length;
+};
+
+// A and B into the arrays, and the rates at the state.
+tr_status linearize_here(const Sim& s, tr_work* work, std::int32_t columns, tr_linear_shape* shape,
+                         const LinearArrays& to, R* xdot);
+
+}  // namespace tiltrotor

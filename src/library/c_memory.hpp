@@ -1,0 +1,86 @@
+// What lies in the caller's memory: an aircraft in tr_sim, and one of several work areas in tr_work.
+#pragma once
+
+#include <cstdint>
+#include <new>
+#include <type_traits>
+
+#include "tiltrotor/analysis/instances.hpp"
+#include "tiltrotor/tiltrotor.h"
+
+namespace tiltrotor {
+
+using R = tr_real;
+
+inline constexpr std::uint32_t kMark = 0x54520000u + TR_API_VERSION;  // "TR"
+
+struct Sim {
+  std::uint32_t mark;  // kMark once initialised
+  Configuration<R> configuration;
+  State<R> x;
+  Controls<R> u;
+  double time;
+  std::uint64_t steps;
+};
+static_assert(sizeof(Sim) <= sizeof(tr_sim) && alignof(Sim) <= alignof(tr_sim));
+static_assert(std::is_trivially_copyable_v<Sim>, "a snapshot is a copy of the bytes");
+
+// One group of members at a time. The explicit integrator needs no Jacobian, hence the small workspace of
+// NumDiff.
+struct StepRoom {
+  SimulationWorkspace<R, NumDiff> workspace;
+  Simulation<R> simulation;
+};
+struct TrimRoom {
+  TrimWorkspace<R> workspace;
+  TrimResult<R> result;
+};
+struct LinearRoom {
+  LinearizationWorkspace<R> workspace;
+  LinearModel<R> model;
+};
+struct EigenRoom {
+  EigenWorkspace<R, kMaxLinearStates> workspace;
+  Matrix<R, kMaxLinearStates, kMaxLinearStates> a;
+  Eigenvalues<R, kMaxLinearStates> values;
+};
+struct ModesRoom {
+  ModesWorkspace<R> workspace;
+  LinearModel<R> model;
+  ModeSet<R> set;
+};
+inline constexpr std::size_t kWorkAlignment = 64;
+
+inline constexpr std::size_t larger(std::size_t a, std::size_t b) { return a > b ? a : b; }
+inline constexpr std::size_t kWorkBytes =
+    larger(larger(sizeof(StepRoom), sizeof(TrimRoom)),
+           larger(sizeof(LinearRoom), larger(sizeof(EigenRoom), sizeof(ModesRoom)))) +
+    kWorkAlignment - alignof(tr_work);
+static_assert(kWorkBytes <= sizeof(tr_work));
+
+// A room of uninitialised memory on the first aligned address.
+template <class Room>
+Room& place(tr_work* work) {
+  static_assert(alignof(Room) <= kWorkAlignment && std::is_trivially_destructible_v<Room>);
+  const auto address = reinterpret_cast<std::uintptr_t>(work);
+  const std::uintptr_t aligned = (address + kWorkAlignment - 1) / kWorkAlignment * kWorkAlignment;
+  return *::new (reinterpret_cast<void*>(aligned)) Room;
+}
+
+inline Sim* opened(tr_sim* sim) { return std::launder(reinterpret_cast<Sim*>(sim->reserved)); }
+inline const Sim* opened(const tr_sim* sim) {
+  return std::launder(reinterpret_cast<const Sim*>(sim->reserved));
+}
+
+inline tr_status check(const tr_sim* sim) {
+  if (sim == nullptr) return TR_BAD_ARGUMENT;
+  return opened(sim)->mark == kMark ? TR_OK : TR_NOT_INITIALIZED;
+}
+
+inline bool all_finite(const R* numbers, std::size_t length) {
+  for (std::size_t i = 0; i < length; ++i)
+    if (!is_finite(numbers[i])) return false;
+  return true;
+}
+
+}  // namespace tiltrotor
