@@ -441,6 +441,46 @@ TEST(trim_from_a_guess_that_is_no_number) {
   CHECK(r.invalid == SteadyFlightField::speed);
 }
 
+// The guess for the inflow obeys momentum theory where the direction of the air through the disk is plain:
+// hover, level flight and climb of the helicopter across and through its disk, the aeroplane along its shaft
+// on any path.
+TEST(trim_first_guess_obeys_momentum_theory) {
+  struct Case {
+    double mast_deg, speed, climb_deg, turn_deg;
+    double across, through;  // of the speed
+  };
+  const double s = std::sin(10 * kDeg), k = std::cos(10 * kDeg);
+  const Case cases[] = {{0, 0, 0, 0, 0, 0},     {0, 20, 0, 0, 1, 0},   {0, 20, 10, 0, k, s},
+                        {0, 20, -10, 0, k, -s}, {90, 60, 0, 0, 0, 1},  {90, 60, 20, 0, 0, 1},
+                        {90, 60, -5, 0, 0, 1},  {90, 100, 10, 8, 0, 1}};
+  for (const Case& at : cases) {
+    const Configuration<double> c = configuration(at.mast_deg);
+    const SteadyFlight<double> flight{at.speed, at.climb_deg * kDeg, at.turn_deg * kDeg, 0};
+    TrimEquations<double> equations;
+    trim_equations(c, equations);
+    double z[kMaxTrimUnknowns];
+    trim_first_guess(c, flight, equations, z);
+    double n0[2] = {0, 0}, bank = 0;
+    for (int j = 0; j < equations.count; ++j) {
+      if (equations.row[j].state == ix_rotor_right + 4) n0[right] = z[j];
+      if (equations.row[j].state == ix_rotor_left + 4) n0[left] = z[j];
+      if (equations.row[j].state == ix_roll) bank = z[j];
+    }
+    CHECK_EQ(n0[right], n0[left]);
+    // The helicopter's rotors carry the weight and a tenth for the download, those of the aeroplane the part
+    // of the weight along the path and a lift over drag of about 7; the turn as much more as the bank asks.
+    CHECK_NEAR(std::tan(bank), at.speed * std::cos(flight.climb) * flight.turn_rate / 9.80665, 1e-12);
+    const double load =
+        at.mast_deg < 45 ? 1.1 / std::cos(bank) : 0.15 / std::cos(bank) + std::sin(flight.climb);
+    const double area = kPi<double> * std::pow(c.aircraft->rotor.radius, 2);
+    const double thrust = std::max(load, 0.02) * c.mass.mass * 9.80665 / 2;
+    // Thrust is mass flow times twice the induced velocity at the disk.
+    const double induced = n0[right] * c.tip_speed;
+    const double flow = std::hypot(at.across * at.speed, at.through * at.speed + induced);
+    CHECK_REL(2 * c.air.density * area * flow * induced, thrust, 1e-6);
+  }
+}
+
 // Where there is no trim, each way to approach one is tried: from level flight where the flight is not, and
 // from a speed below and above.
 TEST(trim_tries_every_approach) {
