@@ -326,3 +326,22 @@ TEST(residualised_model_at_the_ends_of_its_range) {
   CHECK(residualise(full, work, again) == Status::not_finite);
   CHECK_EQ(again.states, 0);
 }
+
+// Work beyond the fast states there are is left alone: with the most there can be, it would lie outside.
+TEST(residualised_model_stays_within_its_states) {
+  static LinearModel<double> full, reduced;
+  static ResidualisationWorkspace<double> work;
+  const Point p = reference_point("mast30_v050");
+  linear_model(configuration(30), p.x, p.u, kInceptors, full);
+  const int fast = full.states - kRigidStates;
+  CHECK_LT(fast, kMaxFastStates);
+  fill(work.fast, 7.5);
+  fill(work.drive, 7.5);
+  CHECK(residualise(full, work, reduced) == Status::ok);
+  for (int i = 0; i < kMaxFastStates; ++i) {
+    for (int j = 0; j < kMaxFastStates; ++j) {
+      if (i >= fast || j >= fast) CHECK_EQ(work.fast(i, j), 7.5);
+    }
+    for (int j = 0; i >= fast && j < work.drive.kCols; ++j) CHECK_EQ(work.drive(i, j), 7.5);
+  }
+}
