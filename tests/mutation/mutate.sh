@@ -74,8 +74,12 @@ sound() {
     grep -q yes "$fast/$name"
 }
 
-list_mutants | shuf --random-source=<(yes "$seed") -n "$count" >"$work/sample"
-total=$(list_mutants | wc -l)
+# In the order of random numbers (Park and Miller), the same on every machine.
+list_mutants >"$work/all"
+total=$(wc -l <"$work/all")
+awk -v x="$seed" 'BEGIN { for (i = 0; i < 20; ++i) x = x * 16807 % 2147483647 }
+                  { x = x * 16807 % 2147483647; printf "%.0f\t%s\n", x, $0 }' "$work/all" |
+    sort -n | cut -f 2- | head -n "$count" >"$work/sample"
 killed=0 survived=0 explained=0 number=0
 while IFS=$'\t' read -r file line from to; do
     number=$((number + 1))

@@ -158,11 +158,12 @@ NewtonOutcome<R> newton(const Configuration<R>& c, const SteadyFlight<R>& flight
   R scale[kMaxTrimUnknowns];
   for (int j = 0; j < n; ++j) scale[j] = work.equations.row[j].scale;
 
-  for (int iteration = 0; iteration <= max_iterations; ++iteration) {
+  NewtonOutcome<R> outcome{TrimStatus::not_converged, std::numeric_limits<R>::infinity(), 0};
+  for (int iteration = 0; iteration < max_iterations; ++iteration) {
     Policy::jacobian(residuals, n, n, work.z, scale, work.residual, work.differentiation,
                      [&work](int i, int j, R slope) { work.jacobian(i, j) = slope; });
-    NewtonOutcome<R> outcome = largest(work.residual, n);
-    if (outcome.status != TrimStatus::not_converged || iteration == max_iterations) return outcome;
+    outcome = largest(work.residual, n);
+    if (outcome.status != TrimStatus::not_converged) return outcome;
 
     for (int i = 0; i < n; ++i) work.step[i] = -work.residual[i];
     if (lu_factor(work.jacobian, n, work.lu) != Status::ok || lu_solve(work.lu, work.step) != Status::ok) {
@@ -186,7 +187,7 @@ NewtonOutcome<R> newton(const Configuration<R>& c, const SteadyFlight<R>& flight
     outcome = largest(work.trial_residual, n);
     if (outcome.status == TrimStatus::ok) return outcome;
   }
-  return largest(work.residual, n);
+  return outcome;
 }
 
 // Climb, turn and sideslip in equal parts, beginning at level flight.
