@@ -195,7 +195,8 @@ TEST(modes_rules_of_ordinals) {
   CHECK_EQ(std::string(set.mode[1].name), "heave_2");
 }
 
-// A root whose vectors say nothing, because they are no numbers or nothing, has equal shares of every state.
+// A root whose vectors say nothing, because they are no numbers or nothing, has equal shares of every state
+// and continues no other.
 TEST(modes_of_roots_without_vectors) {
   static SplitModel<double> model;
   static Eigensystem<double, kMaxLinearStates> system;
@@ -210,4 +211,7 @@ TEST(modes_of_roots_without_vectors) {
     const Mode<double> m = d::describe_root(model, system, 0);
     CHECK(m.shares.u == 0.25 && m.shares.w == 0.25 && m.shares.q == 0.25 && m.shares.pitch == 0.25);
   }
+  static ModeSet<double> set;
+  set.states = 4;
+  CHECK_EQ(overlap(set, 0, set, 0), 0.0);
 }

@@ -155,3 +155,28 @@ TEST(balance_leaves_rows_and_columns_of_zeros) {
       for (int j = 0; j < 3; ++j) CHECK(std::isfinite(scaled(i, j)));
   }
 }
+
+// Along a chain of states in ever larger units, scaling spreads by a place or so with every sweep: a long one
+// is not done after the sweeps allowed. It is still the same matrix, and nearer to balance than it was.
+TEST(balance_stops_after_its_sweeps) {
+  constexpr int n = 16;
+  using Long = Matrix<double, n, lane_ceil<double>(n)>;
+  Long a{};
+  for (int i = 0; i + 1 < n; ++i) {
+    a(i, i + 1) = std::ldexp(1.0, 16);
+    a(i + 1, i) = std::ldexp(1.0, -16);
+  }
+  Long balanced = a;
+  Balance<double, n> b;
+  balance<double, n>(balanced, n, b);
+  double before = 0, after = 0;
+  for (int i = 0; i < n; ++i) {
+    for (int j = 0; j < n; ++j) {
+      before += std::abs(a(i, j));
+      after += std::abs(balanced(i, j));
+      CHECK_EQ(b.scale[i] * balanced(i, j), a(i, j) * b.scale[j]);
+    }
+  }
+  CHECK_LT(after, 0.5 * before);
+  CHECK(balance_detail::scale_once<double, n>(balanced, n, b));  // there was more to do
+}
