@@ -57,10 +57,15 @@ data="$fast/aircraft_data.o $fast/check.o"
 "$cxx" $flags -Iinclude "${defines[@]}" -c src/library/aircraft_data.cpp -o "$fast/aircraft_data.o" &&
     "$cxx" $flags -Iinclude "${defines[@]}" -c tests/check.cpp -o "$fast/check.o" || exit 1
 
-# built TEST INCLUDE: compiled against that copy of the headers.
+# built TEST INCLUDE: compiled against that copy of the headers, with its other half where it has one.
 built() {
-    timeout 300 "$cxx" $flags -I"$2" "${defines[@]}" -c "$1" -o "$work/test.o" 2>/dev/null &&
-        "$cxx" "$work/test.o" $data -o "$work/run" 2>/dev/null
+    local half
+    rm -f "$work"/*.o
+    for half in "$1" "${1%.cpp}_portable.cpp"; do
+        [ -e "$half" ] || continue
+        timeout 300 "$cxx" $flags -I"$2" "${defines[@]}" -c "$half" -o "$work/$(basename "$half" .cpp).o" 2>/dev/null || return
+    done
+    "$cxx" "$work"/*.o $data -o "$work/run" 2>/dev/null
 }
 passes() { ( timeout 120 "$work/run" --skip slow_ ) >/dev/null 2>&1; }
 # sound TEST: it passes without a mutant. Asked only of tests that noticed one, once each.
