@@ -215,3 +215,45 @@ TEST(modes_of_roots_without_vectors) {
   set.states = 4;
   CHECK_EQ(overlap(set, 0, set, 0), 0.0);
 }
+
+// More than half of a mode is needed to continue it: of two that are half of it each, neither has a better
+// claim.
+TEST(modes_rules_of_continuation) {
+  static ModeSet<double> before, after;
+  before = after = set_of({root(-1, 0, Shares{}), root(-2, 0, Shares{})});
+  for (ModeSet<double>* set : {&before, &after}) {
+    set->states = 2;
+    for (int i = 0; i < 2; ++i) {
+      set->mode[i].eigenvalue = i;
+      set->coordinate[i] = {i == 0 ? static_cast<int>(ix_u) : static_cast<int>(ix_w), Symmetry::none};
+    }
+  }
+  const auto set_vectors = [](ModeSet<double>& set, double tilt) {
+    const double entry[2][2] = {{1, -tilt}, {tilt, 1}};  // in columns, orthogonal
+    for (int i = 0; i < 2; ++i)
+      for (int j = 0; j < 2; ++j) set.system.right(i, j) = set.system.left(i, j) = entry[i][j];
+  };
+  const auto kind_after = [&](double tilt) {
+    set_vectors(before, 0);
+    set_vectors(after, tilt);
+    before.mode[0].label = {ModeKind::phugoid, Symmetry::none, 1};
+    before.mode[1].label = {ModeKind::heave, Symmetry::none, 1};
+    after.mode[0].real = -1;
+    after.mode[1].real = -2;
+    for (int i = 0; i < 2; ++i) {
+      after.mode[i].eigenvalue = i;
+      after.mode[i].label = {ModeKind::spiral, Symmetry::none, 1 + i};
+    }
+    CHECK(follow(before, after) == Status::ok);
+    for (int i = 0; i < 2; ++i)
+      if (after.mode[i].eigenvalue == 0) return after.mode[i].label.kind;
+    return ModeKind::count;
+  };
+  set_vectors(before, 0);
+  set_vectors(after, 1);
+  CHECK_EQ(overlap(before, 0, after, 0), 0.5);
+  CHECK(kind_after(0) == ModeKind::phugoid);
+  CHECK(kind_after(0.99) == ModeKind::phugoid);
+  CHECK(kind_after(1) == ModeKind::spiral);
+  CHECK(kind_after(1.01) == ModeKind::heave);
+}

@@ -547,6 +547,18 @@ TEST(trim_says_how_the_iteration_failed) {
   CHECK_LE(1, stuck);
 }
 
+// The largest residual of those there are, whatever stands behind them; a NaN is larger than any.
+TEST(trim_largest_residual_and_its_place) {
+  const double nan = std::nan("");
+  const double residual[] = {1e-3, -7, 2, 1e-12, nan, 1e-11, 100};
+  const auto at = [&](int first, int n) { return trim_detail::largest(residual + first, n); };
+  CHECK(at(0, 3).residual == 7 && at(0, 3).worst == 1 && at(0, 3).status == TrimStatus::not_converged);
+  CHECK(at(0, 4).residual == 7 && at(0, 1).residual == 1e-3);
+  CHECK(at(3, 1).residual == 1e-12 && at(3, 1).status == TrimStatus::ok);
+  CHECK(at(5, 1).residual == 1e-11 && at(5, 1).status == TrimStatus::ok);
+  CHECK(std::isinf(at(0, 5).residual) && at(0, 5).worst == 4 && at(0, 5).status == TrimStatus::not_finite);
+}
+
 // A solution upside down or beyond the vertical is not the steady flight asked for.
 TEST(trim_upside_down_is_none) {
   static TrimWorkspace<double> work;
