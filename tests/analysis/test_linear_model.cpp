@@ -326,3 +326,88 @@ TEST(residualised_model_at_the_ends_of_its_range) {
   CHECK(residualise(full, work, again) == Status::not_finite);
   CHECK_EQ(again.states, 0);
 }
+
+// Work beyond the fast states there are is left alone: with the most there can be, it would lie outside.
+TEST(residualised_model_stays_within_its_states) {
+  static LinearModel<double> full, reduced;
+  static ResidualisationWorkspace<double> work;
+  const Point p = reference_point("mast30_v050");
+  linear_model(configuration(30), p.x, p.u, kInceptors, full);
+  const int fast = full.states - kRigidStates;
+  CHECK_LT(fast, kMaxFastStates);
+  fill(work.fast, 7.5);
+  fill(work.drive, 7.5);
+  CHECK(residualise(full, work, reduced) == Status::ok);
+  for (int i = 0; i < kMaxFastStates; ++i) {
+    for (int j = 0; j < kMaxFastStates; ++j) {
+      if (i >= fast || j >= fast) CHECK_EQ(work.fast(i, j), 7.5);
+    }
+    for (int j = 0; i >= fast && j < work.drive.kCols; ++j) CHECK_EQ(work.drive(i, j), 7.5);
+  }
+}
+
+namespace {
+
+// A model of these states alone, with nothing in it.
+LinearModel<double>& empty_model(std::initializer_list<int> states) {
+  static LinearModel<double> model;
+  clear(model);
+  set_zero(model.a);
+  for (int state : states) model.state[model.states++] = state;
+  return model;
+}
+
+}  // namespace
+
+// Models that are not an aircraft's: one state; a rotor without its partner, which has no mean or difference;
+// and a root beyond the range in either half.
+TEST(linear_eigenvalues_of_unusual_models) {
+  static LinearEigenvaluesWorkspace<double> work;
+  static Eigenvalues<double, kMaxLinearStates> values;
+  LinearModel<double>& one = empty_model({ix_w});
+  one.a(0, 0) = -0.7;
+  CHECK(eigenvalues(one, work, values) == Status::ok);
+  CHECK(values.size == 1 && values.real[0] == -0.7 && values.imag[0] == 0);
+  for (int rotor : {static_cast<int>(ix_rotor_left), static_cast<int>(ix_rotor_right)}) {
+    LinearModel<double>& unmatched = empty_model({ix_u, rotor, ix_v});
+    for (int i = 0; i < 3; ++i) unmatched.a(i, i) = -1 - i;
+    CHECK(eigenvalues(unmatched, work, values) == Status::ok);
+    if (!CHECK_EQ(values.size, 3)) continue;
+    std::sort(values.real, values.real + 3);
+    CHECK(values.real[0] == -3 && values.real[1] == -2 && values.real[2] == -1);
+  }
+  const double largest = std::numeric_limits<double>::max();
+  for (int half : {0, 2}) {
+    LinearModel<double>& model = empty_model({ix_u, ix_w, ix_v, ix_p});
+    for (int i = 0; i < 2; ++i)
+      for (int j = 0; j < 2; ++j)
+        model.a(half + i, half + j) = largest;  // twice the largest number, and zero
+    CHECK(eigenvalues(model, work, values) == Status::not_finite);
+    CHECK(decoupled(work.split));
+  }
+  CHECK(eigenvalues(empty_model({}), work, values) == Status::bad_argument);
+}
+
+namespace {
+
+// Exact differentiation that loses the columns of the controls.
+struct NoControls : AutoDiff {
+  template <class R, int N, int MaxInputs, int MaxOutputs, class Function, class Put>
+  static void jacobian(Function&& f, int n, int m, const R* x, const R* scale, R* y,
+                       Workspace<R, N, MaxInputs, MaxOutputs>& work, Put&& put) {
+    AutoDiff::jacobian(f, n, m, x, scale, y, work, [&](int i, int j, R slope) {
+      put(i, j, j >= n - kInceptors.count ? std::numeric_limits<R>::quiet_NaN() : slope);
+    });
+  }
+};
+
+}  // namespace
+
+TEST(linearize_reports_what_is_no_number_in_b) {
+  static LinearizationWorkspace<double, NoControls> work;
+  static LinearModel<double> model;
+  const Configuration<double> c = configuration(30);
+  const Point p = reference_point("mast30_v050");
+  CHECK(linearize(c, p.x, p.u, kInceptors, work, model) == Status::not_finite);
+  CHECK(all_finite(model.a, model.states, model.states));
+}

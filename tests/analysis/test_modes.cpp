@@ -246,6 +246,8 @@ TEST(modes_refuse_bad_input) {
   }
   set = other;
   CHECK(follow(other, set) == Status::ok);
+  set.coordinate[set.states].state = ix_yaw;  // past the states there are
+  CHECK(follow(other, set) == Status::ok);
   set.states -= 1;
   CHECK(follow(other, set) == Status::bad_argument);
   set = other;

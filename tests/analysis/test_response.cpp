@@ -284,3 +284,12 @@ TEST(response_reports_a_lost_flight) {
   CHECK(start(c, r.state, r.controls, std::nan(""), Integrator::rk4, bad) == Status::out_of_range);
   CHECK(advance(c, work, bad) == Status::out_of_range);
 }
+
+TEST(response_refuses_an_integrator_that_is_none) {
+  const Configuration<double> c = configuration(0);
+  const TrimResult<double> r = trimmed(c, level(20));
+  Simulation<double> s = started(c, r, 0.01, static_cast<Integrator>(9));
+  CHECK(advance(c, work, s) == Status::bad_argument);
+  CHECK(advance(c, work, s) == Status::bad_argument);
+  CHECK_EQ(difference(s.state, r.state), 0.0);
+}

@@ -508,6 +508,7 @@ TEST(trim_explanations_of_every_outcome) {
   residual(HUGE_VAL, "no number");
   residual(std::nan(""), "no number");
   residual(-1, "no number");
+  residual(std::numeric_limits<double>::denorm_min(), "4e-324");
   r.status = TrimStatus::flap_limit;
   const auto limit = [&](TrimLimit which, double value, double bound, const std::string& words) {
     r.limit = which;
@@ -522,6 +523,8 @@ TEST(trim_explanations_of_every_outcome) {
   r.status = TrimStatus::count;
   CHECK(explanation(r) == "bad input: configuration or options");
   CHECK(std::string(trim_status_word(TrimStatus::count)) == "unknown");
+  r.status = static_cast<TrimStatus>(250);
+  CHECK(explanation(r).empty());
 }
 
 // A first guess that is no number is refused with the rate it spoils, and leaves no NaN behind.
@@ -538,6 +541,195 @@ TEST(trim_from_a_guess_that_is_no_number) {
   for (const double value : x) CHECK(std::isfinite(value));
   CHECK(trim_from(c, level(-1), work, r) == TrimStatus::out_of_range);
   CHECK(r.invalid == SteadyFlightField::speed);
+}
+
+// The guess for the inflow obeys momentum theory where the direction of the air through the disk is plain:
+// hover, level flight and climb of the helicopter across and through its disk, the aeroplane along its shaft
+// on any path.
+TEST(trim_first_guess_obeys_momentum_theory) {
+  struct Case {
+    double mast_deg, speed, climb_deg, turn_deg;
+    double across, through;  // of the speed
+  };
+  const double s = std::sin(10 * kDeg), k = std::cos(10 * kDeg);
+  const Case cases[] = {{0, 0, 0, 0, 0, 0},     {0, 20, 0, 0, 1, 0},    {0, 20, 10, 0, k, s},
+                        {0, 20, -10, 0, k, -s}, {90, 60, 0, 0, 0, 1},   {90, 60, 20, 0, 0, 1},
+                        {90, 60, -5, 0, 0, 1},  {90, 60, -20, 0, 0, 1}, {90, 100, 10, 8, 0, 1}};
+  for (const Case& at : cases) {
+    const Configuration<double> c = configuration(at.mast_deg);
+    const SteadyFlight<double> flight{at.speed, at.climb_deg * kDeg, at.turn_deg * kDeg, 0};
+    TrimEquations<double> equations;
+    trim_equations(c, equations);
+    double z[kMaxTrimUnknowns];
+    trim_first_guess(c, flight, equations, z);
+    double n0[2] = {0, 0}, bank = 0;
+    for (int j = 0; j < equations.count; ++j) {
+      if (equations.row[j].state == ix_rotor_right + 4) n0[right] = z[j];
+      if (equations.row[j].state == ix_rotor_left + 4) n0[left] = z[j];
+      if (equations.row[j].state == ix_roll) bank = z[j];
+    }
+    CHECK_EQ(n0[right], n0[left]);
+    // The helicopter's rotors carry the weight and a tenth for the download, those of the aeroplane the part
+    // of the weight along the path and a lift over drag of about 7; the turn as much more as the bank asks.
+    CHECK_NEAR(std::tan(bank), at.speed * std::cos(flight.climb) * flight.turn_rate / 9.80665, 1e-12);
+    const double load =
+        at.mast_deg < 45 ? 1.1 / std::cos(bank) : 0.15 / std::cos(bank) + std::sin(flight.climb);
+    const double area = kPi<double> * std::pow(c.aircraft->rotor.radius, 2);
+    const double thrust = std::max(load, 0.02) * c.mass.mass * 9.80665 / 2;
+    // Thrust is mass flow times twice the induced velocity at the disk.
+    const double induced = n0[right] * c.tip_speed;
+    const double flow = std::hypot(at.across * at.speed, at.through * at.speed + induced);
+    CHECK_REL(2 * c.air.density * area * flow * induced, thrust, 1e-6);
+  }
+}
+
+// Without weight there is nothing to lift and no inflow; the guess stays finite.
+TEST(trim_first_guess_of_an_aircraft_without_weight) {
+  Configuration<double> c = configuration(0);
+  c.mass.mass = 0;
+  TrimEquations<double> equations;
+  trim_equations(c, equations);
+  double z[kMaxTrimUnknowns];
+  trim_first_guess(c, level(0), equations, z);
+  for (int j = 0; j < equations.count; ++j) {
+    CHECK(std::isfinite(z[j]));
+    if (equations.row[j].state == ix_rotor_right + 4) CHECK_NEAR(z[j], 0, 0.01);
+  }
+}
+
+namespace {
+
+// Newton's iteration on plain numbers with a Jacobian that has `slope` in its diagonal, 1 beside it and
+// nothing else.
+double slope = 0;
+struct GivenJacobian {
+  static constexpr bool kJacobianGivesValue = false;
+  template <class R, int N>
+  using Scalar = R;
+  template <class R, int N, int MaxInputs, int MaxOutputs>
+  struct Workspace {};
+  template <class R, int N, int MaxInputs, int MaxOutputs, class Function, class Put>
+  static void jacobian(Function&& f, int n, int m, const R* x, const R*, R* y,
+                       Workspace<R, N, MaxInputs, MaxOutputs>&, Put&& put) {
+    f(x, y);
+    for (int i = 0; i < m; ++i)
+      for (int j = 0; j < n; ++j) put(i, j, i == j ? slope : j == i + 1 ? 1 : 0);
+  }
+};
+
+}  // namespace
+
+// No step without a Jacobian, no step that overflows, none that leads uphill.
+TEST(trim_says_how_the_iteration_failed) {
+  static TrimWorkspace<double, GivenJacobian> work;
+  const Configuration<double> c = configuration(0);
+  TrimResult<double> r;
+  TrimOptions options;
+  for (double given : {0.0, 1e-200, HUGE_VAL}) {
+    slope = given;
+    for (bool continuation : {false, true}) {
+      options.continuation = continuation;
+      CHECK(trim(c, level(20), work, r, options) == TrimStatus::singular);
+      CHECK(contains(explanation(r), "no trim found in 0 Newton steps"));
+      CHECK_EQ(r.attempts, continuation ? 4 : 1);
+    }
+  }
+  // Newton's direction is downhill for the true Jacobian; of a large diagonal, positive or negative, at most
+  // one is.
+  options.continuation = false;
+  int stuck = 0;
+  for (double given : {1e6, -1e6}) {
+    slope = given;
+    CHECK(trim(c, level(20), work, r, options) == TrimStatus::not_converged);
+    stuck += r.iterations == 0 ? 1 : 0;
+    CHECK_LT(1e-3, r.residual);
+  }
+  CHECK_LE(1, stuck);
+}
+
+// The largest residual of those there are, whatever stands behind them; a NaN is larger than any.
+TEST(trim_largest_residual_and_its_place) {
+  const double nan = std::nan("");
+  const double residual[] = {1e-3, -7, 2, 1e-12, nan, 1e-11, 100};
+  const auto at = [&](int first, int n) { return trim_detail::largest(residual + first, n); };
+  CHECK(at(0, 3).residual == 7 && at(0, 3).worst == 1 && at(0, 3).status == TrimStatus::not_converged);
+  CHECK(at(0, 4).residual == 7 && at(0, 1).residual == 1e-3);
+  CHECK(at(3, 1).residual == 1e-12 && at(3, 1).status == TrimStatus::ok);
+  CHECK(at(5, 1).residual == 1e-11 && at(5, 1).status == TrimStatus::ok);
+  CHECK(std::isinf(at(0, 5).residual) && at(0, 5).worst == 4 && at(0, 5).status == TrimStatus::not_finite);
+}
+
+// A solution upside down or beyond the vertical is not the steady flight asked for.
+TEST(trim_upside_down_is_none) {
+  static TrimWorkspace<double> work;
+  const Configuration<double> c = configuration(90);
+  for (double roll : {-2.0, 0.1, 1.5, 1.6}) {
+    for (double pitch : {-1.6, 0.05, 1.5, 2.5}) {
+      trim_equations(c, work.equations);
+      trim_first_guess(c, level(80), work.equations, work.z);
+      work.z[0] = roll;
+      work.z[1] = pitch;
+      TrimResult<double> r{};
+      const trim_detail::NewtonOutcome<double> solved{TrimStatus::ok, 1e-12, 0};
+      const TrimStatus status = trim_detail::finish(c, level(80), solved, work, r);
+      CHECK_EQ(is_trimmed(status), std::cos(roll) > 0 && std::cos(pitch) > 0);
+      const trim_detail::NewtonOutcome<double> unsolved{TrimStatus::singular, 1, 0};
+      CHECK(trim_detail::finish(c, level(80), unsolved, work, r) == TrimStatus::singular);
+    }
+  }
+}
+
+// Flights that the first guess does not lead to, but an approach: from level flight, from a slower one, from
+// a faster one. Whatever the way, the model stands still there.
+TEST(trim_is_found_by_every_approach) {
+  struct Case {
+    double mast_deg, speed, climb_deg, turn_deg, sideslip_deg;
+  };
+  const Case cases[] = {{30, 87, -22, -2, 0}, {45, 48, 19, 0, 22}, {45, 37, -2, -22, 0}};
+  bool used[5] = {};
+  for (const Case& k : cases) {
+    const Configuration<double> c = configuration(k.mast_deg);
+    const SteadyFlight<double> flight{k.speed, k.climb_deg * kDeg, k.turn_deg * kDeg, k.sideslip_deg * kDeg};
+    const TrimResult<double> r = trimmed(c, flight);
+    if (!CHECK(is_trimmed(r.status))) NOTE("mast " << k.mast_deg << ", " << k.speed << " m/s");
+    used[r.attempts] = true;
+    State<double> rates;
+    derivative(c, r.state, r.controls, rates);
+    for (double x : {rates.velocity.x, rates.velocity.y, rates.velocity.z, rates.rates.x, rates.rates.y,
+                     rates.rates.z, rates.roll, rates.pitch})
+      CHECK_NEAR(x, 0, 1e-8);
+    CHECK_NEAR(rates.yaw, flight.turn_rate, 1e-12);
+    const Vec3<double>& v = r.state.velocity;
+    CHECK_NEAR(std::sqrt(dot(v, v)), k.speed, 1e-9);
+  }
+  CHECK(used[2] && used[3] && used[4]);
+}
+
+// Download: force of the wakes on the wing against the rotors' thrust. In a glide the rotors hardly pull;
+// then it is taken over a tenth of the weight.
+TEST(trim_download_over_the_thrust) {
+  struct Case {
+    double mast_deg, speed, climb_deg;
+    bool pulls;
+  };
+  for (const Case& k :
+       {Case{0, 0, 0, true}, Case{0, 20, 0, true}, Case{90, 90, 0, true}, Case{90, 90, -6, false}}) {
+    const Configuration<double> c = configuration(k.mast_deg);
+    const TrimResult<double> r = trimmed(c, {k.speed, k.climb_deg * kDeg, 0, 0});
+    CHECK(is_trimmed(r.status));
+    Evaluation<double> e;
+    evaluate(c, r.state, r.controls, e);
+    const double tenth = 0.1 * c.mass.mass * 9.80665;
+    const double thrust = r.thrust[right] + r.thrust[left];
+    CHECK_EQ(thrust > tenth, k.pulls);
+    // Symmetric flight: twice that of the right half, along the shaft, which leans forward by the mast angle.
+    const Vec3<double>& f = e.loads.component[wing_wake_right].force;
+    const double cant = c.hub[right].thrust_axis.y;
+    const double along = std::sqrt(1 - cant * cant);
+    const double against = -2 * (along * (std::sin(c.mast) * f.x - std::cos(c.mast) * f.z) + cant * f.y);
+    CHECK_NEAR(r.download_fraction, std::fmax(against, 0) / std::fmax(thrust, tenth), 1e-9);
+    NOTE("mast " << k.mast_deg << ", " << k.speed << " m/s: " << r.download_fraction);
+  }
 }
 
 // Where there is no trim, each way to approach one is tried: from level flight where the flight is not, from

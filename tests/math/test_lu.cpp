@@ -56,6 +56,7 @@ void check_all_sizes(double tolerance) {
 TEST(lu_backward_error_every_size) {
   check_all_sizes<double, 33>(1e-13);
   check_all_sizes<double, 7>(1e-14);
+  check_all_sizes<double, 16>(1e-13);  // whole groups of lanes
   check_all_sizes<float, 31>(3e-5);
 }
 
@@ -234,4 +235,58 @@ TEST(lu_condition_beyond_the_range_is_zero) {
   a(1, 1) = 1 / e;
   CHECK(lu_factor(a, 2, lu) == Status::ok);
   CHECK_EQ(lu_reciprocal_condition(lu), 0.0);
+}
+
+// Gradient ascent that climbs one column at a time: column k of the inverse is g^k (h_k + 0.9 h_(k-1)) with
+// rows of a Hadamard matrix, so that the gradient at each sees the next alone; partners of the opposite sign
+// keep the start from seeing the last. Five steps are all it may take; what it has found by then is a lower
+// bound.
+TEST(lu_condition_stops_after_its_steps) {
+  constexpr int n = 16;
+  static Matrix<double, n, n> inverse, unit, a;
+  static LU<double, n> lu;
+  const auto hadamard = [](int i, int j) {
+    int bits = 0;
+    for (int both = i & j; both != 0; both &= both - 1) ++bits;
+    return bits % 2 == 0 ? 1.0 : -1.0;
+  };
+  for (int i = 0; i < n; ++i) {
+    for (int k = 0; k < n / 2; ++k) {
+      const double column = std::ldexp(hadamard(i, k) + (k > 0 ? 0.9 * hadamard(i, k - 1) : 0), k);
+      inverse(i, k) = column;
+      inverse(i, n / 2 + k) = (k == 0 ? 1 : -0.999999) * column + 1e-3 * hadamard(i, n / 2 + k);
+    }
+  }
+  unit = identity<double, n>();
+  CHECK(lu_factor(inverse, n, lu) == Status::ok);
+  CHECK(lu_solve(lu, unit, n, a) == Status::ok);
+  CHECK(lu_factor(a, n, lu) == Status::ok);
+  const auto sum = [&](const Matrix<double, n, n>& m, int j) {
+    double size = 0;
+    for (int i = 0; i < n; ++i) size += std::abs(m(i, j));
+    return size;
+  };
+  double norm = 0, inverse_norm = 0;
+  for (int j = 0; j < n; ++j) {
+    norm = std::fmax(norm, sum(a, j));
+    inverse_norm = std::fmax(inverse_norm, sum(inverse, j));
+  }
+  const double found = 1 / (lu_reciprocal_condition(lu) * norm);
+  CHECK_LE(found, inverse_norm * (1 + 1e-9));
+  CHECK_LE(sum(inverse, 4) * (1 - 1e-9), found);
+  NOTE("norm of the inverse " << inverse_norm << ", found " << found);
+}
+
+// Wilkinson's matrix doubles its last column with every elimination: past the largest number with the last
+// one, while every pivot before it is 1.
+TEST(lu_growth_beyond_the_range_is_not_finite) {
+  static Matrix<double, 3, 3> a;
+  static LU<double, 3> lu;
+  for (double size : {std::numeric_limits<double>::max() / 3.2, 1e300}) {
+    const double rows[3][3] = {{1, 0, size}, {-1, 1, size}, {-1, -1, size}};
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 3; ++j) a(i, j) = rows[i][j];
+    CHECK(lu_factor(a, 3, lu) == (size > 1e307 ? Status::not_finite : Status::ok));
+    CHECK_EQ(lu.size, size > 1e307 ? 0 : 3);
+  }
 }

@@ -96,6 +96,7 @@ TEST(status_has_a_word_and_a_text) {
   CHECK_EQ(status_word(Status::out_of_range), "out_of_range");
   CHECK_EQ(status_word(Status::bad_argument), "bad_argument");
   CHECK_EQ(status_word(static_cast<Status>(250)), "unknown");
+  CHECK_EQ(status_text(static_cast<Status>(250)), "not a status of this library");
   for (unsigned char k = 0; k < static_cast<unsigned char>(Status::count); ++k)
     CHECK(std::strlen(status_text(static_cast<Status>(k))) > 10);
 }

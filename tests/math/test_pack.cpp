@@ -66,3 +66,38 @@ TEST(pack_chooses_lane_by_lane) {
 }
 
 }  // namespace
+
+namespace {
+
+// Comparisons of each lane with what plain numbers say, equal ones and no numbers among them.
+template <class R>
+void check_comparisons() {
+  using P = Pack<R>;
+  const R values[] = {
+      R(-1), R(0), R(-0.0), R(2), std::numeric_limits<R>::infinity(), std::numeric_limits<R>::quiet_NaN()};
+  for (int lane = 0; lane < P::kLanes; ++lane) {
+    for (R a : values) {
+      for (R b : values) {
+        P x(R(1)), y(R(0));  // in the other lanes x is greater
+        x.set(lane, a);
+        y.set(lane, b);
+        const auto truth = [&](const PackMask<R>& m) { return m.e[lane] != 0; };
+        CHECK_EQ(truth(x < y), a < b);
+        CHECK_EQ(truth(x <= y), a <= b);
+        CHECK_EQ(truth(x > y), a > b);
+        CHECK_EQ(truth(x >= y), a >= b);
+        CHECK_EQ(truth(x == y), a == b);
+        CHECK_EQ(any(x <= y), a <= b);
+        CHECK_EQ(truth((x < y) | (x == y)), a <= b);
+        CHECK_EQ(truth((x <= y) & (x >= y)), a == b);
+      }
+    }
+  }
+}
+
+}  // namespace
+
+TEST(pack_compares_lane_by_lane) {
+  check_comparisons<double>();
+  check_comparisons<float>();
+}

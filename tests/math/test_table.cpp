@@ -540,3 +540,13 @@ TEST(table_works_in_single_precision) {
 }
 
 }  // namespace
+
+// An axis with one knot has one value everywhere.
+TEST(table_linear_axis_of_one_knot) {
+  const double knot[] = {3};
+  const Axis<double> axis{1, knot};
+  for (double x : {-1e9, 2.9, 3.0, 3.1, 1e9}) {
+    const Place<double> p = place_on(axis, x);
+    CHECK(p.interval == 0 && p.fraction == 0);
+  }
+}

@@ -103,6 +103,66 @@ TEST(flapping_hub_spring_and_damping) {
   CHECK_REL(configuration(0, options).hub_spring, 2 * c.hub_spring, 1e-15);
 }
 
+// The hub of this aircraft has no damping; with one, moments C b1c' and C b1s' act on the gimbal against its
+// motion.
+TEST(flapping_damping_of_a_hub_that_has_it) {
+  Aircraft<double> damped = aircraft();
+  damped.rotor.hub_damping = 250;  // N m s/rad, about 1 % of critical
+  Configuration<double> c, d;
+  if (!CHECK(prepare(aircraft(), flight_setup(aircraft(), 0.0), c) == Status::ok)) return;
+  if (!CHECK(prepare(damped, flight_setup(damped, 0.0), d) == Status::ok)) return;
+  CHECK_EQ(aircraft().rotor.hub_damping, 0.0);
+  const Vec3<double> w{0.1, -0.2, 0};
+  for (double direction : {0.0, 1.0, 2.5}) {
+    RotorState<double> x{};
+    x.b1c = 0.02;
+    x.b1c_rate = 0.7 * std::cos(direction);
+    x.b1s_rate = 0.7 * std::sin(direction);
+    const FlapRates<double> with = flap_rates(d, x, w, 900.0, -400.0);
+    const FlapRates<double> moments = flap_rates(c, x, w, 900 - 250 * x.b1c_rate, -400 - 250 * x.b1s_rate);
+    CHECK_NEAR(with.b1c_acceleration, moments.b1c_acceleration, 1e-10);
+    CHECK_NEAR(with.b1s_acceleration, moments.b1s_acceleration, 1e-10);
+    // It takes energy, C |rate|^2, in whatever direction: power = J (acceleration . rate).
+    const FlapRates<double> without = flap_rates(c, x, w, 900.0, -400.0);
+    const double j = 1.5 * 102.5 * 1.3558180;
+    const double power = j * ((with.b1c_acceleration - without.b1c_acceleration) * x.b1c_rate +
+                              (with.b1s_acceleration - without.b1s_acceleration) * x.b1s_rate);
+    CHECK_REL(power, -250 * 0.7 * 0.7, 1e-6);
+  }
+}
+
+// First-order tilt rates put back into the complete equations: with the moment J Omega gamma / 8 that the air
+// has against them, and the damping of a hub that has it, nothing accelerates.
+TEST(flapping_first_order_rates_balance_the_moments) {
+  for (double damping : {0.0, 250.0}) {
+    Aircraft<double> changed = aircraft();
+    changed.rotor.hub_damping = damping;
+    Configuration<double> c;
+    if (!CHECK(prepare(changed, flight_setup(changed, 30.0), c) == Status::ok)) return;
+    const RotorTables<double>& rotor = changed.rotor;
+    const double j = rotor.blades * rotor.flap_inertia / 2;
+    const double chord = blade_chord(rotor, c.setup.options.chord, rotor.twist_reference);
+    const double gamma =
+        c.air.density * rotor.lift_slope * chord * std::pow(rotor.radius, 4) / rotor.flap_inertia;
+    const double air = j * c.setup.rotor_speed * gamma / 8;
+    for (double mc : {-1500.0, 0.0, 700.0}) {
+      for (double ms : {-300.0, 1200.0}) {
+        RotorState<double> x{};
+        x.b1c = 0.03;
+        x.b1s = -0.01;
+        const Vec3<double> w{0.1, -0.2, 0};
+        const FlapRates<double> first = quasi_static_flap_rates(c, x, w, mc, ms);
+        x.b1c_rate = first.b1c_rate;
+        x.b1s_rate = first.b1s_rate;
+        const FlapRates<double> left = flap_rates(c, x, w, mc - air * x.b1c_rate, ms - air * x.b1s_rate);
+        CHECK_NEAR(left.b1c_acceleration, 0.0, 1e-9);
+        CHECK_NEAR(left.b1s_acceleration, 0.0, 1e-9);
+        CHECK(first.b1c_acceleration == 0.0 && first.b1s_acceleration == 0.0);
+      }
+    }
+  }
+}
+
 // Closed form for the uniform blade in hover with the inflow held: cyclic pitch becomes tilt 90 deg later,
 // rates lag by 16/(gamma Omega).
 TEST(flapping_textbook_limit) {

@@ -404,3 +404,26 @@ TEST(rotor_section_coefficients_all_around) {
                        0.03;
   CHECK(slope > 5.3 && slope < 7.0);
 }
+
+// Lift and drag of this aircraft share their axes; with knots of their own, equal ones, nothing changes.
+TEST(rotor_section_drag_on_axes_of_its_own) {
+  RotorTables<double> rotor = aircraft().rotor;
+  double knots[2][kMaxKnots];
+  for (int axis = 0; axis < 2; ++axis) {
+    const Axis<double>& shared = rotor.section_drag[1].smooth[axis];
+    std::copy(shared.knot, shared.knot + shared.count, knots[axis]);
+  }
+  for (int own = 1; own < 4; ++own) {
+    for (int axis = 0; axis < 2; ++axis)
+      rotor.section_drag[1].smooth[axis].knot =
+          (own >> axis & 1) != 0 ? knots[axis] : aircraft().rotor.section_drag[1].smooth[axis].knot;
+    for (double alpha = -0.25; alpha < 0.4; alpha += 0.05) {
+      for (double mach : {0.1, 0.45, 0.7}) {
+        const SectionCoefficients<double> a =
+            section_coefficients(aircraft().rotor, Interpolation::c1, 1, alpha, mach);
+        const SectionCoefficients<double> b = section_coefficients(rotor, Interpolation::c1, 1, alpha, mach);
+        CHECK(a.lift == b.lift && a.drag == b.drag);
+      }
+    }
+  }
+}

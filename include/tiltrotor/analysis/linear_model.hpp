@@ -144,7 +144,7 @@ Status linearize(const Configuration<R>& c, const State<R>& x, const Controls<R>
                      if (i >= 0) (j < n ? model.a(i, j) : model.b(i, j - n)) = slope;
                    });
   for (int i = 0; i < n; ++i) model.rates[i] = model.xdot[model.state[i]];
-  const bool finite = all_finite(model.a, n, n) && (m == 0 || all_finite(model.b, n, m));
+  const bool finite = all_finite(model.a, n, n) && all_finite(model.b, n, m);
   return finite ? Status::ok : Status::not_finite;
 }
 

@@ -230,13 +230,14 @@ void make_unique(ModeSet<R>& set, const bool* fixed) {
   for (int i = 0; i < set.count; ++i) {
     if (done[i]) continue;
     ModeLabel& label = set.mode[i].label;
+    const auto taken = [&set, &done, &label]() {
+      bool found = false;
+      for (int k = 0; k < set.count; ++k) found = found || (done[k] && set.mode[k].label == label);
+      return found;
+    };
     label.ordinal = 1;
-    for (int pass = 0; pass < set.count; ++pass) {  // every other mode can raise it at most once
-      bool taken = false;
-      for (int k = 0; k < set.count; ++k) taken = taken || (k != i && done[k] && set.mode[k].label == label);
-      if (!taken) break;
-      ++label.ordinal;
-    }
+    // Every other mode can raise it at most once.
+    for (int pass = 0; pass < set.count && taken(); ++pass) ++label.ordinal;
     done[i] = true;
   }
   for (int i = 0; i < set.count; ++i) write_name(set.mode[i].label, set.mode[i].name);

@@ -51,8 +51,8 @@ class Sentence {
   Sentence& scientific(double number) {
     if (!(number > 0 && number < 1e300)) return *this << (number == 0 ? "0" : "no number");
     int exponent = 0;
-    for (int k = 0; k < 320 && number >= 10; ++k, ++exponent) number /= 10;
-    for (int k = 0; k < 320 && number < 1; ++k, --exponent) number *= 10;
+    for (int k = 0; k < 330 && number >= 10; ++k, ++exponent) number /= 10;
+    for (int k = 0; k < 330 && number < 1; ++k, --exponent) number *= 10;
     *this << static_cast<int>(number) << "e" << exponent;
     return *this;
   }

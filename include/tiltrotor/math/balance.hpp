@@ -55,20 +55,19 @@ inline bool column_isolated(const PaddedSquare<R, N>& a, int j, int low, int hig
 template <class R, int N>
 inline void permute(PaddedSquare<R, N>& a, int n, Balance<R, N>& b) {
   b.low = 0;
-  b.high = n - 1;
-  for (int pass = 0; pass < n && b.high > 0; ++pass) {
+  for (b.high = n - 1; b.high > 0; --b.high) {
     int i = b.high;
     while (i >= 0 && !row_isolated<R, N>(a, i, 0, b.high)) --i;
     if (i < 0) break;
     exchange<R, N>(a, n, i, b.high);
-    b.swap[b.high--] = i;
+    b.swap[b.high] = i;
   }
-  for (int pass = 0; pass < n && b.low < b.high; ++pass) {
+  for (; b.low < b.high; ++b.low) {
     int j = b.low;
     while (j <= b.high && !column_isolated<R, N>(a, j, b.low, b.high)) ++j;
     if (j > b.high) break;
     exchange<R, N>(a, n, j, b.low);
-    b.swap[b.low++] = j;
+    b.swap[b.low] = j;
   }
 }
 

@@ -170,16 +170,19 @@ inline Shifts<R> shifts(const PaddedSquare<R, N>& h, int low, int high, int sinc
 // entries in succession a start disturbs the entry above it by less than rounding.
 template <class R, int N>
 inline int start(const PaddedSquare<R, N>& h, int low, int high, const Shifts<R>& s, R& x, R& y, R& z) {
-  for (int m = high - 2; m >= low; --m) {
+  const auto set_column = [&](int m) {
     const R a = h(m, m), c = h(m + 1, m);
     x = a * (a - s.sum) + s.product + h(m, m + 1) * c;
     y = c * (a + h(m + 1, m + 1) - s.sum);
     z = c * h(m + 2, m + 1);
-    if (m == low) break;
+  };
+  for (int m = high - 2; m > low; --m) {
+    set_column(m);
     const R moved = std::fabs(h(m, m - 1)) * (std::fabs(y) + std::fabs(z));
-    const R size = std::fabs(h(m - 1, m - 1)) + std::fabs(a) + std::fabs(h(m + 1, m + 1));
+    const R size = std::fabs(h(m - 1, m - 1)) + std::fabs(h(m, m)) + std::fabs(h(m + 1, m + 1));
     if (moved <= kEps<R> * std::fabs(x) * size) return m;
   }
+  set_column(low);
   return low;
 }
 

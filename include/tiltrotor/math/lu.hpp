@@ -267,8 +267,7 @@ inline R lu_reciprocal_condition(const LU<R, N>& lu) {
   lu_detail::substitute(lu, x);
   R sum = R(0);
   for (int i = 0; i < n; ++i) sum += std::fabs(x[i]);
-  if (!is_finite(sum)) return R(0);
-  estimate = larger_of(estimate, R(2) * sum / (R(3) * static_cast<R>(n)));
+  estimate = larger_of(estimate, R(2) * sum / (R(3) * static_cast<R>(n)));  // NaN stays
   const R condition = estimate * lu.norm1;
   return is_finite(condition) && condition > R(0) ? R(1) / condition : R(0);
 }
