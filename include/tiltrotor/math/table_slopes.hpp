@@ -7,6 +7,8 @@
 // on the order.
 #pragma once
 
+#include <cstddef>
+
 #include "tiltrotor/math/table.hpp"
 
 namespace tiltrotor {
@@ -27,7 +29,7 @@ R end_slope(R h0, R h1, R d0, R d1) {
 
 // Slopes m[k * stride] at `count` knots of values f[k * stride]. One knot: zero. Two: the straight line.
 template <class R>
-void monotone_slopes(int count, const R* knot, const R* f, R* m, int stride) {
+void monotone_slopes(int count, const R* knot, const R* f, R* m, std::ptrdiff_t stride) {
   if (count == 1) {
     m[0] = R(0);
     return;
@@ -60,7 +62,7 @@ void monotone_slopes(int count, const R* knot, const R* f, R* m, int stride) {
 // axis of the slopes of the others.
 template <class R, int Smooth>
 void fill_slopes(const Axis<R> (&axis)[Smooth], R* node, R* scratch) {
-  constexpr int per_node = 1 << Smooth;
+  constexpr std::ptrdiff_t per_node = 1 << Smooth;
   int nodes = 1;
   for (int a = 0; a < Smooth; ++a) nodes *= axis[a].count;
   for (int set = 1; set < per_node; ++set) {
@@ -70,7 +72,7 @@ void fill_slopes(const Axis<R> (&axis)[Smooth], R* node, R* scratch) {
       if ((set >> a & 1) == 0) continue;
       ++members;
       const int others = set & ~(1 << a);
-      int step = 1;  // nodes between neighbours along axis a
+      std::ptrdiff_t step = 1;  // nodes between neighbours along axis a
       for (int b = a + 1; b < Smooth; ++b) step *= axis[b].count;
       for (int i = 0; i < nodes; ++i) {
         if (i / step % axis[a].count != 0) continue;  // first node of a line along axis a
