@@ -82,7 +82,8 @@ sound() {
 # In the order of random numbers (Park and Miller), the same on every machine.
 list_mutants >"$work/all"
 total=$(wc -l <"$work/all")
-awk -v x="$seed" 'BEGIN { for (i = 0; i < 20; ++i) x = x * 16807 % 2147483647 }
+awk -v seed="$seed" 'BEGIN { x = (1 + (seed - 1) * 1048583) % 2147483647  # multiples would give like samples
+                             for (i = 0; i < 20; ++i) x = x * 16807 % 2147483647 }
                   { x = x * 16807 % 2147483647; printf "%.0f\t%s\n", x, $0 }' "$work/all" |
     sort -n | cut -f 2- | head -n "$count" >"$work/sample"
 killed=0 survived=0 explained=0 number=0
