@@ -71,7 +71,7 @@ typedef enum tr_status {
   TR_WING_STALL,      /* trimmed, but the wing is past its stall */
   TR_CONTROL_LIMIT,   /* trimmed, but a control is beyond its stop */
   TR_FLAP_LIMIT,      /* trimmed, but a gimbal is beyond its stop */
-  TR_ROTOR_STALL,     /* no trim: the rotors stall before they carry the weight */
+  TR_ROTOR_STALL,     /* no trim: the rotors stall before the weight is carried */
   TR_STATUS_COUNT
 } tr_status;
 
@@ -234,7 +234,7 @@ typedef struct tr_trim_result {
  * TR_FLAP_LIMIT too: the equations are fulfilled, a limit is exceeded. Otherwise (TR_ROTOR_STALL,
  * TR_NOT_CONVERGED, TR_SINGULAR, TR_NOT_FINITE, TR_OUT_OF_RANGE) the aircraft stays as it was. `result` may
  * be NULL; it is filled whenever the aircraft is initialised. Cost: 3 to 9 Jacobians as a rule, at most about
- * 800 with 13 derivatives each. */
+ * 1800 with 12 derivatives each. */
 tr_status tr_trim(tr_sim* sim, tr_work* work, const tr_flight* flight, tr_trim_result* result);
 
 /* ---- linear model and modes ---- */

@@ -34,7 +34,6 @@ bool neighbours(const FlightCase& a, const FlightCase& b) {
 void add_row(Records& records, const TrimmedFlight& flight, const char* status,
              const Mode<double>* mode = nullptr) {
   constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
-  constexpr double inch = 0.0254;
   const FlightSetup<double>& setup = flight.configuration.setup;
   Row row = {flight.mast_deg, flight.flight.speed};
   const Row numbers = mode != nullptr
@@ -42,7 +41,7 @@ void add_row(Records& records, const TrimmedFlight& flight, const char* status,
                                 mode->frequency,       mode->damping_ratio, mode->time_to_half}
                           : Row{"", "", nothing, nothing, nothing, nothing, nothing};
   row.insert(row.end(), numbers.begin(), numbers.end());
-  for (const Cell& cell : Row{status, setup.altitude, setup.mass, setup.sl_cg / inch}) row.push_back(cell);
+  for (const Cell& cell : Row{status, setup.altitude, setup.mass, setup.sl_cg / kInch}) row.push_back(cell);
   records.add(row);
 }
 
@@ -93,10 +92,8 @@ Command modes_command() {
           "first. A\n"
           "negative time_to_half_s is the time to double. Names come from the states that take part; along a "
           "sweep in\n"
-          "steps of at most 10 m/s, or 10 deg of mast angle at one speed, they follow the mode. --mast, "
-          "--speed, --altitude, --mass and --cg-sl take a "
-          "value, a list\n"
-          "or a range.\n",
+          "steps of at most 10 m/s, or 10 deg of mast angle at one speed, they follow the mode.\n"
+          "--mast, --speed, --altitude, --mass and --cg-sl take a value, a list or a range.\n",
           "tiltrotor modes --mast 0,30,60,90 --speed 50",
           reduce_option() + flight_list() + SetupOptions::list() + Output::list(),
           run};

@@ -1,4 +1,4 @@
-// `tiltrotor trim`: equilibrium at every combination of mast angle and speed.
+// `tiltrotor trim`: equilibrium at every combination of mast angle, speed and loading.
 
 #include <limits>
 
@@ -12,7 +12,6 @@ namespace {
 
 constexpr double radian = kRadian<double>;
 constexpr double kilo = 1000;
-constexpr double inch = 0.0254;
 
 using Flight = const TrimmedFlight&;
 
@@ -69,7 +68,7 @@ const Column columns_after_status[] = {
     {"flap_deg", [](Flight f) { return f.configuration.setup.flap_deg; }, true},
     {"rotor_rpm", [](Flight f) { return f.configuration.setup.rotor_speed * 30 / kPi<double>; }, true},
     {"mass_kg", [](Flight f) { return f.configuration.setup.mass; }, true},
-    {"cg_sl_in", [](Flight f) { return f.configuration.setup.sl_cg / inch; }, true},
+    {"cg_sl_in", [](Flight f) { return f.configuration.setup.sl_cg / kInch; }, true},
 };
 
 std::vector<std::string> column_names() {
@@ -110,13 +109,14 @@ int run(const Arguments& arguments) {
 
 Command trim_command() {
   return {"trim",
-          "equilibrium at every combination of mast angle and speed",
+          "equilibrium at every combination of mast angle, speed, altitude, mass and CG",
           "Level, climbing, turning or sideslipping flight, each from a cold start. --mast, --speed, "
           "--altitude,\n"
-          "--mass and --cg-sl take a value, a list or a range. A row without a trim says so in `status` "
-          "(wing_stall, control_limit, "
-          "rotor_stall,\n"
-          "not_converged, ...), stderr explains it, and the exit status is 1.\n",
+          "--mass and --cg-sl take a value, a list or a range. A `status` that is not ok is explained on "
+          "stderr and\n"
+          "makes the exit status 1: trimmed beyond a limit (wing_stall, control_limit, flap_limit), or no "
+          "trim\n"
+          "(rotor_stall, not_converged, singular).\n",
           "tiltrotor trim --mast 0,30 --speed 0:5:50 --format csv",
           flight_list() + SetupOptions::list() + Output::list(),
           run};

@@ -10,7 +10,6 @@ namespace {
 
 constexpr double radian = kRadian<double>;
 constexpr double rpm = kPi<double> / 30;
-constexpr double inch = 0.0254;
 
 constexpr Range mass_range{3000, 10000, "kg"};
 constexpr Range cg_range{276, 314, "in"};
@@ -71,13 +70,13 @@ OptionList SetupOptions::rotor_list() { return OptionList{altitude_option} + swi
 SetupOptions::SetupOptions(const Arguments& arguments) : SetupOptions(arguments, Common{}) {
   altitude_ = optional_number(arguments, "--altitude", kAltitudeRange, 1);
   mass_ = optional_number(arguments, "--mass", mass_range, 1);
-  sl_cg_ = optional_number(arguments, "--cg-sl", cg_range, inch);
+  sl_cg_ = optional_number(arguments, "--cg-sl", cg_range, kInch);
 }
 
 std::vector<SetupOptions> SetupOptions::every_combination(const Arguments& arguments) {
   const auto altitudes = optional_numbers(arguments, "--altitude", kAltitudeRange, 1);
   const auto masses = optional_numbers(arguments, "--mass", mass_range, 1);
-  const auto stations = optional_numbers(arguments, "--cg-sl", cg_range, inch);
+  const auto stations = optional_numbers(arguments, "--cg-sl", cg_range, kInch);
   require_few(arguments.command(), {altitudes.size(), masses.size(), stations.size()});
   std::vector<SetupOptions> all;
   SetupOptions one(arguments, Common{});
@@ -127,7 +126,7 @@ std::string SetupOptions::text() const {
   std::string given;
   if (altitude_) given += ", " + number_text(*altitude_, digits) + " m";
   if (mass_) given += ", " + number_text(*mass_, digits) + " kg";
-  if (sl_cg_) given += ", CG at " + number_text(*sl_cg_ / inch, digits) + " in";
+  if (sl_cg_) given += ", CG at " + number_text(*sl_cg_ / kInch, digits) + " in";
   return given;
 }
 

@@ -10,6 +10,8 @@
 
 namespace tiltrotor::cli {
 
+inline constexpr double kInch = 0.0254;  // m
+
 inline constexpr Range kMastRange{0, 90, "deg"};
 inline constexpr Range kSpeedRange{0, 150, "m/s"};
 inline constexpr Range kAltitudeRange{-500, 11000, "m"};

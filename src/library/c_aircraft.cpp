@@ -5,7 +5,7 @@
 #include "library/c_words.hpp"
 #include "tiltrotor/model/aircraft_data.hpp"
 
-namespace tiltrotor {
+namespace tiltrotor::c_interface {
 
 namespace {
 
@@ -55,9 +55,10 @@ bool choice(Options& options, const tr_setup& setup) {
 
 }  // namespace
 
-}  // namespace tiltrotor
+}  // namespace tiltrotor::c_interface
 
 using namespace tiltrotor;
+using namespace tiltrotor::c_interface;
 
 tr_status tr_default_setup(tr_setup* setup, uint32_t version, int32_t aircraft, tr_real mast_deg) {
   if (version != TR_API_VERSION) return TR_WRONG_VERSION;

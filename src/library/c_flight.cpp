@@ -2,7 +2,7 @@
 #include "library/c_linear.hpp"
 #include "library/c_words.hpp"
 
-namespace tiltrotor {
+namespace tiltrotor::c_interface {
 
 namespace {
 
@@ -32,9 +32,10 @@ tr_status step(Sim& s, tr_work* work, R dt, const R* xdot) {
 
 }  // namespace
 
-}  // namespace tiltrotor
+}  // namespace tiltrotor::c_interface
 
 using namespace tiltrotor;
+using namespace tiltrotor::c_interface;
 
 tr_status tr_trim(tr_sim* sim, tr_work* work, const tr_flight* flight, tr_trim_result* result) {
   const tr_status ready = check(sim);

@@ -5,7 +5,7 @@
 
 #include "library/c_words.hpp"
 
-namespace tiltrotor {
+namespace tiltrotor::c_interface {
 
 namespace {
 
@@ -74,9 +74,10 @@ tr_status linearize_here(const Sim& s, tr_work* work, std::int32_t columns, tr_l
   return translated(status);
 }
 
-}  // namespace tiltrotor
+}  // namespace tiltrotor::c_interface
 
 using namespace tiltrotor;
+using namespace tiltrotor::c_interface;
 
 tr_status tr_linearize(const tr_sim* sim, tr_work* work, int32_t columns, tr_linear_shape* shape, tr_real* a,
                        size_t a_length, tr_real* b, size_t b_length) {

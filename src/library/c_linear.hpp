@@ -6,7 +6,7 @@
 
 #include "library/c_memory.hpp"
 
-namespace tiltrotor {
+namespace tiltrotor::c_interface {
 
 // The arrays of a caller for A and B.
 struct LinearArrays {
@@ -20,4 +20,4 @@ struct LinearArrays {
 tr_status linearize_here(const Sim& s, tr_work* work, std::int32_t columns, tr_linear_shape* shape,
                          const LinearArrays& to, R* xdot);
 
-}  // namespace tiltrotor
+}  // namespace tiltrotor::c_interface

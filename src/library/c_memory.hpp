@@ -1,6 +1,7 @@
 // What lies in the caller's memory: an aircraft in tr_sim, and one of several work areas in tr_work.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <new>
 #include <type_traits>
@@ -8,7 +9,7 @@
 #include "tiltrotor/analysis/instances.hpp"
 #include "tiltrotor/tiltrotor.h"
 
-namespace tiltrotor {
+namespace tiltrotor::c_interface {
 
 using R = tr_real;
 
@@ -83,4 +84,4 @@ inline bool all_finite(const R* numbers, std::size_t length) {
   return true;
 }
 
-}  // namespace tiltrotor
+}  // namespace tiltrotor::c_interface

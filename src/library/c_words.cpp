@@ -7,7 +7,7 @@
 
 #include "tiltrotor/model/state.hpp"
 
-namespace tiltrotor {
+namespace tiltrotor::c_interface {
 
 tr_status translated(Status status) {
   switch (status) {
@@ -74,15 +74,16 @@ constexpr StatusWords kWords[] = {
     {"wing_stall", "trimmed, but the wing is past its stall"},
     {"control_limit", "trimmed, but a control is beyond its stop"},
     {"flap_limit", "trimmed, but a gimbal is beyond its stop"},
-    {"rotor_stall", "no trim: the rotors stall before they carry the weight"},
+    {"rotor_stall", "no trim: the rotors stall before the weight is carried"},
 };
 static_assert(sizeof(kWords) / sizeof(kWords[0]) == TR_STATUS_COUNT, "one row per status");
 
 }  // namespace
 
-}  // namespace tiltrotor
+}  // namespace tiltrotor::c_interface
 
 using namespace tiltrotor;
+using namespace tiltrotor::c_interface;
 
 const char* tr_status_word(int32_t status) {
   const auto place = static_cast<unsigned>(status);

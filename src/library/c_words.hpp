@@ -5,9 +5,9 @@
 #include "tiltrotor/math/status.hpp"
 #include "tiltrotor/tiltrotor.h"
 
-namespace tiltrotor {
+namespace tiltrotor::c_interface {
 
 tr_status translated(Status status);
 tr_status translated(TrimStatus status);
 
-}  // namespace tiltrotor
+}  // namespace tiltrotor::c_interface

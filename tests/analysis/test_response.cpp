@@ -285,7 +285,7 @@ TEST(response_reports_a_lost_flight) {
   CHECK(advance(c, work, bad) == Status::out_of_range);
 }
 
-TEST(response_refuses_an_integrator_that_is_none) {
+TEST(response_refuses_an_unknown_integrator) {
   const Configuration<double> c = configuration(0);
   const TrimResult<double> r = trimmed(c, level(20));
   Simulation<double> s = started(c, r, 0.01, static_cast<Integrator>(9));

@@ -278,11 +278,14 @@ TEST(trim_tells_why_there_is_none) {
 
   const TrimResult<double> stalls = trimmed(configuration(0), level(60));
   CHECK(stalls.status == TrimStatus::rotor_stall);
-  CHECK(contains(explanation(stalls), "before they stall"));
+  CHECK(contains(explanation(stalls), "before its rotors stall"));
 
   const TrimResult<double> fast = trimmed(configuration(0), level(75));
   CHECK(fast.status == TrimStatus::not_converged);
   CHECK(contains(explanation(fast), "no trim found"));
+
+  CHECK_EQ(slow.weight_carried, 1.0);
+  CHECK_EQ(fast.weight_carried, 1.0);
 
   const TrimResult<double> sideways = trimmed(configuration(0), {40, 0, 0, 20 * kDeg});
   CHECK(sideways.status == TrimStatus::control_limit);
@@ -319,7 +322,7 @@ TEST(trim_tells_what_rotors_carry_before_they_stall) {
     CHECK(r.status == TrimStatus::rotor_stall);
     CHECK_LT(r.weight_carried, 1);
     CHECK_LT(0.99, r.weight_carried);
-    CHECK(contains(explanation(r), "no trim: the rotors carry at most 99."));
+    CHECK(contains(explanation(r), "no trim: the aircraft carries at most 99."));
     const double carried = r.weight_carried * 5896.7;
     CHECK(trimmed(high_up(3000, 0.9999 * carried), level(speed)).status == TrimStatus::ok);
     const TrimResult<double> heavy = trimmed(high_up(3000, 1.0001 * carried), level(speed));
@@ -377,6 +380,51 @@ TEST(trim_over_less_weight_is_the_trim_of_the_cold_start) {
     CHECK_NEAR(u.long_stick, cold.controls.long_stick, 1e-7);
     CHECK_NEAR(x.pitch, cold.state.pitch, 1e-8);
   }
+}
+
+// Whatever it finds, the equations are those of the whole weight again.
+TEST(trim_over_less_weight_leaves_the_equations) {
+  static TrimWorkspace<double> work;
+  TrimEquations<double> whole;
+  struct Case {
+    double altitude, speed;
+    TrimStatus status;
+  };
+  for (const Case& k : {Case{0, 20, TrimStatus::ok}, Case{3500, 6, TrimStatus::rotor_stall},
+                        Case{0, 100, TrimStatus::not_converged}}) {
+    const Configuration<double> c = high_up(k.altitude);
+    int iterations = 0;
+    double carried = 1;
+    trim_equations(c, whole);
+    trim_equations(c, work.equations);
+    CHECK(trim_detail::from_less_weight(c, level(k.speed), work, iterations, carried).status == k.status);
+    CHECK_EQ(carried < 1, k.status == TrimStatus::rotor_stall);
+    CHECK(!work.equations.relieved);
+    CHECK_EQ(work.equations.carried, 1.0);
+    CHECK_EQ(work.equations.row[kCollectiveRow].control, whole.row[kCollectiveRow].control);
+    CHECK_EQ(work.equations.row[kCollectiveRow].step_limit, whole.row[kCollectiveRow].step_limit);
+    CHECK_EQ(trimmed(c, level(k.speed)).weight_carried, carried);
+  }
+}
+
+// The same top of the lift in single precision and by numerical differences.
+TEST(trim_of_stalled_rotors_in_every_build) {
+  const Configuration<double> c = high_up(3500);
+  const double carried = trimmed(c, level(6)).weight_carried;
+  static TrimWorkspace<double, NumDiff> numerical;
+  TrimResult<double> r;
+  CHECK(trim(c, level(6), numerical, r) == TrimStatus::rotor_stall);
+  CHECK_NEAR(r.weight_carried, carried, 1e-6);
+
+  FlightSetup<float> setup = flight_setup(aircraft_data<float>(), 0.0F);
+  setup.options.grid = BladeGrid::realtime;
+  setup.altitude = 3500;
+  static Configuration<float> single;
+  CHECK(prepare(aircraft_data<float>(), setup, single) == Status::ok);
+  static TrimWorkspace<float> work;
+  TrimResult<float> low;
+  CHECK(trim(single, SteadyFlight<float>{6, 0, 0, 0}, work, low) == TrimStatus::rotor_stall);
+  CHECK_NEAR(low.weight_carried, carried, 1e-3);
 }
 
 // A vertical force in place of weight, turned back into axes level with the ground.
@@ -603,7 +651,7 @@ namespace {
 // nothing else.
 double slope = 0;
 struct GivenJacobian {
-  static constexpr bool kJacobianGivesValue = false;
+  static constexpr bool kJacobianIsCheap = false;
   template <class R, int N>
   using Scalar = R;
   template <class R, int N, int MaxInputs, int MaxOutputs>
@@ -681,12 +729,12 @@ TEST(trim_upside_down_is_none) {
 
 // Flights that the first guess does not lead to, but an approach: from level flight, from a slower one, from
 // a faster one. Whatever the way, the model stands still there.
-TEST(trim_is_found_by_every_approach) {
+TEST(trim_is_found_from_level_flight_and_other_speeds) {
   struct Case {
     double mast_deg, speed, climb_deg, turn_deg, sideslip_deg;
   };
   const Case cases[] = {{30, 87, -22, -2, 0}, {45, 48, 19, 0, 22}, {45, 37, -2, -22, 0}};
-  bool used[5] = {};
+  bool used[6] = {};
   for (const Case& k : cases) {
     const Configuration<double> c = configuration(k.mast_deg);
     const SteadyFlight<double> flight{k.speed, k.climb_deg * kDeg, k.turn_deg * kDeg, k.sideslip_deg * kDeg};

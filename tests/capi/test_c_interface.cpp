@@ -385,7 +385,7 @@ TEST(capi_bad_flights_leave_the_aircraft_alone) {
   const tr_flight slow = {6, 0, 0, 0};
   tr_trim_result stalled;
   CHECK_EQ(tr_trim(&high, work.get(), &slow, &stalled), TR_ROTOR_STALL);
-  CHECK(std::strstr(stalled.text, "the rotors carry at most") != nullptr);
+  CHECK(std::strstr(stalled.text, "the aircraft carries at most") != nullptr);
   CHECK(same_bits(high, high_before));
   // 140 m/s in helicopter mode: no trim, or one beyond a limit; never a crash, always a reason.
   const tr_flight fast = {140, 0, 0, 0};

@@ -2,7 +2,7 @@
 //
 // AutoDiff runs the function on dual numbers: exact to rounding, no step, a pass of N directions at a time.
 // NumDiff runs it on plain numbers: central differences. Both give the value f(x) as well, by the same
-// operations, bit for bit.
+// operations, bit for bit. kJacobianIsCheap: whether a Jacobian costs a few values, or two an input.
 //
 // The function is a generic callable `f(const T* x, T* y)`; it is called with T = Policy::Scalar<R, N> or R.
 #pragma once
@@ -19,7 +19,7 @@ namespace tiltrotor {
 
 struct AutoDiff {
   static constexpr const char* kName = "automatic";
-  static constexpr bool kJacobianGivesValue = true;  // at the price of a few values
+  static constexpr bool kJacobianIsCheap = true;  // it costs a few values
 
   template <class R, int N>
   using Scalar = Dual<R, N>;
@@ -51,7 +51,7 @@ struct AutoDiff {
 
 struct NumDiff {
   static constexpr const char* kName = "numerical";
-  static constexpr bool kJacobianGivesValue = false;  // a value costs a small part of a Jacobian
+  static constexpr bool kJacobianIsCheap = false;  // it costs two values an input
 
   template <class R, int N>
   using Scalar = R;

@@ -195,7 +195,7 @@ Status rodas3(const RightSide<R, Policy>& f, R time, R dt) {
 // One step of dt. The controls are held during a step at their value in its middle: an input takes effect on
 // the step boundary nearest to its time. Status: ok; not_finite or out_of_range (the flight has diverged:
 // fault_state and fault_time tell which state and when, the state stays that of the last good step); singular
-// (rodas3); bad_argument (an integrator that is none). A failed simulation does not move again. Cost: three
+// (rodas3); bad_argument (an unknown integrator). A failed simulation does not move again. Cost: three
 // derivatives (rk3); four (rk4); two and a Jacobian (rodas3). `xdot`[state_count]: the rates at the present
 // state and controls, when they are known (LinearModel); they spare rk3 and rk4 their first derivative.
 template <class R, class Policy>

@@ -39,7 +39,7 @@ struct TrimResult {
   R download_fraction;  // force of the rotor wakes on the wing against the thrust, over the rotors' force (at
                         // least a tenth of the weight); 0 where the wing in the wake pulls forward
 
-  R weight_carried;            // 1; with rotor_stall the part of the weight that the rotors carry at most
+  R weight_carried;            // 1; with rotor_stall the largest part of the weight that it can carry
   TrimLimit limit;             // the first limit exceeded, or none
   R limit_value, limit_bound;  // rad or in
 };
@@ -53,10 +53,11 @@ struct TrimOptions {
 
 // Trim from a cold start. The result is defined whatever is returned; when is_trimmed(status) it fulfils the
 // equations of motion to the tolerance (1e-10 in double), otherwise it describes the best point of the first
-// attempt. rotor_stall: there is none short of the rotors' stall, result.weight_carried is what they lift
-// before. not_converged: no trim found; result.residual_state tells which equation is left, result.limit
-// which limit the last point exceeds, often the reason. Cost: typically 3 to 9 Jacobians; at most about 800
-// with the default options.
+// attempt. rotor_stall: there is none short of the rotors' stall, and result.weight_carried is the part of
+// the weight that can be carried; looked for below kWingborneMast. not_converged: no trim found;
+// result.residual_state tells which equation is left, result.limit which limit the last point exceeds, often
+// the reason. Cost: typically 3 to 9 Jacobians; at most about 1800 Jacobians, each with 12 derivatives, with
+// the default options.
 template <class R, class Policy>
 TrimStatus trim(const Configuration<R>& c, const SteadyFlight<R>& flight, TrimWorkspace<R, Policy>& work,
                 TrimResult<R>& result, const TrimOptions& options = {});
@@ -201,7 +202,7 @@ TrimStatus trim(const Configuration<R>& c, const SteadyFlight<R>& flight, TrimWo
       ++result.attempts;
       outcome = trim_detail::from_other_speed(c, flight, side == 0 ? R(-1) : R(1), work, result.iterations);
     }
-    if (outcome.status != TrimStatus::ok && c.setup.mast_deg < trim_detail::kRotorborneMast<R>) {
+    if (outcome.status != TrimStatus::ok && c.setup.mast_deg < kWingborneMast<R>) {
       ++result.attempts;
       outcome = trim_detail::from_less_weight(c, flight, work, result.iterations, result.weight_carried);
     }

@@ -51,29 +51,36 @@ NewtonOutcome<R> from_other_speed(const Configuration<R>& c, const SteadyFlight<
   return outcome;
 }
 
-// Rotors lift the aircraft below this mast angle; beyond, the wing has to.
+// Of the weight, where the way from a lighter aircraft begins.
 template <class R>
-inline constexpr R kRotorborneMast = R(45);  // deg
+inline constexpr R kLightParts[] = {R(0.7), R(0.4)};
 
 // From a lighter aircraft by more and more collective. At each collective the part of the weight that the
 // aircraft carries is the unknown, so the way does not end where more collective gives less lift: there the
-// rotors stall, and what they carry before they do is known. (Some flights have a trim far beyond that, with
-// blades like flat plates and several times the power; it is not looked for.)
+// rotors stall, and what is carried before they do is known. (Some flights have a trim far beyond that, with
+// blades like flat plates and several times the power; it is not looked for.) Only where the aircraft hangs
+// on its rotors: with the masts forward the wing may be what stalls.
 //   ok            work.z is the trim
 //   rotor_stall   `carried` is the largest part of the weight, below 1
-//   otherwise     neither was found
+//   otherwise     neither was found, `carried` is as it was
 // The equations are those of the whole weight again when it returns.
 template <class R, class Policy>
 NewtonOutcome<R> from_less_weight(const Configuration<R>& c, const SteadyFlight<R>& flight,
                                   TrimWorkspace<R, Policy>& work, int& iterations, R& carried) {
   TrimEquations<R>& equations = work.equations;
   const auto solve = [&] { return newton(c, flight, work, kStageIterations, iterations); };
-  trim_first_guess(c, flight, equations, work.z);
-  set_carried_weight(equations, R(0.7));
-  NewtonOutcome<R> outcome = solve();
+  NewtonOutcome<R> outcome{TrimStatus::not_converged, std::numeric_limits<R>::infinity(), 0};
+  R most = R(0);  // lifted so far, and its collective
+  for (const R part : kLightParts<R>) {
+    if (outcome.status == TrimStatus::ok) break;
+    most = part;
+    trim_first_guess(c, flight, equations, work.z);
+    set_carried_weight(equations, part);
+    outcome = solve();
+  }
   R& lift = work.z[kCollectiveRow];
-  R middle = lift;  // collective of the largest lift so far
-  lift = R(0.7);
+  R middle = lift;
+  lift = most;
   const auto lift_at = [&](R collective) {
     set_collective(equations, collective);
     outcome = solve();
@@ -82,7 +89,7 @@ NewtonOutcome<R> from_less_weight(const Configuration<R>& c, const SteadyFlight<
 
   // Up, until the lift falls or is enough.
   const R step = kRadian<R>;
-  R most = R(0.7);
+  int rises = 0;
   bool falls = false;
   for (int k = 0; k < kCollectiveSteps && !falls && most < R(1) && outcome.status == TrimStatus::ok; ++k) {
     const R next = lift_at(middle + step);
@@ -90,12 +97,14 @@ NewtonOutcome<R> from_less_weight(const Configuration<R>& c, const SteadyFlight<
     if (!falls) {
       most = next;
       middle += step;
+      ++rises;
     }
   }
   // The top lies between one step below and one above: golden section.
+  const bool stalls = falls && rises > 0;
   R low = middle - step;
   R high = middle + step;
-  for (int k = 0; falls && k < kTopSteps && most < R(1) && outcome.status == TrimStatus::ok; ++k) {
+  for (int k = 0; stalls && k < kTopSteps && most < R(1) && outcome.status == TrimStatus::ok; ++k) {
     const bool above = high - middle > middle - low;
     const R probe = middle + R(0.381966) * (above ? high - middle : low - middle);
     const R found = lift_at(probe);
@@ -111,8 +120,8 @@ NewtonOutcome<R> from_less_weight(const Configuration<R>& c, const SteadyFlight<
   if (outcome.status != TrimStatus::ok) return outcome;
   lift = middle;
   if (most >= R(1)) return solve();
-  carried = most;
-  outcome.status = falls ? TrimStatus::rotor_stall : TrimStatus::not_converged;
+  if (stalls) carried = most;
+  outcome.status = stalls ? TrimStatus::rotor_stall : TrimStatus::not_converged;
   return outcome;
 }
 

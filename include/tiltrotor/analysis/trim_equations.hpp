@@ -118,7 +118,7 @@ TILTROTOR_NOINLINE void set_steady_motion(const SteadyFlight<Real<T>>& flight, M
   room.x[ix_r] = rates.z;
 }
 
-// A force of `part` of the weight, upwards, added to the rates in room.x.
+// A force of `part` of the weight, upwards, added to the rates in room.x (m/s^2). Roll and pitch in rad.
 template <class T>
 TILTROTOR_NOINLINE void relieve_weight(const T& roll, const T& pitch, const T& part, ModelRoom<T>& room) {
   const T relief = part * kGravity<Real<T>>;
@@ -128,8 +128,8 @@ TILTROTOR_NOINLINE void relieve_weight(const T& roll, const T& pitch, const T& p
   room.x[ix_w] -= level * cos(roll);
 }
 
-// Residuals of the unknowns z, on plain numbers or duals. `controls`: values of the inputs that are not
-// unknowns.
+// Residuals of the unknowns z, on plain numbers or duals. Inputs that are no unknowns are 0, but for a given
+// collective.
 template <class T>
 void trim_residuals(const Configuration<Real<T>>& c, const SteadyFlight<Real<T>>& flight,
                     const TrimEquations<Real<T>>& equations, ModelRoom<T>& room, const T* z, T* residual) {

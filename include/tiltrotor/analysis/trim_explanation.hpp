@@ -98,8 +98,10 @@ int explain(const TrimResult<R>& r, char* text, int capacity) {
       trim_detail::write_limit(r, sentence);
       break;
     case TrimStatus::rotor_stall:
-      sentence << "no trim: the rotors carry at most ";
-      sentence.fixed(100 * static_cast<double>(r.weight_carried)) << " % of the weight before they stall";
+      sentence << "no trim: the aircraft carries at most ";
+      // Rounded down: less than all of it.
+      sentence.fixed(std::floor(10000 * static_cast<double>(r.weight_carried)) / 100)
+          << " % of its weight before its rotors stall";
       break;
     case TrimStatus::not_converged:
     case TrimStatus::singular:

@@ -12,7 +12,7 @@ enum class [[nodiscard]] TrimStatus : unsigned char{
     wing_stall,     // trimmed, but the wing is past its stall
     control_limit,  // trimmed, but a control is beyond its stop
     flap_limit,     // trimmed, but a gimbal is beyond its stop
-    rotor_stall,    // no trim: the rotors stall before they carry the weight
+    rotor_stall,    // no trim: the rotors stall before the weight is carried
     not_converged,  // no trim found
     singular,       // the Newton matrix was singular at the last step
     not_finite,     // the model gave NaN or infinity at the first guess
@@ -69,7 +69,7 @@ constexpr bool is_trimmed(TrimStatus status) {
          status == TrimStatus::control_limit || status == TrimStatus::flap_limit;
 }
 
-// The angle of attack beyond which the free wing stalls . It is a limit where the aircraft
+// The angle of attack beyond which the free wing stalls. It is a limit where the aircraft
 // rests on the wing: not in helicopter mode, where rotors carry it through a descent with the wing stalled,
 // and not where a unit of lift coefficient carries less than a fiftieth of the weight (10 m/s at sea level).
 template <class R>

@@ -42,7 +42,7 @@ inline constexpr int kHalvings = 12;
 
 template <class R>
 struct NewtonOutcome {
-  TrimStatus status;  // ok, not_converged, singular or not_finite
+  TrimStatus status;  // ok, not_converged, singular or not_finite; of from_less_weight() rotor_stall too
   R residual;         // largest
   int worst;          // its equation
 };
@@ -114,9 +114,10 @@ NewtonOutcome<R> newton(const Configuration<R>& c, const SteadyFlight<R>& flight
     }
     limit_step(work.equations, work.step);
 
-    // Mostly the whole step is accepted, and the next one needs the Jacobian there: it costs little more than
-    // the residuals alone, which come with it.
-    const bool at_once = Policy::kJacobianGivesValue && outcome.residual > kNearlyConverged<R>;
+    // Mostly the whole step is accepted, and the next one needs the Jacobian there: it costs two to four
+    // times the residuals, which come with it.
+    const bool at_once =
+        Policy::kJacobianIsCheap && outcome.residual > kNearlyConverged<R> && k + 1 < max_iterations;
     const R before = square_norm(work.residual, n);
     R length = R(1);
     bool accepted = false;
