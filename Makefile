@@ -49,11 +49,12 @@ RUNNER  ?= $(if $(and $(findstring linux,$(CROSS_COMPILE)),$(shell command -v qe
 
 CXXFLAGS      ?= -O3
 HOST_CXXFLAGS ?= -O1
-WARNINGS      := -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wdouble-promotion $(if $(WERROR),-Werror)
+WARNINGS      := -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wdouble-promotion -Wno-psabi $(if $(WERROR),-Werror)
 # -ffp-contract=off: a fused multiply-add rounds once instead of twice, and the compiler fuses differently in scalar
 #   and in vector code. Without fusing, the value of a plain evaluation and the value part of a dual number are equal
 #   bit for bit, on every machine.
 # -fno-tree-slp-vectorize: g++ 12 forms fused multiply-adds there in spite of the flag above.
+# -Wno-psabi: on 32-bit ARM g++ notes at every std::vector that its ABI changed with version 7.
 # -fno-math-errno: nobody reads errno after sqrt(); setting it costs a branch per call and stops vectorisation.
 FLAGS      := -std=c++17 $(CXXFLAGS) $(ARCH_FLAGS) -ffp-contract=off -fno-tree-slp-vectorize -fno-math-errno \
               $(WARNINGS) -Iinclude
