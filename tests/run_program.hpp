@@ -11,6 +11,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "temporary.hpp"
+
 namespace check {
 
 struct ProgramResult {
@@ -47,14 +49,11 @@ inline std::string source_path(const std::string& name) {
 
 /// Runs a shell command with an empty standard input; throws when it cannot be started.
 inline ProgramResult run_program(const std::string& command) {
-  char error_path[] = "/tmp/tiltrotor-test-XXXXXX";
-  const int descriptor = mkstemp(error_path);
-  if (descriptor < 0) throw std::runtime_error("run_program: no temporary file");
-  close(descriptor);
+  const std::string error_path = new_temporary_file();
   // The newline ends a command that itself ends in a comment.
   FILE* const pipe = popen(("( " + command + "\n) </dev/null 2>" + error_path).c_str(), "r");
   if (pipe == nullptr) {
-    unlink(error_path);
+    unlink(error_path.c_str());
     throw std::runtime_error("run_program: cannot start " + command);
   }
   ProgramResult result{};
@@ -66,7 +65,7 @@ inline ProgramResult run_program(const std::string& command) {
   result.exit_status = WIFEXITED(status) ? WEXITSTATUS(status) : signal_base + WTERMSIG(status);
   std::ifstream errors(error_path, std::ios::binary);
   result.err.assign(std::istreambuf_iterator<char>(errors), std::istreambuf_iterator<char>());
-  unlink(error_path);
+  unlink(error_path.c_str());
   return result;
 }
 

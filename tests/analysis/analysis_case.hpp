@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cmath>
+#include <cstring>
 #include <string>
 
 #include "check.hpp"
@@ -32,6 +33,27 @@ inline TrimResult<double> trimmed(const Configuration<double>& c, const SteadyFl
   const TrimStatus status = trim(c, flight, work, result, options);
   CHECK(status == result.status);
   return result;
+}
+
+struct Vector {
+  double x, y, z;
+};
+// Earth axes from body axes for 3-2-1 Euler angles with zero heading, as the product of two plane rotations.
+inline Vector to_earth(const Vec3<double>& b, double roll, double pitch) {
+  const double y = b.y * std::cos(roll) - b.z * std::sin(roll);
+  const double z = b.y * std::sin(roll) + b.z * std::cos(roll);
+  return {b.x * std::cos(pitch) + z * std::sin(pitch), y, -b.x * std::sin(pitch) + z * std::cos(pitch)};
+}
+
+// The sentence on how a trim ended.
+inline std::string explanation(const TrimResult<double>& r) {
+  char text[200];
+  const int length = explain(r, text, 200);
+  CHECK_EQ(static_cast<std::size_t>(length), std::strlen(text));
+  return text;
+}
+inline bool contains(const std::string& text, const char* part) {
+  return text.find(part) != std::string::npos;
 }
 
 inline void linear_model(const Configuration<double>& c, const State<double>& x, const Controls<double>& u,

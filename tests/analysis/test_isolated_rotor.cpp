@@ -1,39 +1,15 @@
 // The parts of the isolated rotor's solution one by one, and how it ends where the rotor has no equilibrium.
 #include "tiltrotor/analysis/isolated_rotor.hpp"
 
-#include "check.hpp"
-#include "tiltrotor/model/aircraft_data.hpp"
+#include "rotor_stand.hpp"
 
 using namespace tiltrotor;
+using namespace rotor_stand;
 namespace d = isolated_rotor_detail;
 
 namespace {
 
 const double kNan = std::numeric_limits<double>::quiet_NaN();
-
-struct Stand {
-  Aircraft<double> aircraft = aircraft_data<double>();
-  Configuration<double> configuration;
-  IsolatedRotorWorkspace<double> work;
-  IsolatedRotor<double> rotor;
-
-  explicit Stand(const Options& options = {}) {
-    FlightSetup<double> setup = flight_setup(aircraft, 0.0);
-    setup.options = options;
-    CHECK(prepare(aircraft, setup, configuration) == Status::ok);
-  }
-  Stand(const Stand&) = delete;
-  Stand& operator=(const Stand&) = delete;
-  Status run(const RotorFlow<double>& flow) { return isolated_rotor(configuration, flow, work, rotor); }
-};
-
-RotorFlow<double> flow(double collective_deg, double axial = 0, double in_plane = 0) {
-  RotorFlow<double> f{};
-  f.collective = collective_deg * kRadian<double>;
-  f.axial = axial;
-  f.in_plane = in_plane;
-  return f;
-}
 
 }  // namespace
 

@@ -8,15 +8,13 @@
 #include <stdexcept>
 #include <string>
 
+#include "temporary.hpp"
+
 namespace check {
 
 class ScratchFolder {
  public:
-  ScratchFolder() {
-    char path[] = "/tmp/tiltrotor-cli-XXXXXX";
-    if (mkdtemp(path) == nullptr) throw std::runtime_error("no temporary folder");
-    path_ = path;
-  }
+  ScratchFolder() : path_(new_temporary_folder()) {}
   ~ScratchFolder() {
     std::error_code ignored;
     std::filesystem::remove_all(path_, ignored);

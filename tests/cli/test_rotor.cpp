@@ -1,41 +1,15 @@
 // The isolated rotor: equilibrium, momentum theory, symmetry, and published measurements.
 #include <cmath>
 
+#include "analysis/rotor_stand.hpp"
 #include "check.hpp"
 #include "cli/csv_text.hpp"
 #include "run_program.hpp"
-#include "tiltrotor/analysis/isolated_rotor.hpp"
-#include "tiltrotor/model/aircraft_data.hpp"
 
 using check::CsvText;
 using check::run_tiltrotor;
 using namespace tiltrotor;
-
-namespace {
-
-struct Stand {
-  Configuration<double> configuration;
-  IsolatedRotorWorkspace<double> work;
-  IsolatedRotor<double> rotor;
-
-  explicit Stand(double mast_deg, const Options& options = {}) {
-    FlightSetup<double> setup = flight_setup(aircraft_data<double>(), mast_deg);
-    setup.options = options;
-    if (prepare(aircraft_data<double>(), setup, configuration) != Status::ok)
-      throw std::runtime_error("setup");
-  }
-  Status run(const RotorFlow<double>& flow) { return isolated_rotor(configuration, flow, work, rotor); }
-};
-
-RotorFlow<double> flow(double collective_deg, double axial, double in_plane) {
-  RotorFlow<double> f{};
-  f.collective = collective_deg * kRadian<double>;
-  f.axial = axial;
-  f.in_plane = in_plane;
-  return f;
-}
-
-}  // namespace
+using namespace rotor_stand;
 
 // Hover: the mean of the momentum theory CT = 2 lambda^2 with the model's factor on the induced velocity.
 TEST(isolated_rotor_hover_obeys_momentum_theory) {

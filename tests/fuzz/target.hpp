@@ -15,6 +15,8 @@
 #include <limits>
 #include <string>
 
+#include "temporary.hpp"
+
 namespace fuzz {
 
 /// The input as a sequence of whatever is asked for; zeros behind its end.
@@ -76,14 +78,10 @@ class Bytes {
   std::size_t left_;
 };
 
-/// A file below /tmp whose text is replaced for every input, for readers that take a path.
+/// A temporary file whose text is replaced for every input, for readers that take a path.
 class InputFile {
  public:
-  InputFile() {
-    char path[] = "/tmp/tiltrotor-fuzz-XXXXXX";
-    file_ = fdopen(mkstemp(path), "wb");
-    path_ = path;
-  }
+  InputFile() : path_(check::new_temporary_file()), file_(std::fopen(path_.c_str(), "wb")) {}
   ~InputFile() {
     if (file_ != nullptr) std::fclose(file_);
     std::remove(path_.c_str());
@@ -101,8 +99,8 @@ class InputFile {
   }
 
  private:
-  std::FILE* file_;
   std::string path_;
+  std::FILE* file_;
 };
 
 using Target = void (*)(const std::uint8_t* data, std::size_t size);

@@ -1,7 +1,5 @@
 // The table generator on broken copies of the tables: exit code 2, one line `file:line: message`, no output
 // left.
-#include <stdlib.h>
-
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
@@ -12,6 +10,7 @@
 
 #include "check.hpp"
 #include "run_program.hpp"
+#include "temporary.hpp"
 
 namespace {
 
@@ -22,10 +21,7 @@ using Lines = std::vector<std::string>;
 // A copy of the tables in a folder of its own, removed at the end.
 class Copy {
  public:
-  Copy() {
-    char name[] = "/tmp/tiltrotor-tables-XXXXXX";
-    if (mkdtemp(name) == nullptr) throw std::runtime_error("no temporary folder");
-    base_ = name;
+  Copy() : base_(check::new_temporary_folder()) {
     fs::copy(check::source_path("tables/xv15"), base_ / "tables", fs::copy_options::recursive);
   }
   ~Copy() {
