@@ -180,9 +180,12 @@ size_t tr_work_size(void);
 tr_status tr_set_controls(tr_sim* sim, const tr_real* controls, size_t length);
 
 /* One step of 0 < dt <= 0.02 s, controls held, by a Runge-Kutta method: of order 3 up to 0.01 s, of order 4
- * beyond; stable at any speed up to 0.018 s, in fast airplane flight not beyond. TR_OUT_OF_RANGE (dt, or the
- * flight has diverged), TR_NOT_FINITE: the aircraft stays where it was.
- * Cost: 3 derivatives, beyond 0.01 s 4. */
+ * beyond. Where dt is too long for the fastest modes (inflow, the faster the more air passes the disk; gimbal
+ * tilt, twice the rotor speed) the step is made of equal parts, so that every dt is stable at every rotor
+ * speed, up to 200 m/s in any direction. TR_OUT_OF_RANGE (dt, or the flight has diverged), TR_NOT_FINITE: the
+ * aircraft stays where it was.
+ * Cost: 3 derivatives a part, beyond 0.01 s 4. Parts in flights that tr_trim accepts: 1 up to 0.005 s, at
+ * most 2 beyond; at most 45 in any state (300 m/s with an inflow of six tip speeds). */
 tr_status tr_step(tr_sim* sim, tr_work* work, tr_real dt);
 
 /* Snapshot and restore. tr_set_state accepts finite states of |velocity| <= 300 m/s, |rates| <= 20 rad/s,
@@ -266,7 +269,7 @@ tr_status tr_linearize(const tr_sim* sim, tr_work* work, int32_t columns, tr_lin
 /* tr_linearize, then tr_step: the model belongs to the beginning of the step. The same numbers as from the
  * two calls, bit for bit, for one derivative less. The step is made only when the linear model is TR_OK; when
  * only the step fails, `shape`, `a` and `b` are valid. Statuses of both.
- * Cost: 1 Jacobian (2 with TR_ALL_CONTROLS) and 2 derivatives, beyond 0.01 s 3. */
+ * Cost: 1 Jacobian (2 with TR_ALL_CONTROLS) and one derivative less than tr_step. */
 tr_status tr_linearize_and_step(tr_sim* sim, tr_work* work, tr_real dt, int32_t columns,
                                 tr_linear_shape* shape, tr_real* a, size_t a_length, tr_real* b,
                                 size_t b_length);

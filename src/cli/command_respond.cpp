@@ -26,32 +26,48 @@ constexpr Range step_range{1e-4, 0.1, "s"};
 constexpr double max_steps = 1e6;
 
 struct Plan {
-  std::size_t steps;
+  std::size_t steps;  // whole ones
   double dt;
+  double rest;  // s, of a shorter last step; 0: there is none
   Integrator integrator;
   std::vector<InputSignal<double>> inputs;
   std::size_t modes_every;  // steps; 0: never
 };
 
+// Whole steps in a time, but for the rounding of decimals.
+bool is_whole(double steps) { return std::fabs(steps - std::round(steps)) <= 1e-12 * steps; }
+
 Plan read_plan(const Arguments& arguments) {
   Plan plan{};
   const double duration = arguments.number("--duration", 3, duration_range);
   plan.dt = arguments.number("--dt", 0.005, step_range);
-  const double steps = std::round(duration / plan.dt);
-  if (steps > max_steps) {
+  const double steps = duration / plan.dt;
+  if (std::round(steps) > max_steps) {
     throw UsageError(arguments.where("--duration") + ": more than " + number_text(max_steps) + " steps of " +
                      number_text(plan.dt) + " s");
   }
-  plan.steps = static_cast<std::size_t>(steps);
+  plan.steps = static_cast<std::size_t>(is_whole(steps) ? std::round(steps) : steps);
+  plan.rest = is_whole(steps) ? 0 : duration - static_cast<double>(plan.steps) * plan.dt;
   plan.integrator = static_cast<Integrator>(arguments.choice("--method", "rk4", {"rk3", "rk4", "rodas3"}));
   for (const std::string& text : arguments.texts("--input")) {
     plan.inputs.push_back(parse_input(text, arguments.where("--input")));
+    if (plan.inputs.back().start > duration) {
+      throw UsageError(arguments.where("--input") + " " + text + ": starts after the end of the flight, " +
+                       number_text(duration) + " s");
+    }
   }
   if (plan.inputs.size() > kMaxInputs) {
     throw UsageError(arguments.where("--input") + ": at most " + std::to_string(kMaxInputs) + " inputs");
   }
   if (arguments.given("--modes-every")) {
     const double every = arguments.number("--modes-every", 0, {plan.dt, duration_range.high, "s"});
+    if (!is_whole(every / plan.dt)) {
+      const double below = std::floor(every / plan.dt);
+      throw UsageError(arguments.where("--modes-every") + ": " + number_text(every) +
+                       " is no multiple of the time step; the nearest are " +
+                       number_text(below * plan.dt, 12) + " and " + number_text((below + 1) * plan.dt, 12) +
+                       " s");
+    }
     plan.modes_every = static_cast<std::size_t>(std::round(every / plan.dt));
   }
   return plan;
@@ -67,7 +83,7 @@ FlightCase single_flight(const Arguments& arguments) {
 class Companions {
  public:
   Companions(const Arguments& arguments, const Plan& plan)
-      : controls_(control_set(arguments)), modes_every_(plan.modes_every) {}
+      : controls_(control_set(arguments)), whole_steps_(plan.steps), modes_every_(plan.modes_every) {}
 
   // Throws UsageError when the folder cannot be written.
   void open_matrices(const std::string& folder, const std::string& where) {
@@ -77,7 +93,7 @@ class Companions {
   // Appends the cells of the modes, if there are such columns.
   Status accompany(std::size_t step, const Configuration<double>& c, const Simulation<double>& s,
                    Analyses& analyses, Row& row) {
-    const bool wants_modes = modes_every_ > 0 && step % modes_every_ == 0;
+    const bool wants_modes = modes_every_ > 0 && step <= whole_steps_ && step % modes_every_ == 0;
     Status status = Status::ok;
     if (wants_modes || matrices_) {
       status =
@@ -94,6 +110,7 @@ class Companions {
 
  private:
   ControlSet controls_;
+  std::size_t whole_steps_;
   std::size_t modes_every_;
   std::optional<MatrixLog> matrices_;
   std::unique_ptr<LinearModel<double>> model_ = std::make_unique<LinearModel<double>>();
@@ -102,7 +119,8 @@ class Companions {
 
 int fly(const Configuration<double>& c, const Plan& plan, Simulation<double>& simulation, Analyses& analyses,
         Companions& companions, Records& records) {
-  Progress progress("respond", plan.steps);
+  const std::size_t steps = plan.steps + (plan.rest > 0 ? 1 : 0);
+  Progress progress("respond", steps);
   int exit_status = exit_success;
   for (std::size_t step = 0;; ++step) {
     const std::string now = number_text(current_time(simulation), 6) + " s";
@@ -113,8 +131,9 @@ int fly(const Configuration<double>& c, const Plan& plan, Simulation<double>& si
       progress.message("respond: linear model at " + now + ": " + status_text(linear));
       exit_status = exit_case_failed;
     }
-    if (step == plan.steps) return exit_status;
-    const Status status = advance(c, analyses, simulation);
+    if (step == steps) return exit_status;
+    Status status = step == plan.steps ? change_step(simulation, plan.rest) : Status::ok;
+    if (status == Status::ok) status = advance(c, analyses, simulation);
     if (status != Status::ok) {
       const bool named = simulation.fault_state >= 0;
       const std::string state =
@@ -161,11 +180,13 @@ int run(const Arguments& arguments) {
 OptionList options() {
   return {
       {"--input", "INPUT", "a test input, see above; repeatable", true},
-      {"--duration", "S", "0..3600 (3)"},
-      {"--dt", "S", "time step, 1e-4..0.1 (0.005)"},
-      {"--method", "NAME", "rk3 (stable to 0.016 s), rk4 (0.018 s), or rodas3, for long steps (rk4)"},
+      {"--duration", "S", "0..3600 (3); the last step is shorter where --dt does not divide it"},
+      {"--dt", "S", "time step, 1e-4..0.1 (0.005); inputs act at their times, whatever the step"},
+      {"--method", "NAME",
+       "rk3, rk4 (in equal parts of a step that is too long for\neither), or rodas3, for long steps (rk4)"},
       {"--modes-every", "S",
-       "adds name, real and imaginary part of the body's modes to a row\nevery S seconds"},
+       "adds name, real and imaginary part of the body's modes to a row\nevery S seconds, a multiple of "
+       "--dt"},
       {"--matrices", "DIR", "writes A and B at every step to DIR/a.csv and DIR/b.csv"},
   };
 }

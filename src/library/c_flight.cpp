@@ -6,13 +6,13 @@ namespace tiltrotor::c_interface {
 
 namespace {
 
-constexpr R kLongestStep = R(0.02);   // s; the progressing flapping mode sets it,
-constexpr R kLongestOfRk3 = R(0.01);  // and this
+constexpr R kLongestFrame = R(0.02);  // s
+constexpr R kLongestOfRk3 = R(0.01);  // s; beyond, RK4 does with fewer parts of a step
 
 tr_status check_step(const tr_work* work, R dt) {
   if (work == nullptr) return TR_BAD_ARGUMENT;
   if (!is_finite(dt)) return TR_NOT_FINITE;
-  return dt > R(0) && dt <= kLongestStep ? TR_OK : TR_OUT_OF_RANGE;
+  return dt > R(0) && dt <= kLongestFrame ? TR_OK : TR_OUT_OF_RANGE;
 }
 
 // One step; `xdot`: the rates at its beginning, or nullptr.

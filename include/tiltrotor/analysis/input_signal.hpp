@@ -32,4 +32,14 @@ R value_at(const InputSignal<R>& s, R time) {
   return s.shape == InputShape::doublet && since < R(2) * s.duration ? -s.amplitude : R(0);
 }
 
+// Times at which the value jumps, in order. Returns how many.
+inline constexpr int kMaxEdges = 3;
+template <class R>
+int edges(const InputSignal<R>& s, R (&times)[kMaxEdges]) {
+  times[0] = s.start;
+  times[1] = s.start + s.duration;
+  times[2] = s.start + R(2) * s.duration;
+  return s.shape == InputShape::step ? 1 : s.shape == InputShape::pulse ? 2 : 3;
+}
+
 }  // namespace tiltrotor

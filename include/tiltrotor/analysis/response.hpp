@@ -5,6 +5,10 @@
 //   add_input(flight, {InputShape::step, iu_collective, one_degree, 0.0, 0.0});
 //   for (...) if (advance(c, work, flight) != Status::ok) ... flight.fault_state, flight.fault_time
 //
+// The impulse of every input is exact whatever the step: a step is cut where an input jumps inside it, and
+// into equal parts where it is too long for the method (stable_step.hpp). change_step() goes on with another
+// one, so that a flight may end at any time.
+//
 // Simulation is plain: a snapshot is a copy, and a replay is exact. Heading, and position when it is a state,
 // are integrated with the rest. A and B at any moment: linearize(c, flight.state, current_controls(flight),
 // ..., current_azimuth(c, flight)); the rates it finds are the first evaluation of the step that follows:
@@ -15,17 +19,19 @@
 
 #include "tiltrotor/analysis/differentiation.hpp"
 #include "tiltrotor/analysis/input_signal.hpp"
+#include "tiltrotor/analysis/stable_step.hpp"
 #include "tiltrotor/math/integrate.hpp"
 
 namespace tiltrotor {
 
-// rk3: explicit, three derivatives a step; stable to 16 ms (the progressing flapping mode; in helicopter mode
-//   18 ms); for frames of 5 ms and less.
-// rk4: explicit, four derivatives a step; stable to 18 ms (in helicopter mode 25 ms).
+// rk3: explicit, three derivatives a part of a step; for frames of 5 ms and less.
+// rk4: explicit, four derivatives a part of a step.
 // rodas3: Rosenbrock, L-stable, two derivatives and one Jacobian a step; for longer steps and stiff settings.
 enum class Integrator : unsigned char { rk3, rk4, rodas3 };
 
 inline constexpr int kMaxInputs = 8;
+template <class R>
+inline constexpr R kLongestStep = R(1);  // s
 
 template <class R>
 struct Simulation {
@@ -35,7 +41,8 @@ struct Simulation {
   int inputs;
   Integrator integrator;
   R dt;
-  unsigned steps;   // done so far; time = steps dt
+  R origin;         // s, when steps of dt began
+  unsigned steps;   // done since; time = origin + steps dt
   Status status;    // of the last step; a failed flight stays where it was
   int fault_state;  // place in kStateNames of the state that failed, or -1
   R fault_time;     // s, end of the step that failed
@@ -61,7 +68,7 @@ struct SimulationWorkspace {
 
 template <class R>
 R current_time(const Simulation<R>& s) {
-  return static_cast<R>(s.steps) * s.dt;
+  return s.origin + static_cast<R>(s.steps) * s.dt;
 }
 
 // Position of the right rotor's first blade.
@@ -80,10 +87,33 @@ Controls<R> controls_at(const Simulation<R>& s, R time) {
   unpack(u, controls);
   return controls;
 }
-// What acts during the next step.
+
+// Controls are constant between the edges of inputs. How long they stay as they are, `since` the beginning of
+// the next step: to the next edge inside it, or to its end. An edge within the rounding of the times is on
+// the step boundary.
+inline constexpr int kRoundings = 8;
+inline constexpr int kMaxStretches = kMaxInputs * kMaxEdges + 1;  // of constant controls in a step
+template <class R>
+R next_change(const Simulation<R>& s, R since) {
+  const R begin = current_time(s);
+  R next = s.dt;
+  for (int k = 0; k < s.inputs; ++k) {
+    R times[kMaxEdges];
+    const int count = edges(s.input[k], times);
+    const R size = begin + s.dt + std::fabs(s.input[k].start);
+    const R rounding = R(kRoundings) * std::numeric_limits<R>::epsilon() * size;
+    for (int i = 0; i < count; ++i) {
+      const R edge = times[i] - begin;
+      if (edge > since + rounding && edge < s.dt - rounding && edge < next) next = edge;
+    }
+  }
+  return next;
+}
+
+// What acts from now on, to the next change.
 template <class R>
 Controls<R> current_controls(const Simulation<R>& s) {
-  return controls_at(s, current_time(s) + R(0.5) * s.dt);
+  return controls_at(s, current_time(s) + R(0.5) * next_change(s, R(0)));
 }
 
 // Begin at a state with constant controls, no inputs, time 0. dt: 0 < dt <= 1 s.
@@ -96,12 +126,13 @@ Status start(const Configuration<R>& c, const State<R>& x, const Controls<R>& u,
   s.inputs = 0;
   s.integrator = integrator;
   s.dt = dt;
+  s.origin = R(0);
   s.steps = 0;
   s.fault_state = -1;
   s.fault_time = R(0);
   s.status = Status::ok;
   if (c.aircraft == nullptr) return s.status = Status::bad_argument;
-  if (!(dt > R(0) && dt <= R(1))) return s.status = Status::out_of_range;
+  if (!(dt > R(0) && dt <= kLongestStep<R>)) return s.status = Status::out_of_range;
   bool finite = true;
   State<R>::each(x, [&finite](R value) { finite = finite && is_finite(value); });
   Controls<R>::each(u, [&finite](R value) { finite = finite && is_finite(value); });
@@ -114,6 +145,16 @@ template <class R>
 Status add_input(Simulation<R>& s, const InputSignal<R>& signal) {
   if (s.inputs >= kMaxInputs || !is_valid(signal)) return Status::bad_argument;
   s.input[s.inputs++] = signal;
+  return Status::ok;
+}
+
+// Goes on with steps of another length, 0 < dt <= 1 s. Status: ok; out_of_range, and nothing is changed.
+template <class R>
+Status change_step(Simulation<R>& s, R dt) {
+  if (!(dt > R(0) && dt <= kLongestStep<R>)) return Status::out_of_range;
+  s.origin = current_time(s);
+  s.steps = 0;
+  s.dt = dt;
   return Status::ok;
 }
 
@@ -190,12 +231,56 @@ Status rodas3(const RightSide<R, Policy>& f, R time, R dt) {
                      work.method.rosenbrock, known);
 }
 
+template <class R, class Policy>
+Status step(const RightSide<R, Policy>& f, Integrator integrator, R time, R dt, const R* known) {
+  SimulationWorkspace<R, Policy>& work = f.work;
+  const int n = work.active.count;
+  switch (integrator) {
+    case Integrator::rk3:
+      return rk3_step(f, time, dt, work.x, n, work.method.runge_kutta, known);
+    case Integrator::rk4:
+      return rk4_step(f, time, dt, work.x, n, work.method.runge_kutta, known);
+    case Integrator::rodas3:
+      return rodas3(f, time, dt);
+  }
+  return Status::bad_argument;
+}
+
+// Equal parts of a step in which the method is stable. The limit ends the loop; no state within its bounds
+// reaches it.
+inline constexpr int kMaxParts = 4096;
+template <class R>
+int parts(Integrator integrator, R duration, const FastestRates<R>& fastest) {
+  if (integrator == Integrator::rodas3) return 1;
+  const StabilityLimits& limits = integrator == Integrator::rk3 ? kRungeKutta3Limits : kRungeKutta4Limits;
+  const R whole = duration / longest_stable_step(fastest, limits);
+  return whole < R(kMaxParts) ? 1 + static_cast<int>(whole) : kMaxParts;
+}
+
+// Constant controls for `duration`, in `count` parts.
+template <class R, class Policy>
+Status hold(const RightSide<R, Policy>& f, Integrator integrator, R time, R duration, int count,
+            const R* known) {
+  const R part = duration / static_cast<R>(count);
+  for (int i = 0; i < count; ++i) {
+    const Status status =
+        step(f, integrator, time + static_cast<R>(i) * part, part, i == 0 ? known : nullptr);
+    if (status != Status::ok) return status;
+    for (int k = 0; k < f.work.active.count; ++k) {
+      f.fault_state = f.work.active.index[k];
+      if (!(std::fabs(f.work.x[k]) <= state_bound<R>(f.fault_state))) return Status::out_of_range;
+    }
+    f.fault_state = -1;
+  }
+  return Status::ok;
+}
+
 }  // namespace response_detail
 
-// One step of dt. The controls are held during a step at their value in its middle: an input takes effect on
-// the step boundary nearest to its time. Status: ok; not_finite or out_of_range (the flight has diverged:
-// fault_state and fault_time tell which state and when, the state stays that of the last good step); singular
-// (rodas3); bad_argument (an unknown integrator). A failed simulation does not move again. Cost: three
+// One step of dt, from edge to edge of the inputs inside it, in equal parts where the method would be
+// unstable (stable_step.hpp). Status: ok; not_finite or out_of_range (the flight has diverged: fault_state
+// and fault_time tell which state and when, the state stays that of the last good step); singular (rodas3);
+// bad_argument (an unknown integrator). A failed simulation does not move again. Cost of a part: three
 // derivatives (rk3); four (rk4); two and a Jacobian (rodas3). `xdot`[state_count]: the rates at the present
 // state and controls, when they are known (LinearModel); they spare rk3 and rk4 their first derivative.
 template <class R, class Policy>
@@ -206,42 +291,30 @@ Status advance(const Configuration<R>& c, SimulationWorkspace<R, Policy>& work, 
   const int n = work.active.count;
   pack(s.state, work.whole);
   for (int k = 0; k < n; ++k) work.x[k] = work.whole[work.active.index[k]];
-  const Controls<R> controls = current_controls(s);
-  const R time = current_time(s);
   s.fault_state = -1;
-  const response_detail::RightSide<R, Policy> f{c, work, controls, s.fault_state};
 
   const R* known = nullptr;
   if (xdot != nullptr) {
     for (int k = 0; k < n; ++k) work.rates[k] = xdot[work.active.index[k]];
     known = work.rates;
   }
-  switch (s.integrator) {
-    case Integrator::rk3:
-      s.status = rk3_step(f, time, s.dt, work.x, n, work.method.runge_kutta, known);
-      break;
-    case Integrator::rk4:
-      s.status = rk4_step(f, time, s.dt, work.x, n, work.method.runge_kutta, known);
-      break;
-    case Integrator::rodas3:
-      s.status = response_detail::rodas3(f, time, s.dt);
-      break;
-    default:
-      s.status = Status::bad_argument;
-      break;
-  }
-  for (int k = 0; k < n && s.status == Status::ok; ++k) {
-    const int index = work.active.index[k];
-    if (!(std::fabs(work.x[k]) <= response_detail::state_bound<R>(index))) {
-      s.fault_state = index;
-      s.status = Status::out_of_range;
-    }
-    work.whole[index] = work.x[k];
+  const R begin = current_time(s);
+  R since = R(0);
+  for (int k = 0; k < kMaxStretches && since < s.dt && s.status == Status::ok; ++k) {
+    const R until = next_change(s, since);
+    const Controls<R> controls = controls_at(s, begin + R(0.5) * (since + until));
+    const response_detail::RightSide<R, Policy> f{c, work, controls, s.fault_state};
+    const int count =
+        response_detail::parts(s.integrator, until - since, fastest_rates(c, s.state, controls));
+    s.status = response_detail::hold(f, s.integrator, begin + since, until - since, count, known);
+    known = nullptr;
+    since = until;
   }
   if (s.status != Status::ok) {
-    s.fault_time = time + s.dt;
+    s.fault_time = begin + s.dt;
     return s.status;
   }
+  for (int k = 0; k < n; ++k) work.whole[work.active.index[k]] = work.x[k];
   unpack(work.whole, s.state);
   ++s.steps;
   return s.status;
