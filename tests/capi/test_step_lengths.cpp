@@ -52,14 +52,15 @@ TEST(capi_step_of_any_length_is_stable) {
     ++flown;
     tr_state begin;
     CHECK_EQ(tr_get_state(&trim, &begin), TR_OK);
-    for (tr_real dt : {0.0005, 0.005, 0.0099, 0.01, 0.0101, 0.0135, 0.015, 0.018, 0.02}) {
+    for (double length : {0.0005, 0.005, 0.0099, 0.01, 0.0101, 0.0135, 0.015, 0.018, 0.02}) {
+      const auto dt = static_cast<tr_real>(length);
       tr_sim sim = trim;
       tr_state disturbed = begin;
       disturbed.x[TR_ROTOR_RIGHT + 5] += tr_real(0.05);
       disturbed.x[TR_ROTOR_LEFT + 2] += tr_real(0.5);
       CHECK_EQ(tr_set_state(&sim, &disturbed), TR_OK);
       tr_status status = TR_OK;
-      for (int k = 0; k < static_cast<int>(1 / dt) && status == TR_OK; ++k)
+      for (int k = 0; k < static_cast<int>(1 / length) && status == TR_OK; ++k)
         status = tr_step(&sim, work.get(), dt);
       const tr_real left = off_trim(&sim, begin);
       if (!CHECK_EQ(status, TR_OK) || !CHECK_LT(left, tr_real(0.01)))
@@ -70,7 +71,8 @@ TEST(capi_step_of_any_length_is_stable) {
   CHECK_EQ(flown, 5);
 }
 
-// Beyond the speeds of trim, in every direction and in gusts: one second, begun with the inflow off balance.
+// Beyond the speeds of trim, in every direction and in a gust, begun with the inflow off balance: where short
+// steps end.
 TEST(capi_step_is_stable_in_fast_air) {
   const auto work = std::make_unique<tr_work>();
   for (int direction = 0; direction < 6; ++direction) {

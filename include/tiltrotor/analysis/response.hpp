@@ -89,9 +89,9 @@ Controls<R> controls_at(const Simulation<R>& s, R time) {
 }
 
 // Controls are constant between the edges of inputs. How long they stay as they are, `since` the beginning of
-// the next step: to the next edge inside it, or to its end. An edge within the rounding of the times is on
-// the step boundary.
-inline constexpr int kRoundings = 8;
+// the next step: to the next edge inside it, or to its end. An edge within kEdgeRoundings of the times is
+// on the step boundary.
+inline constexpr int kEdgeRoundings = 8;
 inline constexpr int kMaxStretches = kMaxInputs * kMaxEdges + 1;  // of constant controls in a step
 template <class R>
 R next_change(const Simulation<R>& s, R since) {
@@ -101,7 +101,7 @@ R next_change(const Simulation<R>& s, R since) {
     R times[kMaxEdges];
     const int count = edges(s.input[k], times);
     const R size = begin + s.dt + std::fabs(s.input[k].start);
-    const R rounding = R(kRoundings) * std::numeric_limits<R>::epsilon() * size;
+    const R rounding = R(kEdgeRoundings) * std::numeric_limits<R>::epsilon() * size;
     for (int i = 0; i < count; ++i) {
       const R edge = times[i] - begin;
       if (edge > since + rounding && edge < s.dt - rounding && edge < next) next = edge;

@@ -16,6 +16,7 @@
 
 #include <cmath>
 
+#include "tiltrotor/math/matrix.hpp"
 #include "tiltrotor/model/configuration.hpp"
 #include "tiltrotor/model/controls.hpp"
 #include "tiltrotor/model/state.hpp"
@@ -53,7 +54,7 @@ R inflow_decay(const Configuration<R>& c) {
   const R h = kappa / (R(4) * k * k * m1);
   const R q = R(1) / (k * k * m0 * m1);
   const R edgewise = h * h > q ? h + std::sqrt(h * h - q) : std::sqrt(q);
-  return std::fmax(edgewise, std::fmax(axial_mean, axial_harmonic));
+  return larger_of(edgewise, larger_of(axial_mean, axial_harmonic));
 }
 
 // Bounds on the modes at a state and controls. Cost: three square roots and a few dozen multiplications.
@@ -68,7 +69,7 @@ FastestRates<R> fastest_rates(const Configuration<R>& c, const State<R>& x, cons
   const auto induced = [](const RotorState<R>& r) {
     return std::fabs(r.n0) + std::fabs(r.nc) + std::fabs(r.ns);
   };
-  const R induced_speed = c.tip_speed * std::fmax(induced(x.rotor[right]), induced(x.rotor[left]));
+  const R induced_speed = c.tip_speed * larger_of(induced(x.rotor[right]), induced(x.rotor[left]));
 
   const R chord = blade_chord(rotor, c.setup.options.chord, rotor.twist_reference);
   const R solidity = blades * chord / (kPi<R> * rotor.radius);
@@ -85,8 +86,8 @@ FastestRates<R> fastest_rates(const Configuration<R>& c, const State<R>& x, cons
 
 template <class R>
 R longest_stable_step(const FastestRates<R>& fastest, const StabilityLimits& limits) {
-  return std::fmin(static_cast<R>(limits.decay) / fastest.decay,
-                   static_cast<R>(limits.oscillation) / fastest.oscillation);
+  return smaller_of(static_cast<R>(limits.decay) / fastest.decay,
+                    static_cast<R>(limits.oscillation) / fastest.oscillation);
 }
 
 }  // namespace tiltrotor
