@@ -42,6 +42,23 @@ TEST(input_signal_sums) {
   }
 }
 
+// Between two edges nothing changes; at each something does.
+TEST(input_signal_jumps_at_its_edges_alone) {
+  for (InputShape shape : {InputShape::step, InputShape::pulse, InputShape::doublet}) {
+    const InputSignal<double> s{shape, iu_pedal, 2, -0.5, 0.75};
+    double times[kMaxEdges];
+    const int count = edges(s, times);
+    CHECK_EQ(count, shape == InputShape::step ? 1 : shape == InputShape::pulse ? 2 : 3);
+    int edge = 0;
+    for (double t = -2; t < 3; t += kStep) {
+      const bool jumps = value_at(s, t) != value_at(s, t - kStep);
+      CHECK_EQ(jumps, edge < count && t == times[edge]);
+      edge += jumps;
+    }
+    CHECK_EQ(edge, count);
+  }
+}
+
 TEST(input_signal_refuses_each_bad_field) {
   const InputSignal<double> good{InputShape::pulse, iu_pedal, 2, 1, 0.5};
   CHECK(is_valid(good));
