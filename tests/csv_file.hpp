@@ -4,10 +4,11 @@
 #include <cstddef>
 #include <cstdlib>
 #include <fstream>
-#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <vector>
+
+#include "text/csv_line.hpp"
 
 namespace check {
 
@@ -18,6 +19,7 @@ class CsvFile {
     std::ifstream file(std::string(TILTROTOR_SOURCE_DIR "/") + name);
     std::string line;
     if (!std::getline(file, line)) throw std::runtime_error(name + ": cannot be read");
+    csv::begin_file(line);
     header_ = cells(line);
     while (std::getline(file, line)) {
       if (line.empty()) continue;
@@ -41,12 +43,10 @@ class CsvFile {
   }
 
  private:
-  static std::vector<std::string> cells(const std::string& line) {
+  std::vector<std::string> cells(const std::string& line) const {
     std::vector<std::string> result;
-    std::istringstream in(line.back() == '\r' ? line.substr(0, line.size() - 1) : line);
-    std::string cell;
-    while (std::getline(in, cell, ',')) result.push_back(cell);
-    if (line.back() == ',') result.emplace_back();
+    const char* const fault = csv::split_line(line, result);
+    if (fault != nullptr) throw std::runtime_error(name_ + ": " + fault + ": " + line);
     return result;
   }
   std::size_t place(const std::string& column) const {

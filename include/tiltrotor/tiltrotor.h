@@ -230,7 +230,7 @@ typedef struct tr_trim_result {
   int32_t iterations; /* Newton steps */
   int32_t attempts;   /* 1: the cold start converged; more: continuation from an easier flight */
   tr_real residual;   /* largest left over, accelerations over gravity */
-  char text[160];     /* one sentence on how it ended */
+  char text[160];     /* how it ended; counts the longitudinal stick 0..9.6 in, neutral 4.8 */
 } tr_trim_result;
 
 /* Puts the aircraft in steady flight: state, controls and time 0. With TR_WING_STALL, TR_CONTROL_LIMIT and

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "cli/errors.hpp"
+#include "cli/nearest.hpp"
 
 namespace tiltrotor::cli {
 
@@ -12,6 +13,12 @@ const Option* find(const OptionList& options, const std::string& name) {
   const auto place =
       std::find_if(options.begin(), options.end(), [&](const Option& option) { return option.name == name; });
   return place == options.end() ? nullptr : &*place;
+}
+
+std::vector<std::string> names_of(const OptionList& options) {
+  std::vector<std::string> names;
+  for (const Option& option : options) names.emplace_back(option.name);
+  return names;
 }
 
 std::string choices(const OptionList& options) {
@@ -56,6 +63,15 @@ std::string one_of(const std::vector<std::string>& choices) {
   return text;
 }
 
+std::size_t place_of(const std::string& word, const std::vector<std::string>& choices,
+                     const std::string& where) {
+  const auto place = std::find(choices.begin(), choices.end(), word);
+  if (place == choices.end())
+    throw UsageError(where + ": " + quoted(word) + did_you_mean(word, choices) + " is not one of " +
+                     one_of(choices));
+  return static_cast<std::size_t>(place - choices.begin());
+}
+
 Arguments::Arguments(const std::string& command, const OptionList& options,
                      const std::vector<std::string>& words)
     : command_(command) {
@@ -64,11 +80,13 @@ Arguments::Arguments(const std::string& command, const OptionList& options,
     const std::size_t equals = word.find('=');
     const std::string name = word.substr(0, equals);
     if (name.compare(0, 2, "--") != 0) {
-      throw UsageError(command + ": unexpected argument '" + word + "'; " + choices(options));
+      throw UsageError(command + ": unexpected argument " + quoted(word) +
+                       did_you_mean(name, names_of(options)) + "; " + choices(options));
     }
     const Option* option = find(options, name);
     if (option == nullptr) {
-      throw UsageError(command + ": unknown option " + name + "; " + choices(options));
+      throw UsageError(command + ": unknown option " + name + did_you_mean(name, names_of(options)) + "; " +
+                       choices(options));
     }
     if (given(name) && !option->repeatable) throw UsageError(where(name) + ": given more than once");
     const bool is_flag = *option->value == '\0';
@@ -114,10 +132,7 @@ std::vector<double> Arguments::sweep(const std::string& name, const std::string&
 std::size_t Arguments::choice(const std::string& name, const std::string& otherwise,
                               const std::vector<std::string>& choices) const {
   const std::string word = text(name, otherwise);
-  const auto place = std::find(choices.begin(), choices.end(), word);
-  if (place == choices.end())
-    throw UsageError(where(name) + ": '" + word + "' is not one of " + one_of(choices));
-  return static_cast<std::size_t>(place - choices.begin());
+  return place_of(word, choices, where(name));
 }
 
 }  // namespace tiltrotor::cli

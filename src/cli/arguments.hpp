@@ -25,6 +25,10 @@ std::string options_help(const OptionList& options);
 // "a, b or c"
 std::string one_of(const std::vector<std::string>& choices);
 
+// Place of the word among the choices. Throws UsageError "<where>: ..." when it is none of them.
+std::size_t place_of(const std::string& word, const std::vector<std::string>& choices,
+                     const std::string& where);
+
 // Accepts `--name value` and `--name=value`. Every error is a UsageError of one line.
 class Arguments {
  public:

@@ -27,30 +27,32 @@ std::vector<int> printed_states(const Options& options) {
 
 int run(const Arguments& arguments) {
   const SetupOptions setup(arguments);
-  const StateFile file = given_states(arguments, setup);
+  GivenStates given(arguments, setup);
+  StateFile& file = given.file();
   const std::vector<int> states = printed_states(setup.switches());
-  std::vector<std::string> columns = file.columns;
+  std::vector<std::string> columns = file.columns();
   for (const int i : states) columns.push_back(std::string("d_") + kStateNames[i].name);
 
   Output output(arguments);
   Records records = output.records(columns, Output::to_compare);
   int status = exit_success;
-  for (std::size_t r = output.shard().begin(file.rows.size()); r < output.shard().end(file.rows.size());
-       ++r) {
-    const StateRow& row = file.rows[r];
+  const auto visit = [&](const StateRow& row) {
     State<double> rates;
-    derivative(setup.configuration(*row.mast_deg), row.state, row.controls, rates);
+    derivative(given.configuration(row), row.state, row.controls, rates);
     double flat[state_count];
     pack(rates, flat);
     Row cells = row.cells;
     for (const int i : states) cells.emplace_back(flat[i]);
     records.add(cells);
-    if (!std::all_of(std::begin(flat), std::end(flat), [](double rate) { return std::isfinite(rate); })) {
-      std::fprintf(stderr, "tiltrotor: %s:%zu: the derivative of this state is not finite\n",
-                   file.path.c_str(), row.line);
+    const double* const bad =
+        std::find_if(flat, flat + state_count, [](double r) { return !std::isfinite(r); });
+    if (bad != flat + state_count) {
+      std::fprintf(stderr, "tiltrotor: %s:%zu: the derivative of this state is not finite: d_%s\n",
+                   file.path().c_str(), row.line, kStateNames[bad - flat].name);
       status = exit_case_failed;
     }
-  }
+  };
+  file.each(output.shard().begin(file.size()), output.shard().end(file.size()), visit);
   records.finish();
   return status;
 }
@@ -62,8 +64,11 @@ Command derivative_command() {
       "derivative",
       "xdot = f(x, u) at given states",
       "Prints the columns of the file as they stand and, for every state, d_<state>: its rate of change.\n"
-      "The configuration follows the column mast_deg of each row, else --mast.\n",
-      "tiltrotor derivative --states states.csv --tables linear",
+      "The configuration follows the columns mast_deg, altitude_m, flap_deg, rotor_rpm, mass_kg and cg_sl_in "
+      "of "
+      "each\n"
+      "row where they are there, else the options of these names.\n",
+      "tiltrotor derivative --states trims.csv  # after: tiltrotor trim --speed 20:10:50 --output trims.csv",
       states_option() + mast_option() + SetupOptions::list() + Output::list(),
       run};
 }

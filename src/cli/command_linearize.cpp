@@ -34,8 +34,9 @@ class Linearizer {
     which.valid = status == Status::ok;
     if (!which.valid) {
       which.status = status_word(status);
-      std::fprintf(stderr, "tiltrotor: %s: %s\n",
-                   flight_text("linearize", which.mast_deg, which.speed).c_str(), status_text(status));
+      std::fprintf(stderr, "tiltrotor: %s, case %s: %s\n",
+                   flight_text("linearize", which.mast_deg, which.speed).c_str(), which.name.c_str(),
+                   status_text(status));
     }
     output_.add(which, *model_);
     return which.valid ? exit_success : exit_case_failed;
@@ -53,17 +54,18 @@ class Linearizer {
 };
 
 int at_given_states(const Arguments& arguments, const SetupOptions& setup) {
-  const StateFile file = given_states(arguments, setup);
-  Linearizer linearizer(arguments, file.rows.size() == 1);
+  GivenStates given(arguments, setup);
+  StateFile& file = given.file();
+  Linearizer linearizer(arguments, file.size() == 1);
   int exit_status = exit_success;
-  for (std::size_t r = linearizer.shard().begin(file.rows.size());
-       r < linearizer.shard().end(file.rows.size()); ++r) {
-    const StateRow& row = file.rows[r];
+  const auto visit = [&](const StateRow& row) {
+    const Configuration<double> configuration = given.configuration(row);
     const Vec3<double>& v = row.state.velocity;
-    const LinearCase which{row.name, *row.mast_deg, std::sqrt(dot(v, v)), "ok", true};
-    const int done = linearizer.add(which, setup.configuration(*row.mast_deg), row.state, row.controls);
+    const LinearCase which{row.name, configuration.setup.mast_deg, std::sqrt(dot(v, v)), "ok", true};
+    const int done = linearizer.add(which, configuration, row.state, row.controls);
     if (done != exit_success) exit_status = done;
-  }
+  };
+  file.each(linearizer.shard().begin(file.size()), linearizer.shard().end(file.size()), visit);
   linearizer.finish();
   return exit_status;
 }

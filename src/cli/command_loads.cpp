@@ -36,22 +36,27 @@ int add_state(Records& records, const std::string& name, const Configuration<dou
   add_row(records, name, configuration.setup.mast_deg, "total_aero", total);
   const double size = dot(total.force, total.force) + dot(total.moment, total.moment);
   if (std::isfinite(size)) return exit_success;
-  std::fprintf(stderr, "tiltrotor: loads: case %s: the loads of this state are not finite\n", name.c_str());
+  for (int i = 0; i < component_count; ++i) {
+    const Loads<double>& l = evaluation.loads.component[i];
+    if (std::isfinite(dot(l.force, l.force) + dot(l.moment, l.moment))) continue;
+    std::fprintf(stderr, "tiltrotor: loads: case %s: the loads of this state are not finite: %s\n",
+                 name.c_str(), kComponentNames[i]);
+    break;
+  }
   return exit_case_failed;
 }
 
 int loads_at_given_states(const Arguments& arguments, const SetupOptions& setup) {
-  const StateFile file = given_states(arguments, setup);
+  GivenStates given(arguments, setup);
+  StateFile& file = given.file();
   Output output(arguments);
   Records records = output.records(columns, Output::to_compare);
   int exit_status = exit_success;
-  for (std::size_t r = output.shard().begin(file.rows.size()); r < output.shard().end(file.rows.size());
-       ++r) {
-    const StateRow& row = file.rows[r];
-    const int done =
-        add_state(records, row.name, setup.configuration(*row.mast_deg), row.state, row.controls);
+  const auto visit = [&](const StateRow& row) {
+    const int done = add_state(records, row.name, given.configuration(row), row.state, row.controls);
     if (done != exit_success) exit_status = done;
-  }
+  };
+  file.each(output.shard().begin(file.size()), output.shard().end(file.size()), visit);
   records.finish();
   return exit_status;
 }

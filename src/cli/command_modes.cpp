@@ -41,7 +41,8 @@ void add_row(Records& records, const TrimmedFlight& flight, const char* status,
                                 mode->frequency,       mode->damping_ratio, mode->time_to_half}
                           : Row{"", "", nothing, nothing, nothing, nothing, nothing};
   row.insert(row.end(), numbers.begin(), numbers.end());
-  for (const Cell& cell : Row{status, setup.altitude, setup.mass, setup.sl_cg / kInch}) row.push_back(cell);
+  for (const Cell& cell : Row{status, setup.altitude, setup.mass, given_as(setup.sl_cg, kInch)})
+    row.push_back(cell);
   records.add(row);
 }
 
@@ -94,7 +95,7 @@ Command modes_command() {
           "sweep in\n"
           "steps of at most 10 m/s, or 10 deg of mast angle at one speed, they follow the mode.\n"
           "--mast, --speed, --altitude, --mass and --cg-sl take a value, a list or a range.\n",
-          "tiltrotor modes --mast 0,30,60,90 --speed 50",
+          "tiltrotor modes --mast 30,60,90 --speed 60",
           reduce_option() + flight_list() + SetupOptions::list() + Output::list(),
           run};
 }

@@ -8,6 +8,7 @@
 
 #include "cli/command.hpp"
 #include "cli/errors.hpp"
+#include "cli/flight_range.hpp"
 #include "cli/input_text.hpp"
 #include "cli/linear_options.hpp"
 #include "cli/matrix_log.hpp"
@@ -124,7 +125,7 @@ int fly(const Configuration<double>& c, const Plan& plan, Simulation<double>& si
   int exit_status = exit_success;
   for (std::size_t step = 0;; ++step) {
     const std::string now = number_text(current_time(simulation), 6) + " s";
-    Row row = response_row(simulation);
+    Row row = response_row(c, simulation);
     const Status linear = companions.accompany(step, c, simulation, analyses, row);
     records.add(row);
     if (linear != Status::ok) {
@@ -135,11 +136,8 @@ int fly(const Configuration<double>& c, const Plan& plan, Simulation<double>& si
     Status status = step == plan.steps ? change_step(simulation, plan.rest) : Status::ok;
     if (status == Status::ok) status = advance(c, analyses, simulation);
     if (status != Status::ok) {
-      const bool named = simulation.fault_state >= 0;
-      const std::string state =
-          named ? std::string(", state ") + kStateNames[simulation.fault_state].name : "";
-      progress.message("respond: the flight cannot be continued beyond " + now + state + ": " +
-                       status_text(status));
+      progress.message("respond: the flight cannot be continued beyond " + now + fault_text(simulation) +
+                       ": " + status_text(status));
       return exit_case_failed;
     }
     progress.advance();
@@ -155,7 +153,7 @@ int run(const Arguments& arguments) {
   if (arguments.given("--matrices")) {
     companions.open_matrices(arguments.text("--matrices", ""), arguments.where("--matrices"));
   }
-  Records records = output.records(response_columns(plan.modes_every > 0), Output::to_read);
+  Records records = output.records(response_columns(plan.modes_every > 0, setup.switches()), Output::to_read);
   const AnalysesRoom room;
   const auto visit = [&](const TrimmedFlight& flight) -> int {
     if (!is_trimmed(flight.trim.status)) return exit_case_failed;
@@ -166,6 +164,7 @@ int run(const Arguments& arguments) {
       if (status == Status::ok) status = add_input(*simulation, input);
     }
     if (status == Status::ok) {
+      require_inputs(*simulation, arguments.where("--input"));
       return fly(flight.configuration, plan, *simulation, *room, companions, records);
     }
     std::fprintf(stderr, "tiltrotor: respond: cannot start: %s\n", status_text(status));

@@ -33,7 +33,7 @@ using Rotor = const IsolatedRotor<double>&;
 
 // The column `status` follows them.
 const Column numbers[] = {
-    {"collective75_deg", [](Setting, Rotor r) { return r.input.collective / radian; }, true},
+    {"collective75_deg", [](Setting, Rotor r) { return given_as(r.input.collective, radian); }, true},
     {"ct", [](Setting, Rotor r) { return r.figures.thrust_coefficient; }},
     {"cp", [](Setting, Rotor r) { return r.figures.power_coefficient; }},
     {"figure_of_merit", [](Setting, Rotor r) { return r.figures.figure_of_merit; }},
@@ -47,13 +47,13 @@ const Column numbers[] = {
     {"cp_sigma", [](Setting, Rotor r) { return r.figures.power_coefficient / r.figures.solidity; }},
     {"nc", [](Setting, Rotor r) { return r.input.state.nc; }},
     {"ns", [](Setting, Rotor r) { return r.input.state.ns; }},
-    {"lateral_cyclic_deg", [](Setting, Rotor r) { return r.input.lateral_cyclic / radian; }},
-    {"long_cyclic_deg", [](Setting, Rotor r) { return r.input.long_cyclic / radian; }},
+    {"lateral_cyclic_deg", [](Setting, Rotor r) { return given_as(r.input.lateral_cyclic, radian); }},
+    {"long_cyclic_deg", [](Setting, Rotor r) { return given_as(r.input.long_cyclic, radian); }},
     {"coning_deg", [](Setting, Rotor r) { return r.input.coning.angle / radian; }},
     {"force_aft_n", [](Setting, Rotor r) { return r.response.loads.force.x; }},
     {"force_advancing_n", [](Setting, Rotor r) { return r.response.loads.force.y; }},
     {"torque_nm", [](Setting, Rotor r) { return r.figures.torque; }},
-    {"rotor_rpm", [](Setting c, Rotor) { return c.setup.rotor_speed / rpm_unit; }, true},
+    {"rotor_rpm", [](Setting c, Rotor) { return given_as(c.setup.rotor_speed, rpm_unit); }, true},
     {"speed_axial_mps", [](Setting, Rotor r) { return r.input.velocity.z; }, true},
     {"speed_inplane_mps", [](Setting, Rotor r) { return 0.0 - r.input.velocity.x; }, true},
     {"axial_ratio", [](Setting, Rotor r) { return r.figures.axial_ratio; }, true},

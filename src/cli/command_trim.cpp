@@ -1,9 +1,12 @@
 // `tiltrotor trim`: equilibrium at every combination of mast angle, speed and loading.
 
+#include <cmath>
 #include <limits>
 
 #include "cli/command.hpp"
 #include "cli/output.hpp"
+#include "cli/state_columns.hpp"
+#include "cli/trim_columns.hpp"
 #include "cli/trimmed_flights.hpp"
 
 namespace tiltrotor::cli {
@@ -24,11 +27,25 @@ struct Column {
 double mean(const double (&sides)[2]) { return (sides[right] + sides[left]) / 2; }
 double half_difference(const double (&sides)[2]) { return (sides[right] - sides[left]) / 2; }
 
+// Force of air and rotors normal to the flight path over the weight: by Newton's law from the motion that the
+// trim holds. Hovering flight has the direction of its climb and sideslip.
+double load_factor(Flight f) {
+  const State<double>& x = f.trim.state;
+  SteadyFlight<double> unit = f.flight;
+  unit.speed = 1;
+  const Vec3<double> path = steady_velocity(unit, x.roll, x.pitch);
+  const Vec3<double> down = {-std::sin(x.pitch), std::sin(x.roll) * std::cos(x.pitch),
+                             std::cos(x.roll) * std::cos(x.pitch)};
+  const Vec3<double> force = (1 / kGravity<double>)*cross(x.rates, x.velocity) - down;
+  const Vec3<double> lift = force - dot(force, path) * path;
+  return std::sqrt(dot(lift, lift));
+}
+
 const Column columns_before_status[] = {
     {"mast_deg", [](Flight f) { return f.mast_deg; }, true},
     {"speed_mps", [](Flight f) { return f.flight.speed; }, true},
     {"altitude_m", [](Flight f) { return f.configuration.setup.altitude; }, true},
-    {"climb_deg", [](Flight f) { return f.flight.climb / radian; }, true},
+    {"climb_deg", [](Flight f) { return given_as(f.flight.climb, radian); }, true},
 };
 
 const Column columns_after_status[] = {
@@ -37,7 +54,7 @@ const Column columns_after_status[] = {
     {"pitch_deg", [](Flight f) { return f.trim.state.pitch / radian; }},
     {"roll_deg", [](Flight f) { return f.trim.state.roll / radian; }},
     {"alpha_deg", [](Flight f) { return f.trim.angle_of_attack / radian; }},
-    {"sideslip_deg", [](Flight f) { return f.trim.sideslip / radian; }},
+    {"sideslip_deg", [](Flight f) { return given_as(f.trim.sideslip, radian); }},
     {"collective75_deg", [](Flight f) { return f.trim.controls.collective / radian; }},
     {"collective_root_deg", [](Flight f) { return f.trim.collective_root / radian; }},
     {"long_cyclic_deg", [](Flight f) { return mean(f.trim.blades.long_cyclic) / radian; }},
@@ -55,8 +72,8 @@ const Column columns_after_status[] = {
     {"thrust_left_n", [](Flight f) { return f.trim.thrust[left]; }},
     {"power_kw", [](Flight f) { return (f.trim.power[right] + f.trim.power[left]) / kilo; }},
     {"download_frac", [](Flight f) { return f.trim.download_fraction; }},
-    {"turn_rate_degps", [](Flight f) { return f.flight.turn_rate / radian; }, true},
-    {"load_factor", [](Flight f) { return f.trim.load_factor; }},
+    {"turn_rate_degps", [](Flight f) { return given_as(f.flight.turn_rate, radian); }, true},
+    {"load_factor", load_factor},
     {"wing_alpha_deg", [](Flight f) { return f.trim.wing_angle_of_attack / radian; }},
     {"downwash_deg", [](Flight f) { return f.trim.state.downwash / radian; }},
     {"b1c_right_deg", [](Flight f) { return f.trim.state.rotor[right].b1c / radian; }},
@@ -66,9 +83,10 @@ const Column columns_after_status[] = {
     {"n0_right", [](Flight f) { return f.trim.state.rotor[right].n0; }},
     {"n0_left", [](Flight f) { return f.trim.state.rotor[left].n0; }},
     {"flap_deg", [](Flight f) { return f.configuration.setup.flap_deg; }, true},
-    {"rotor_rpm", [](Flight f) { return f.configuration.setup.rotor_speed * 30 / kPi<double>; }, true},
+    {"rotor_rpm", [](Flight f) { return given_as(f.configuration.setup.rotor_speed, kPi<double> / 30); },
+     true},
     {"mass_kg", [](Flight f) { return f.configuration.setup.mass; }, true},
-    {"cg_sl_in", [](Flight f) { return f.configuration.setup.sl_cg / kInch; }, true},
+    {"cg_sl_in", [](Flight f) { return given_as(f.configuration.setup.sl_cg, kInch); }, true},
 };
 
 std::vector<std::string> column_names() {
@@ -79,7 +97,7 @@ std::vector<std::string> column_names() {
   return names;
 }
 
-Row row(Flight flight) {
+Row row(Flight flight, const std::vector<std::string>& completing) {
   constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
   const bool trimmed = is_trimmed(flight.trim.status);
   Row cells;
@@ -88,6 +106,11 @@ Row row(Flight flight) {
   for (const Column& column : columns_after_status) {
     cells.emplace_back(trimmed || column.always ? column.value(flight) : nothing);
   }
+  for (const std::string& column : completing) {
+    cells.emplace_back(
+        trimmed ? completing_value(column, flight.configuration, flight.trim.state, flight.trim.controls)
+                : nothing);
+  }
   return cells;
 }
 
@@ -95,10 +118,13 @@ int run(const Arguments& arguments) {
   const std::vector<SetupOptions> setups = SetupOptions::every_combination(arguments);
   flight_cases(arguments, setups.size());
   Output output(arguments);
-  Records records = output.records(column_names(), Output::to_read);
+  std::vector<std::string> names = column_names();
+  const std::vector<std::string> completing = completing_columns(names, setups.front().switches(), false);
+  names.insert(names.end(), completing.begin(), completing.end());
+  Records records = output.records(names, Output::to_read);
   const AnalysesRoom room;
   const int exit_status = for_each_trim(arguments, setups, output.shard(), *room, [&](Flight flight) {
-    records.add(row(flight));
+    records.add(row(flight, completing));
     return 0;
   });
   records.finish();
@@ -106,6 +132,8 @@ int run(const Arguments& arguments) {
 }
 
 }  // namespace
+
+std::vector<std::string> trim_columns() { return column_names(); }
 
 Command trim_command() {
   return {"trim",
@@ -117,7 +145,7 @@ Command trim_command() {
           "makes the exit status 1: trimmed beyond a limit (wing_stall, control_limit, flap_limit), or no "
           "trim\n"
           "(rotor_stall, not_converged, singular).\n",
-          "tiltrotor trim --mast 0,30 --speed 0:5:50 --format csv",
+          "tiltrotor trim --mast 0,30 --speed 0,40,50 --format csv",
           flight_list() + SetupOptions::list() + Output::list(),
           run};
 }

@@ -1,4 +1,5 @@
-// The two ways in which a command ends early; main.cpp turns each into one line on stderr and an exit status.
+// The ways in which a command ends early; main.cpp turns each into an exit status and, but for the last, one
+// line on stderr.
 #pragma once
 
 #include <stdexcept>
@@ -14,10 +15,16 @@ class UsageError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-// Results could not be written, for example to a full disk or a closed pipe: exit status 1.
+// Results could not be written, for example to a full disk: exit status 1.
 class OutputError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
+};
+
+// Whoever read standard output has seen enough, as `head` does: exit status 1 and no word.
+class ReaderLeft : public OutputError {
+ public:
+  using OutputError::OutputError;
 };
 
 }  // namespace tiltrotor::cli

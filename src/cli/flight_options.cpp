@@ -1,5 +1,7 @@
 #include "cli/flight_options.hpp"
 
+#include <algorithm>
+
 #include "cli/errors.hpp"
 #include "cli/model_options.hpp"
 #include "tiltrotor/model/aircraft_data.hpp"
@@ -11,8 +13,6 @@ namespace {
 constexpr double radian = kRadian<double>;
 constexpr double rpm = kPi<double> / 30;
 
-constexpr Range mass_range{3000, 10000, "kg"};
-constexpr Range cg_range{276, 314, "in"};
 constexpr Range turn_rate_range{-60, 60, "deg/s"};
 
 std::optional<double> optional_number(const Arguments& arguments, const char* name, const Range& range,
@@ -36,23 +36,22 @@ std::optional<double> flap_setting(const Arguments& arguments) {
   return aircraft_data<double>().wing.flap_deg[setting];
 }
 
-Configuration<double> prepared(const FlightSetup<double>& setup) {
-  Configuration<double> configuration;
-  const Status status = prepare(aircraft_data<double>(), setup, configuration);
-  if (status == Status::ok) return configuration;
-  throw UsageError("mast " + number_text(setup.mast_deg) +
-                   " deg: this configuration cannot be prepared: " + status_text(status));
-}
-
 const Option altitude_option = {"--altitude", "M", "-500..11000, standard atmosphere (0)"};
 const OptionList switch_options = {
     {"--tables", "KIND", "interpolation: c1 or linear (c1)"},
     {"--grid", "KIND", "blade stations: specification or realtime (specification)"},
-    {"--option", "NAME=VALUE", "any other switch of the model, repeatable; `tiltrotor --help` lists them",
-     true},
+    {"--option", "NAME=VALUE", "any other switch of the model, repeatable; listed below", true},
 };
 
 }  // namespace
+
+Configuration<double> prepared(const FlightSetup<double>& setup, const std::string& where) {
+  Configuration<double> configuration;
+  const Status status = prepare(aircraft_data<double>(), setup, configuration);
+  if (status == Status::ok) return configuration;
+  throw UsageError(where + "mast " + number_text(setup.mast_deg) +
+                   " deg: this configuration cannot be prepared: " + status_text(status));
+}
 
 OptionList SetupOptions::list() {
   const OptionList aircraft = {
@@ -69,14 +68,14 @@ OptionList SetupOptions::rotor_list() { return OptionList{altitude_option} + swi
 
 SetupOptions::SetupOptions(const Arguments& arguments) : SetupOptions(arguments, Common{}) {
   altitude_ = optional_number(arguments, "--altitude", kAltitudeRange, 1);
-  mass_ = optional_number(arguments, "--mass", mass_range, 1);
-  sl_cg_ = optional_number(arguments, "--cg-sl", cg_range, kInch);
+  mass_ = optional_number(arguments, "--mass", kMassRange, 1);
+  sl_cg_ = optional_number(arguments, "--cg-sl", kCgRange, kInch);
 }
 
 std::vector<SetupOptions> SetupOptions::every_combination(const Arguments& arguments) {
   const auto altitudes = optional_numbers(arguments, "--altitude", kAltitudeRange, 1);
-  const auto masses = optional_numbers(arguments, "--mass", mass_range, 1);
-  const auto stations = optional_numbers(arguments, "--cg-sl", cg_range, kInch);
+  const auto masses = optional_numbers(arguments, "--mass", kMassRange, 1);
+  const auto stations = optional_numbers(arguments, "--cg-sl", kCgRange, kInch);
   require_few(arguments.command(), {altitudes.size(), masses.size(), stations.size()});
   std::vector<SetupOptions> all;
   SetupOptions one(arguments, Common{});
@@ -96,11 +95,19 @@ std::vector<SetupOptions> SetupOptions::every_combination(const Arguments& argum
 SetupOptions::SetupOptions(const Arguments& arguments, Common)
     : flap_deg_(flap_setting(arguments)),
       rotor_speed_(optional_number(arguments, "--rotor-rpm", kRotorSpeedRange, rpm)) {
+  std::vector<std::string> assigned;
   for (const std::string& assignment : arguments.texts("--option")) {
     const std::string where = arguments.where("--option") + " " + assignment;
     const std::size_t equals = assignment.find('=');
     if (equals == std::string::npos) throw UsageError(where + ": not NAME=VALUE, for example grid=realtime");
-    set_model_option(switches_, assignment.substr(0, equals), assignment.substr(equals + 1), where);
+    const std::string name = assignment.substr(0, equals);
+    set_model_option(switches_, name, assignment.substr(equals + 1), where);
+    const bool twice = std::find(assigned.begin(), assigned.end(), name) != assigned.end();
+    if (twice || arguments.given("--" + name)) {
+      throw UsageError(where + ": " + name + " is given more than once" +
+                       (twice ? "" : "; --" + name + " stands there too"));
+    }
+    assigned.push_back(name);
   }
   for (const char* name : {"tables", "grid"}) {
     const std::string option = std::string("--") + name;

@@ -16,6 +16,9 @@ inline constexpr Range kMastRange{0, 90, "deg"};
 inline constexpr Range kSpeedRange{0, 150, "m/s"};
 inline constexpr Range kAltitudeRange{-500, 11000, "m"};
 inline constexpr Range kRotorSpeedRange{200, 760, "rpm"};
+inline constexpr Range kFlapRange{0, 75, "deg"};
+inline constexpr Range kMassRange{3000, 10000, "kg"};
+inline constexpr Range kCgRange{276, 314, "in"};
 inline constexpr Range kAngleRange{-60, 60, "deg"};
 
 // The same configuration for any mast angle.
@@ -27,6 +30,7 @@ class SetupOptions {
   // One for every combination of --altitude, --mass and --cg-sl, in that order.
   static std::vector<SetupOptions> every_combination(const Arguments& arguments);
 
+  FlightSetup<double> flight_setup(double mast_deg) const;
   // Throws UsageError when the model refuses the combination.
   Configuration<double> configuration(double mast_deg) const;
   // With another rotor speed, rad/s.
@@ -38,7 +42,6 @@ class SetupOptions {
  private:
   struct Common {};
   SetupOptions(const Arguments& arguments, Common);
-  FlightSetup<double> flight_setup(double mast_deg) const;
 
   std::optional<double> altitude_;
   std::optional<double> flap_deg_;
@@ -47,6 +50,9 @@ class SetupOptions {
   std::optional<double> sl_cg_;
   Options switches_;
 };
+
+// Throws UsageError "<where>..." when the model refuses the combination.
+Configuration<double> prepared(const FlightSetup<double>& setup, const std::string& where = "");
 
 // --mast, of which some commands take one value and some several.
 OptionList mast_option();

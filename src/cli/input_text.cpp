@@ -5,6 +5,8 @@
 
 #include "cli/arguments.hpp"
 #include "cli/errors.hpp"
+#include "cli/flight_range.hpp"
+#include "cli/nearest.hpp"
 #include "tiltrotor/model/aircraft.hpp"
 
 namespace tiltrotor::cli {
@@ -41,13 +43,15 @@ int find_control(const std::string& name, const std::string& where) {
     if (name == kControlNames[i].name) return i;
     names.emplace_back(kControlNames[i].name);
   }
-  throw UsageError(where + ": no control '" + name + "'; choose " + one_of(names));
+  throw UsageError(where + ": no control " + quoted(name) + did_you_mean(name, names) + "; choose " +
+                   one_of(names));
 }
 
 double parse_amplitude(const std::string& text, int control, const std::string& where) {
   const auto is_letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
   std::size_t end = text.size();
   while (end > 0 && is_letter(text[end - 1])) --end;
+  if (end == 0) end = text.size();  // a word that is no number at all
   const std::string unit_name = text.substr(end);
   const std::vector<Unit> units = units_of(control);
   const auto unit =
@@ -55,11 +59,12 @@ double parse_amplitude(const std::string& text, int control, const std::string& 
   if (!unit_name.empty() && unit == units.end()) {
     std::vector<std::string> names;
     for (const Unit& u : units) names.emplace_back(u.name);
-    throw UsageError(where + ": unit '" + unit_name + "' of " + kControlNames[control].name + " is not " +
-                     one_of(names));
+    throw UsageError(where + ": unit " + quoted(unit_name) + did_you_mean(unit_name, names) + " of " +
+                     kControlNames[control].name + " is not " + one_of(names));
   }
-  const double number = parse_number(text.substr(0, end), where);
-  return number * (unit_name.empty() ? units.front().size : unit->size);
+  const Unit& in = unit_name.empty() ? units.front() : *unit;
+  const double most = largest_amplitude(control) / in.size;
+  return parse_number(text.substr(0, end), where, {-most, most, in.name}) * in.size;
 }
 
 // Text before and after the first separator; `found` tells whether there was one.
@@ -93,7 +98,9 @@ InputSignal<double> parse_input(const std::string& text, const std::string& wher
   const std::vector<std::string> shapes = {"step", "pulse", "doublet"};
   const std::string word = shape.found ? shape.after : shapes[times.found ? 1 : 0];
   const auto place = std::find(shapes.begin(), shapes.end(), word);
-  if (place == shapes.end()) throw UsageError(where + ": shape '" + word + "' is not " + one_of(shapes));
+  if (place == shapes.end())
+    throw UsageError(where + ": shape " + quoted(word) + did_you_mean(word, shapes) + " is not " +
+                     one_of(shapes));
   signal.shape = static_cast<InputShape>(place - shapes.begin());
   if (signal.shape == InputShape::step) {
     if (times.found)

@@ -4,13 +4,15 @@
 #include <utility>
 
 #include "cli/number.hpp"
+#include "text/csv_line.hpp"
 
 namespace tiltrotor::cli {
 
 std::string json_text(const std::string& text) {
   constexpr char hex[] = "0123456789abcdef";
   std::string out = "\"";
-  for (const char c : text) {
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
     const auto code = static_cast<unsigned char>(c);
     if (c == '"' || c == '\\') {
       out += '\\';
@@ -19,8 +21,11 @@ std::string json_text(const std::string& text) {
       out += "\\u00";
       out += hex[code >> 4];
       out += hex[code & 15];
+    } else if (const std::size_t length = csv::utf8_length(text, i); length > 0) {
+      out += text.substr(i, length);
+      i += length - 1;
     } else {
-      out += c;
+      out += "\\ufffd";
     }
   }
   return out + '"';

@@ -6,6 +6,7 @@
 
 namespace tiltrotor::cli {
 
+// What is not UTF-8 becomes the replacement character.
 std::string json_text(const std::string& text);
 // Shortest digits that read back exactly; null for what JSON cannot write.
 std::string json_number(double value);

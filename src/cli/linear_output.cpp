@@ -72,8 +72,8 @@ void LinearOutput::finish() {
 }
 
 void LinearOutput::add_csv(const LinearCase& which, const Model& model) {
-  const std::string begin = which.name + "," + number_text(which.mast_deg) + "," + number_text(which.speed) +
-                            "," + which.status + ",";
+  const std::string begin = csv_cell(which.name) + "," + number_text(which.mast_deg) + "," +
+                            number_text(which.speed) + "," + which.status + ",";
   if (!which.valid) {
     sink_.write(begin + ",,,,,\n");
     return;

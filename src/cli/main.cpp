@@ -9,6 +9,7 @@
 #include "cli/command.hpp"
 #include "cli/errors.hpp"
 #include "cli/help.hpp"
+#include "cli/nearest.hpp"
 #include "cli/sink.hpp"
 
 namespace tiltrotor::cli {
@@ -33,8 +34,9 @@ const Command& find_command(const std::vector<Command>& commands, const std::str
   if (place != commands.end()) return *place;
   std::vector<std::string> names;
   for (const Command& command : commands) names.emplace_back(command.name);
-  throw UsageError((name.empty() ? "a command is needed" : "unknown command '" + name + "'") + "; choose " +
-                   one_of(names));
+  throw UsageError(
+      (name.empty() ? "a command is needed" : "unknown command " + quoted(name) + did_you_mean(name, names)) +
+      "; choose " + one_of(names));
 }
 
 bool asks_for_help(const std::string& word) { return word == "--help" || word == "-h"; }
@@ -53,13 +55,26 @@ int run(std::vector<std::string> words) {
   return command.run(Arguments(command.name, command.options, words));
 }
 
+// A message stays one line that can be read, whatever text of the user it repeats.
+void complain(const std::string& message) {
+  constexpr std::size_t longest_word = 1000;
+  std::string line;
+  std::size_t word = 0;
+  for (const char c : message) {
+    word = c == ' ' ? 0 : word + 1;
+    if (word == longest_word) line += "...";
+    if (word < longest_word) line += static_cast<unsigned char>(c) < 0x20 || c == 0x7f ? '?' : c;
+  }
+  std::fprintf(stderr, "tiltrotor: %s\n", line.c_str());
+}
+
 }  // namespace
 
 }  // namespace tiltrotor::cli
 
 int main(int count, char** arguments) {
   using namespace tiltrotor::cli;
-  // A reader that leaves early and a file that may not grow shall be errors of writing with a message, not a
+  // A reader that leaves early and a file that may not grow are errors of writing, which clean up, not a
   // silent death.
   std::signal(SIGPIPE, SIG_IGN);
   std::signal(SIGXFSZ, SIG_IGN);
@@ -67,10 +82,12 @@ int main(int count, char** arguments) {
   try {
     return run(std::vector<std::string>(arguments + std::min(count, 1), arguments + count));
   } catch (const UsageError& error) {
-    std::fprintf(stderr, "tiltrotor: %s\n", error.what());
+    complain(error.what());
     return exit_bad_usage;
+  } catch (const ReaderLeft&) {
+    return exit_case_failed;
   } catch (const std::exception& error) {
-    std::fprintf(stderr, "tiltrotor: %s\n", error.what());
+    complain(error.what());
     return exit_case_failed;
   }
 }

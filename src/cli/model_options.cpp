@@ -6,6 +6,7 @@
 
 #include "cli/arguments.hpp"
 #include "cli/errors.hpp"
+#include "cli/nearest.hpp"
 #include "tiltrotor/model/blade_grid.hpp"
 
 namespace tiltrotor::cli {
@@ -26,11 +27,7 @@ Switch words(const char* name, Enum Options::*member, const std::vector<std::str
   std::string values;
   for (const std::string& choice : choices) values += (values.empty() ? "" : "|") + choice;
   return {name, values, help, [=](Options& options, const std::string& value, const std::string& where) {
-            const auto place = std::find(choices.begin(), choices.end(), value);
-            if (place == choices.end()) {
-              throw UsageError(where + ": '" + value + "' is not one of " + one_of(choices));
-            }
-            options.*member = static_cast<Enum>(place - choices.begin());
+            options.*member = static_cast<Enum>(place_of(value, choices, where));
           }};
 }
 
@@ -38,9 +35,7 @@ Switch on_off(const char* name, bool Options::*member, const char* help) {
   const bool is_on = Options().*member;
   return {name, is_on ? "on|off" : "off|on", help,
           [=](Options& options, const std::string& value, const std::string& where) {
-            if (value != "on" && value != "off")
-              throw UsageError(where + ": '" + value + "' is not one of on or off");
-            options.*member = value == "on";
+            options.*member = place_of(value, {"off", "on"}, where) == 1;
           }};
 }
 
@@ -140,7 +135,8 @@ void set_model_option(Options& options, const std::string& name, const std::stri
   if (place == switches().end()) {
     std::vector<std::string> names;
     for (const Switch& s : switches()) names.push_back(s.name);
-    throw UsageError(where + ": no switch '" + name + "'; choose " + one_of(names));
+    throw UsageError(where + ": no switch " + quoted(name) + did_you_mean(name, names) + "; choose " +
+                     one_of(names));
   }
   place->set(options, value, where);
 }

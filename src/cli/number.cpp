@@ -5,12 +5,11 @@
 #include <system_error>
 
 #include "cli/errors.hpp"
+#include "cli/nearest.hpp"
 
 namespace tiltrotor::cli {
 
 namespace {
-
-std::string quoted(std::string_view text) { return "'" + std::string(text) + "'"; }
 
 // from_chars knows no leading plus sign.
 std::string_view without_plus(std::string_view text) {
@@ -32,7 +31,9 @@ std::string number_text(double value, int digits) {
 
 std::string range_text(const Range& range) {
   const std::string unit = range.unit;
-  return number_text(range.low) + ".." + number_text(range.high) + (unit.empty() ? "" : " ") + unit;
+  constexpr int digits = 6;
+  return number_text(range.low, digits) + ".." + number_text(range.high, digits) + (unit.empty() ? "" : " ") +
+         unit;
 }
 
 namespace {
@@ -55,10 +56,27 @@ double parse_number(std::string_view text, const std::string& where) { return pa
 
 double parse_number(std::string_view text, const std::string& where, const Range& range) {
   const double value = parse_finite(text, where, "; give " + range_text(range));
-  if (value < range.low || value > range.high) {
-    throw UsageError(where + ": " + std::string(text) + " lies outside " + range_text(range));
-  }
+  require_within(value, text, where, range);
   return value;
+}
+
+void require_within(double value, std::string_view text, const std::string& where, const Range& range) {
+  if (value < range.low || value > range.high)
+    throw UsageError(where + ": " + (text.size() < 40 ? std::string(text) : number_text(value)) +
+                     " lies outside " + range_text(range));
+}
+
+bool read_number(std::string_view text, double& value) {
+  const std::string_view digits = without_plus(text);
+  const std::from_chars_result result = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+  return result.ec == std::errc() && result.ptr == digits.data() + digits.size() && std::isfinite(value);
+}
+
+double given_as(double value, double unit) {
+  constexpr int digits = 15;  // any number of so many digits survives as a double
+  const double quotient = value / unit;
+  double round = 0;
+  return read_number(number_text(quotient, digits), round) && round * unit == value ? round : quotient;
 }
 
 long parse_integer(std::string_view text, const std::string& where, long low, long high) {

@@ -39,7 +39,9 @@ Output::Output(const Arguments& arguments)
 }
 
 Records Output::records(std::vector<std::string> columns, Digits digits) {
-  return Records(sink_, format_, std::move(columns), digits, shard_.first());
+  constexpr double rounding = 1e-12;  // in the unit of the column
+  return Records(sink_, format_, std::move(columns), digits, digits == to_read ? rounding : 0,
+                 shard_.first());
 }
 
 }  // namespace tiltrotor::cli

@@ -9,7 +9,8 @@ namespace tiltrotor::cli {
 
 class Output {
  public:
-  // Significant digits of CSV: enough to plot, or enough to compare two programs.
+  // Significant digits of CSV: enough to plot, with zero where a number is zero but for rounding, or enough
+  // to compare two programs.
   enum Digits { to_read = 12, to_compare = 15 };
 
   static OptionList list();

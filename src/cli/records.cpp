@@ -26,14 +26,6 @@ std::string cell_json(const Cell& cell) {
   return json_number(std::get<double>(cell));
 }
 
-// A comma, quote or line end within a cell needs quotes around it.
-std::string csv_cell(const std::string& text) {
-  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-  std::string out = "\"";
-  for (const char c : text) out += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return out + '"';
-}
-
 std::string csv_line(const std::vector<std::string>& cells) {
   std::string line;
   for (std::size_t i = 0; i < cells.size(); ++i) line += (i > 0 ? "," : "") + csv_cell(cells[i]);
@@ -48,13 +40,27 @@ std::vector<std::string> row_texts(const Row& row, int digits) {
 
 }  // namespace
 
-Records::Records(Sink& sink, Format format, std::vector<std::string> columns, int digits, bool header)
-    : sink_(sink), format_(format), columns_(std::move(columns)), digits_(digits) {
-  if (format_ == Format::csv && header) sink_.write(csv_line(columns_));
+std::string csv_cell(const std::string& text) {
+  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+  std::string out = "\"";
+  for (const char c : text) out += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return out + '"';
+}
+
+Records::Records(Sink& sink, Format format, std::vector<std::string> columns, int digits, double resolution,
+                 bool header)
+    : sink_(sink),
+      format_(format),
+      columns_(std::move(columns)),
+      digits_(digits),
+      resolution_(resolution),
+      header_(header) {
   if (format_ == Format::table) table_.push_back(columns_);
 }
 
-void Records::add(const Row& row) {
+void Records::add(const Row& exact) {
+  const Row row = rounded(exact);
+  write_header();
   if (format_ == Format::csv) sink_.write(csv_line(row_texts(row, digits_)));
   if (format_ == Format::json) write_json(row);
   if (format_ == Format::table) table_.push_back(row_texts(row, table_digits));
@@ -62,9 +68,23 @@ void Records::add(const Row& row) {
 }
 
 void Records::finish() {
+  write_header();
   if (format_ == Format::json) sink_.write(count_ == 0 ? "[]\n" : "\n]\n");
   if (format_ == Format::table) write_table();
   sink_.finish();
+}
+
+Row Records::rounded(Row row) const {
+  for (std::size_t i = 0; i < row.size(); ++i) {
+    double* const number = std::get_if<double>(&row[i]);
+    if (number != nullptr && std::abs(*number) < resolution_ && columns_[i] != "residual") *number = 0;
+  }
+  return row;
+}
+
+void Records::write_header() {
+  if (format_ == Format::csv && header_) sink_.write(csv_line(columns_));
+  header_ = false;
 }
 
 void Records::write_json(const Row& row) {

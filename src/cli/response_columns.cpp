@@ -3,6 +3,8 @@
 #include <cmath>
 #include <limits>
 
+#include "cli/state_columns.hpp"
+
 namespace tiltrotor::cli {
 
 namespace {
@@ -65,11 +67,17 @@ const Column columns[] = {
     {"downwash_deg", [](Now m) { return m.x.downwash / radian; }},
 };
 
-}  // namespace
-
-std::vector<std::string> response_columns(bool with_modes) {
+std::vector<std::string> own_columns() {
   std::vector<std::string> names;
   for (const Column& column : columns) names.emplace_back(column.name);
+  return names;
+}
+
+}  // namespace
+
+std::vector<std::string> response_columns(bool with_modes, const Options& options) {
+  std::vector<std::string> names = own_columns();
+  for (const std::string& name : completing_columns(own_columns(), options, true)) names.push_back(name);
   for (int i = 1; with_modes && i <= shown_modes; ++i) {
     const std::string name = "mode" + std::to_string(i);
     names.insert(names.end(), {name, name + "_real", name + "_imag"});
@@ -77,10 +85,12 @@ std::vector<std::string> response_columns(bool with_modes) {
   return names;
 }
 
-Row response_row(const Simulation<double>& simulation) {
+Row response_row(const Configuration<double>& c, const Simulation<double>& simulation) {
   const Moment moment{simulation, simulation.state, current_controls(simulation)};
   Row row;
   for (const Column& column : columns) row.emplace_back(column.value(moment));
+  for (const std::string& name : completing_columns(own_columns(), c.setup.options, true))
+    row.emplace_back(completing_value(name, c, moment.x, moment.u));
   return row;
 }
 

@@ -9,10 +9,11 @@
 
 namespace tiltrotor::cli {
 
-std::vector<std::string> response_columns(bool with_modes);
+// With those that complete the state (state_columns.hpp).
+std::vector<std::string> response_columns(bool with_modes, const Options& options = {});
 
 // State now and the controls that act from now on.
-Row response_row(const Simulation<double>& simulation);
+Row response_row(const Configuration<double>& c, const Simulation<double>& simulation);
 
 // Name, real and imaginary part of the body's and the downwash's modes; the rotors' are left out. Empty cells
 // when `set` is null.

@@ -84,12 +84,18 @@ void clean_up_when_interrupted() {
 
 Sink::Sink(const std::string& path, const std::string& where) : path_(path), file_(stdout) {
   if (path == "-") return;
+  if (path.empty()) throw UsageError(where + ": the name is empty; give a file, or - for standard output");
   std::error_code error;
   const std::filesystem::file_status existing = std::filesystem::status(path, error);
   if (std::filesystem::is_directory(existing)) throw UsageError(where + ": " + path + " is a folder");
-  if (std::filesystem::is_regular_file(existing))
+  if (std::filesystem::is_regular_file(existing)) {
     path_ = std::filesystem::canonical(path).string();  // behind links
+    if (access(path_.c_str(), W_OK) != 0)
+      throw UsageError(where + ": cannot write " + path + ": " + reason());
+  }
   if (!std::filesystem::is_other(existing)) temporary_path_ = temporary_name(path_);
+  if (std::count(unfinished_files.begin(), unfinished_files.end(), temporary_path_) > 0)
+    throw UsageError(where + ": " + path + " is written twice in one run");
   file_ = temporary_path_.empty() ? std::fopen(path_.c_str(), "wb") : open_unfinished(temporary_path_);
   if (file_ == nullptr) throw UsageError(where + ": cannot write " + path + ": " + reason());
 }
@@ -123,11 +129,13 @@ void Sink::finish() {
 bool Sink::is_terminal() const { return isatty(fileno(file_)) != 0; }
 
 void Sink::fail() {
+  if (file_ == stdout && errno == EPIPE) throw ReaderLeft("the reader of standard output left");
   throw OutputError("cannot write " + (file_ == stdout ? std::string("to standard output") : path_) + ": " +
                     reason());
 }
 
 void require_writable_folder(const std::string& folder, const std::string& where) {
+  if (folder.empty()) throw UsageError(where + ": the name is empty; give a folder");
   std::error_code error;
   std::filesystem::create_directories(folder, error);
   if (!std::filesystem::is_directory(folder)) {

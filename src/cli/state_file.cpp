@@ -1,160 +1,176 @@
 #include "cli/state_file.hpp"
 
 #include <algorithm>
-#include <fstream>
+#include <limits>
 
 #include "cli/errors.hpp"
 #include "cli/flight_options.hpp"
-#include "cli/sweep.hpp"
+#include "cli/nearest.hpp"
+#include "text/csv_line.hpp"
+#include "tiltrotor/analysis/response.hpp"
 #include "tiltrotor/math/waist.hpp"
+#include "tiltrotor/model/control_range.hpp"
 
 namespace tiltrotor::cli {
 
 namespace {
 
-// What a column fills.
-struct Target {
-  enum Kind { ignored, name, mast, state, control } kind;
-  int index;
-};
-
-struct ControlColumn {
-  const char* name;
-  int index;
-};
-// Names of the reference files for the four inceptors.
-constexpr ControlColumn inceptor_columns[] = {
-    {"th75_rad", iu_collective}, {"lon_in", iu_long_stick}, {"lat_in", iu_lat_stick}, {"ped_in", iu_pedal}};
-
-std::string increment_column(int control) {
-  const std::string unit = kControlNames[control].unit;
-  return std::string(kControlNames[control].name) + "_" + (unit == "m/s" ? "mps" : unit);
-}
-
-std::optional<Target> find_target(const std::string& column) {
-  if (column.compare(0, 2, "d_") == 0) return Target{Target::ignored, 0};
-  if (column == "case") return Target{Target::name, 0};
-  if (column == "mast_deg") return Target{Target::mast, 0};
-  for (int i = 0; i < state_count; ++i) {
-    if (column == kStateNames[i].name) return Target{Target::state, i};
+// In the unit of the column.
+Range range_of(const Target& target) {
+  switch (target.kind) {
+    case Target::mast:
+      return kMastRange;
+    case Target::altitude:
+      return kAltitudeRange;
+    case Target::flap:
+      return kFlapRange;
+    case Target::rotor_speed:
+      return kRotorSpeedRange;
+    case Target::mass:
+      return kMassRange;
+    case Target::sl_cg:
+      return kCgRange;
+    case Target::state: {
+      const double bound = target.shown(response_detail::state_bound<double>(target.index));
+      return {-bound, bound, target.unit_name};
+    }
+    case Target::control:
+      return {target.shown(-kLargestControl<double>), target.shown(kLargestControl<double>),
+              target.unit_name};
+    default:
+      return {-std::numeric_limits<double>::max(), std::numeric_limits<double>::max(), ""};
   }
-  for (const ControlColumn& inceptor : inceptor_columns) {
-    if (column == inceptor.name) return Target{Target::control, inceptor.index};
+}
+
+// A header in other units than the model's is told what it lacks in those.
+std::string missing_columns(const std::vector<std::string>& header, const Options& options) {
+  const auto has = [&](const std::string& name) {
+    return std::find(header.begin(), header.end(), name) != header.end();
+  };
+  bool printed = false;
+  std::vector<std::vector<std::string>> missing;
+  const auto require = [&](const std::vector<std::string>& names) {
+    printed = printed || (names.back() != names.front() && has(names.back()));
+    if (std::none_of(names.begin(), names.end(), has)) missing.push_back(names);
+  };
+  for (const int i : needed_states(options)) require(state_columns(i));
+  for (int j = 0; j <= iu_pedal; ++j) require(control_columns(j));
+  std::string text;
+  for (const std::vector<std::string>& names : missing)
+    text += " " + (printed ? names.back() : names.front());
+  return text;
+}
+
+std::string separator_hint(const std::vector<std::string>& header) {
+  if (header.size() > 1) return "";
+  if (header[0].find(';') != std::string::npos)
+    return "; the cells are to be separated by commas, not by ';'";
+  if (header[0].find('\t') != std::string::npos)
+    return "; the cells are to be separated by commas, not by tabs";
+  return "";
+}
+
+}  // namespace
+
+StateFile::StateFile(const std::string& name, const Options& options) : lines_(name) {
+  if (!next_row_line()) throw UsageError(path() + ":1: no header line");
+  read_header(options);
+  StateRow row{};
+  while (next_row_line()) read_row(size_++, row);
+  if (size_ == 0) throw UsageError(path() + ": no states below the header");
+  for (std::size_t i = 0; i < header_.size(); ++i)
+    if (targets_[i].kind != Target::rate) columns_.push_back(header_[i]);
+}
+
+bool StateFile::has(Target::Kind kind) const {
+  return std::any_of(targets_.begin(), targets_.end(), [&](const Target& t) { return t.kind == kind; });
+}
+
+void StateFile::each(std::size_t begin, std::size_t end, const std::function<void(const StateRow&)>& visit) {
+  lines_.rewind();
+  next_row_line();
+  StateRow row{};
+  for (std::size_t number = 0; number < end && next_row_line(); ++number) {
+    if (number < begin) continue;
+    read_row(number, row);
+    visit(row);
   }
-  for (int i = iu_pedal + 1; i < control_count; ++i) {
-    if (column == increment_column(i)) return Target{Target::control, i};
+}
+
+// Lines without content do not count.
+bool StateFile::next_row_line() {
+  while (lines_.next(line_)) {
+    const char* const fault = lines_.number() == 1 ? csv::begin_file(line_) : nullptr;
+    if (fault != nullptr) throw UsageError(lines_.where() + ": " + fault);
+    if (!csv::trimmed(line_).empty()) return true;
   }
-  return std::nullopt;
+  return false;
 }
 
-// Names of all columns that must be there.
-std::vector<std::string> required_columns(const Options& options) {
-  const ActiveStates active = active_states(options, true);
-  std::vector<std::string> names;
-  for (int i = 0; i < state_count; ++i) {
-    const bool alive = std::find(active.index, active.index + active.count, i) != active.index + active.count;
-    if (i < ix_coning_right || alive) names.emplace_back(kStateNames[i].name);
-  }
-  for (const ControlColumn& inceptor : inceptor_columns) names.emplace_back(inceptor.name);
-  return names;
-}
-
-std::string trimmed(const std::string& text) {
-  constexpr const char* blanks = " \t\r";
-  const std::size_t first = text.find_first_not_of(blanks);
-  return first == std::string::npos ? "" : text.substr(first, text.find_last_not_of(blanks) - first + 1);
-}
-
-std::vector<std::string> line_cells(const std::string& line) {
-  std::vector<std::string> cells = split(line, ',');
-  for (std::string& cell : cells) cell = trimmed(cell);
-  return cells;
-}
-
-std::vector<Target> read_header(const std::vector<std::string>& columns, const Options& options,
-                                const std::string& where) {
-  std::vector<Target> targets;
-  for (std::size_t i = 0; i < columns.size(); ++i) {
-    const std::optional<Target> target = find_target(columns[i]);
+void StateFile::read_header(const Options& options) {
+  const std::string where = lines_.where();
+  const char* const fault = csv::split_line(line_, header_);
+  if (fault != nullptr) throw UsageError(where + ": " + fault);
+  for (std::size_t i = 0; i < header_.size(); ++i) {
+    const std::string& name = header_[i];
+    if (name.empty()) throw UsageError(where + ": column " + std::to_string(i + 1) + " has no name");
+    const std::optional<Target> target = find_target(name);
     if (!target) {
-      throw UsageError(where + ": unknown column '" + columns[i] +
-                       "'; `tiltrotor derivative --help` lists the columns");
+      throw UsageError(where + ": unknown column " + quoted(name) + did_you_mean(name, known_columns()) +
+                       separator_hint(header_) + "; `tiltrotor derivative --help` lists the columns");
     }
-    if (std::find(columns.begin(), columns.begin() + static_cast<std::ptrdiff_t>(i), columns[i]) !=
-        columns.begin() + static_cast<std::ptrdiff_t>(i)) {
-      throw UsageError(where + ": column '" + columns[i] + "' stands there twice");
+    for (std::size_t k = 0; k < i; ++k) {
+      if (header_[k] == name) throw UsageError(where + ": column '" + name + "' stands there twice");
+      const bool same = targets_[k].kind == target->kind && targets_[k].index == target->index;
+      if (same && target->kind != Target::rate && target->kind != Target::derived)
+        throw UsageError(where + ": columns '" + header_[k] + "' and '" + name + "' give the same quantity");
     }
-    targets.push_back(*target);
+    targets_.push_back(*target);
   }
-  std::string missing;
-  for (const std::string& name : required_columns(options)) {
-    if (std::find(columns.begin(), columns.end(), name) == columns.end()) missing += " " + name;
-  }
+  const std::string missing = missing_columns(header_, options);
   if (!missing.empty()) throw UsageError(where + ": missing column" + missing);
-  return targets;
 }
 
-StateRow read_row(const std::vector<std::string>& cells, const std::vector<std::string>& columns,
-                  const std::vector<Target>& targets, const std::string& where) {
-  if (cells.size() != columns.size()) {
-    throw UsageError(where + ": " + std::to_string(cells.size()) + " cells, but the header names " +
-                     std::to_string(columns.size()) + " columns");
+void StateFile::read_row(std::size_t number, StateRow& row) {
+  const char* const fault = csv::split_line(line_, cells_);
+  if (fault != nullptr) throw UsageError(lines_.where() + ": " + fault);
+  if (cells_.size() != header_.size()) {
+    throw UsageError(lines_.where() + ": " + std::to_string(cells_.size()) + " cells, but the header names " +
+                     std::to_string(header_.size()) + " columns");
   }
   double x[state_count] = {};
   double u[control_count] = {};
-  StateRow row{};
-  for (std::size_t i = 0; i < cells.size(); ++i) {
-    const std::string here = where + ": column " + columns[i];
-    const Target& target = targets[i];
-    if (target.kind == Target::ignored) continue;
-    if (target.kind == Target::name) {
-      row.name = cells[i];
-      row.cells.emplace_back(cells[i]);
+  row.line = lines_.number();
+  row.name = std::to_string(number);
+  row.cells.clear();
+  for (std::size_t i = 0; i < cells_.size(); ++i) {
+    const std::string& cell = cells_[i];
+    const Target& target = targets_[i];
+    if (target.kind == Target::rate) continue;
+    double value = std::numeric_limits<double>::quiet_NaN();
+    const bool is_number = read_number(cell, value);
+    if (target.kind == Target::name || target.kind == Target::derived) {
+      if (target.kind == Target::name && !cell.empty()) row.name = cell;
+      const bool repeats_number = target.kind == Target::derived && (is_number || cell.empty());
+      row.cells.emplace_back(repeats_number ? Cell(Quotation{cell, value}) : Cell(cell));
       continue;
     }
-    const double value =
-        target.kind == Target::mast ? parse_number(cells[i], here, kMastRange) : parse_number(cells[i], here);
-    row.cells.emplace_back(Quotation{cells[i], value});
+    const Range range = range_of(target);
+    if (!is_number || !(value >= range.low && value <= range.high))
+      parse_number(cell, lines_.where() + ": column " + header_[i], range);  // throws
+    row.cells.emplace_back(Quotation{cell, value});
+    value = target.read(value);
     if (target.kind == Target::mast) row.mast_deg = value;
+    if (target.kind == Target::altitude) row.altitude = value;
+    if (target.kind == Target::flap) row.flap_deg = value;
+    if (target.kind == Target::rotor_speed) row.rotor_speed = value;
+    if (target.kind == Target::mass) row.mass = value;
+    if (target.kind == Target::sl_cg) row.sl_cg = value;
     if (target.kind == Target::state) x[target.index] = value;
     if (target.kind == Target::control) u[target.index] = value;
   }
   unpack(x, row.state);
   unpack(u, row.controls);
-  return row;
-}
-
-}  // namespace
-
-StateFile read_state_file(const std::string& path, const Options& options) {
-  std::ifstream in(path, std::ios::binary);
-  if (!in) throw UsageError(path + ": cannot be read");
-  StateFile file{path, {}, {}, false};
-  std::vector<std::string> columns;
-  std::vector<Target> targets;
-  std::string line;
-  for (std::size_t number = 1; std::getline(in, line); ++number) {
-    if (trimmed(line).empty()) continue;
-    const std::string where = path + ":" + std::to_string(number);
-    const std::vector<std::string> cells = line_cells(line);
-    if (columns.empty()) {
-      columns = cells;
-      targets = read_header(columns, options, where);
-      continue;
-    }
-    StateRow row = read_row(cells, columns, targets, where);
-    row.line = number;
-    if (row.name.empty()) row.name = std::to_string(file.rows.size());
-    file.rows.push_back(row);
-  }
-  if (in.bad()) throw UsageError(path + ": cannot be read");
-  if (columns.empty()) throw UsageError(path + ":1: no header line");
-  if (file.rows.empty()) throw UsageError(path + ": no states below the header");
-  for (std::size_t i = 0; i < columns.size(); ++i) {
-    if (targets[i].kind != Target::ignored) file.columns.push_back(columns[i]);
-    if (targets[i].kind == Target::mast) file.has_mast = true;
-  }
-  return file;
 }
 
 }  // namespace tiltrotor::cli

@@ -4,26 +4,59 @@
 
 namespace tiltrotor::cli {
 
-OptionList states_option() {
-  return {{"--states", "FILE",
-           "CSV of states: u v w p q r phi theta psi, b1c_R b1s_R db1c_R\n"
-           "db1s_R n0_R nc_R ns_R, the same with _L, eps, and controls\n"
-           "th75_rad lon_in lat_in ped_in, in any order; SI units, radians,\n"
-           "inches from neutral; optional: case, mast_deg, d_* (ignored)"}};
+namespace {
+
+std::string path_of_states(const Arguments& arguments) {
+  std::string path = arguments.text("--states", "");
+  if (!arguments.given("--states")) throw UsageError(arguments.command() + ": --states FILE is needed");
+  if (path.empty()) throw UsageError(arguments.where("--states") + ": the name is empty; give a file");
+  return path;
 }
 
-StateFile given_states(const Arguments& arguments, const SetupOptions& setup) {
-  if (!arguments.given("--states")) throw UsageError(arguments.command() + ": --states FILE is needed");
-  StateFile file = read_state_file(arguments.text("--states", ""), setup.switches());
+struct Setting {
+  const char* option;
+  const char* column;
+  Target::Kind kind;
+};
+constexpr Setting settings[] = {
+    {"--mast", "mast_deg", Target::mast}, {"--altitude", "altitude_m", Target::altitude},
+    {"--flap", "flap_deg", Target::flap}, {"--rotor-rpm", "rotor_rpm", Target::rotor_speed},
+    {"--mass", "mass_kg", Target::mass},  {"--cg-sl", "cg_sl_in", Target::sl_cg},
+};
+
+}  // namespace
+
+OptionList states_option() {
+  return {{"--states", "FILE",
+           "CSV (- is standard input) of states: u v w p q r phi theta psi,\n"
+           "b1c_R b1s_R db1c_R db1s_R n0_R nc_R ns_R, the same with _L, eps,\n"
+           "and controls th75_rad lon_in lat_in ped_in, in any order; SI\n"
+           "units, radians, inches from neutral; or as trim and respond print.\n"
+           "Optional: case, mast_deg, altitude_m, flap_deg, rotor_rpm,\n"
+           "mass_kg, cg_sl_in, d_* (ignored)"}};
+}
+
+GivenStates::GivenStates(const Arguments& arguments, const SetupOptions& setup)
+    : setup_(setup),
+      mast_deg_(arguments.number("--mast", 0, kMastRange)),
+      file_(path_of_states(arguments), setup.switches()) {
   for (const char* name : {"--speed", "--climb", "--sideslip", "--turn-rate"}) {
     if (arguments.given(name)) throw UsageError(arguments.where(name) + ": cannot be combined with --states");
   }
-  if (file.has_mast && arguments.given("--mast")) {
-    throw UsageError(arguments.where("--mast") + ": " + file.path + " has its own column mast_deg");
+  for (const Setting& s : settings) {
+    if (file_.has(s.kind) && arguments.given(s.option))
+      throw UsageError(arguments.where(s.option) + ": " + file_.path() + " has its own column " + s.column);
   }
-  const double mast_deg = arguments.number("--mast", 0, kMastRange);
-  for (StateRow& row : file.rows) row.mast_deg = row.mast_deg.value_or(mast_deg);
-  return file;
+}
+
+Configuration<double> GivenStates::configuration(const StateRow& row) const {
+  FlightSetup<double> setup = setup_.flight_setup(row.mast_deg.value_or(mast_deg_));
+  setup.altitude = row.altitude.value_or(setup.altitude);
+  setup.flap_deg = row.flap_deg.value_or(setup.flap_deg);
+  setup.rotor_speed = row.rotor_speed.value_or(setup.rotor_speed);
+  setup.mass = row.mass.value_or(setup.mass);
+  setup.sl_cg = row.sl_cg.value_or(setup.sl_cg);
+  return prepared(setup, file_.path() + ":" + std::to_string(row.line) + ": ");
 }
 
 }  // namespace tiltrotor::cli

@@ -8,7 +8,18 @@ namespace tiltrotor::cli {
 
 OptionList states_option();
 
-// The file, with the mast angle of every row filled in: from its column mast_deg, else from --mast.
-StateFile given_states(const Arguments& arguments, const SetupOptions& setup);
+// The file of --states and the aircraft of its rows.
+class GivenStates {
+ public:
+  GivenStates(const Arguments& arguments, const SetupOptions& setup);
+  StateFile& file() { return file_; }
+  // What the row's own columns set, and the options the rest.
+  Configuration<double> configuration(const StateRow& row) const;
+
+ private:
+  const SetupOptions& setup_;
+  double mast_deg_;
+  StateFile file_;
+};
 
 }  // namespace tiltrotor::cli

@@ -1,5 +1,7 @@
 #include "cli/sweep.hpp"
 
+#include <algorithm>
+#include <charconv>
 #include <cmath>
 
 #include "cli/errors.hpp"
@@ -10,9 +12,28 @@ namespace {
 
 constexpr int max_points = 100000;
 constexpr std::size_t max_combinations = 1000000;
+constexpr int max_decimals = 15;
 
 // A range ends at `to` also when rounding carries the last step a little past it.
 constexpr double step_tolerance = 1e-9;
+
+// Digits behind the point; too many to matter where a power of ten follows.
+int decimals_of(const std::string& number) {
+  if (number.find_first_of("eE") != std::string::npos) return max_decimals + 1;
+  const std::size_t point = number.find('.');
+  return point == std::string::npos ? 0
+                                    : static_cast<int>(std::min<std::size_t>(number.size() - point - 1, 99));
+}
+
+// 0:0.1:1 holds 0.3 as a list of decimal numbers does, not 3 * 0.1 = 0.30000000000000004.
+double to_decimals(double value, int decimals) {
+  if (decimals > max_decimals) return value;
+  char text[400];
+  const std::to_chars_result end =
+      std::to_chars(text, text + sizeof text, value, std::chars_format::fixed, decimals);
+  std::from_chars(text, end.ptr, value);
+  return value;
+}
 
 void append_range(const std::vector<std::string>& parts, const std::string& text, const std::string& where,
                   const Range& range, std::vector<double>& values) {
@@ -28,8 +49,9 @@ void append_range(const std::vector<std::string>& parts, const std::string& text
     throw UsageError(where + ": range '" + text + "' has more than " + std::to_string(max_points) +
                      " values");
   }
+  const int decimals = std::max(decimals_of(parts[0]), decimals_of(parts[1]));
   for (double i = 0; i <= steps; ++i) {
-    const double value = from + i * step;
+    const double value = to_decimals(from + i * step, decimals);
     const bool last = std::abs(value - to) <= step_tolerance * std::abs(step);
     values.push_back(last ? to : value);
   }

@@ -4,6 +4,7 @@
 #include "library/c_memory.hpp"
 #include "library/c_words.hpp"
 #include "tiltrotor/model/aircraft_data.hpp"
+#include "tiltrotor/model/control_range.hpp"
 
 namespace tiltrotor::c_interface {
 
@@ -17,28 +18,11 @@ static_assert(int{TR_ROLL} == ix_roll && int{TR_ROTOR_RIGHT} == ix_rotor_right &
               int{TR_CONING_LEFT} == ix_coning_left && int{TR_NORTH} == ix_position);
 static_assert(int{TR_PEDAL} == iu_pedal && int{TR_ELEVATOR} == iu_elevator && int{TR_GUST_U} == iu_gust);
 
-struct Range {
-  R low, high;
-};
-Range control_range(std::size_t control) {
-  constexpr Range collective = {R(-0.35), R(1.4)};
-  constexpr Range stick = {R(-4.8), R(4.8)};
-  constexpr Range pedal = {R(-2.5), R(2.5)};
-  constexpr Range increment = {R(-0.5), R(0.5)};
-  constexpr Range gust = {R(-50), R(50)};
-  if (control == TR_COLLECTIVE) return collective;
-  if (control <= TR_LAT_STICK) return stick;
-  if (control == TR_PEDAL) return pedal;
-  return control < TR_GUST_U ? increment : gust;
-}
-
-constexpr R kLargestControl = R(100);  // of a restored state: trims beyond the stops included
-
 bool in_bounds(const tr_state& state) {
   for (int i = 0; i < TR_STATES; ++i)
     if (!(std::fabs(state.x[i]) <= response_detail::state_bound<R>(i))) return false;
   for (const R u : state.u)
-    if (!(std::fabs(u) <= kLargestControl)) return false;
+    if (!(std::fabs(u) <= kLargestControl<R>)) return false;
   return state.time_s >= 0;
 }
 
@@ -113,7 +97,7 @@ tr_status tr_set_controls(tr_sim* sim, const tr_real* controls, size_t length) {
   if (controls == nullptr || length < 1 || length > TR_CONTROLS) return TR_BAD_ARGUMENT;
   if (!all_finite(controls, length)) return TR_NOT_FINITE;
   for (std::size_t j = 0; j < length; ++j) {
-    const Range range = control_range(j);
+    const ControlRange<R> range = control_range<R>(static_cast<int>(j));
     if (!detail::within(controls[j], range.low, range.high)) return TR_OUT_OF_RANGE;
   }
   Sim& s = *opened(sim);

@@ -6,39 +6,11 @@
 #include <fstream>
 
 #include "tablegen/fault.hpp"
+#include "text/csv_line.hpp"
 
 namespace tablegen {
 
 namespace {
-
-std::string trimmed(const std::string& text) {
-  const char* const blanks = " \t\r";
-  const std::size_t first = text.find_first_not_of(blanks);
-  if (first == std::string::npos) return {};
-  return text.substr(first, text.find_last_not_of(blanks) - first + 1);
-}
-
-// Cells of one line; a cell in double quotes may hold commas, and a doubled quote stands for itself.
-std::vector<std::string> split(const std::string& text, const std::string& file, int line) {
-  std::vector<std::string> cells(1);
-  bool quoted = false;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const char c = text[i];
-    if (quoted && c == '"' && i + 1 < text.size() && text[i + 1] == '"') {
-      cells.back() += c;
-      ++i;
-    } else if (c == '"') {
-      quoted = !quoted;
-    } else if (c == ',' && !quoted) {
-      cells.emplace_back();
-    } else {
-      cells.back() += c;
-    }
-  }
-  if (quoted) throw Fault{file, line, "quotation mark is not closed"};
-  for (std::string& cell : cells) cell = trimmed(cell);
-  return cells;
-}
 
 void check_header(const Csv& csv) {
   for (auto name = csv.header.begin(); name != csv.header.end(); ++name) {
@@ -58,13 +30,17 @@ Csv read_csv(const std::string& file) {
   int line = 0;
   while (std::getline(in, text)) {
     ++line;
-    text = trimmed(text);
+    const char* fault = line == 1 ? csv::begin_file(text) : nullptr;
+    if (fault != nullptr) throw Fault{file, line, fault};
+    text = std::string(csv::trimmed(text));
     if (text.empty()) continue;
     if (text[0] == '#') {
       csv.comments += text + "\n";
       continue;
     }
-    std::vector<std::string> cells = split(text, file, line);
+    std::vector<std::string> cells;
+    fault = csv::split_line(text, cells);
+    if (fault != nullptr) throw Fault{file, line, fault};
     if (csv.header.empty()) {
       csv.header = std::move(cells);
       csv.header_line = line;

@@ -109,7 +109,7 @@ TEST(cli_bad_usage_is_one_line_and_status_2) {
        "--input pedal=1@0 --input pedal=1@0 --input pedal=1@0 --input pedal=1@0",
        "--input: at most 8 inputs"},
       {"linearize --speed 10 --shard 1/2 --format json", "parts can be joined with --format csv only"},
-      {"trim --option coning_states=maybe", "'maybe' is not one of on or off"},
+      {"trim --option coning_states=maybe", "'maybe' is not one of off or on"},
       {"respond --method euler", "'euler' is not one of rk3, rk4 or rodas3"},
       {"respond --modes-every 0.001", "--modes-every: 0.001 lies outside 0.005..3600 s"},
       {"respond --input collective", "not NAME=AMPLITUDE[UNIT]@START[..END][:SHAPE]"},
@@ -132,9 +132,76 @@ TEST(cli_bad_usage_is_one_line_and_status_2) {
       {"rotor --collective75 91", "--collective75: 91 lies outside -90..90 deg"},
       {"rotor --rpm 0", "--rpm: 0 lies outside 200..760 rpm"},
       {"rotor --cancel-tilt=1", "--cancel-tilt: takes no value"},
+      // Ranges of inputs are those of tr_set_controls, told from the command line alone or with the trim.
+      {"respond --input collective=1000deg@0",
+       "collective=1000deg@0: 1000 lies outside -100.268..100.268 deg"},
+      {"respond --input pedal=-6@0", "pedal=-6@0: -6 lies outside -5..5 in"},
+      {"respond --input gust_w=1e5@0", "1e5 lies outside -100..100 mps"},
+      {"respond --input elevator=1.2rad@0", "elevator=1.2rad@0: 1.2 lies outside -1..1 rad"},
+      {"respond --speed 40 --input pedal=1.5@0 --input pedal=1.5@1..2",
+       "pedal would be 3 in from neutral at 1 s (0 in from neutral in trim), outside -2.5..2.5"},
+      {"respond --speed 40 --input gust_u=51@0",
+       "gust_u would be 51 m/s at 0 s (0 m/s in trim), outside -50..50 m/s"},
+      {"respond --speed 40 --input long_stick=3@0..2:doublet --input long_stick=-3@1",
+       "long_stick would be "},
+      // The nearest name.
+      {"trmi", "unknown command 'trmi' (did you mean trim?); choose trim"},
+      {"linearise", "(did you mean linearize?)"},
+      {"trim --sped 3", "unknown option --sped (did you mean --speed?); options are"},
+      {"trim -speed 3", "unexpected argument '-speed' (did you mean --speed?)"},
+      {"trim speed=3", "unexpected argument 'speed=3' (did you mean --speed?)"},
+      {"trim --cg_sl 300", "(did you mean --cg-sl?)"},
+      {"trim --grid realtme", "'realtme' (did you mean realtime?) is not one of"},
+      {"trim --option gird=realtime", "no switch 'gird' (did you mean grid?); choose tables"},
+      {"trim --option coning_state=on", "(did you mean coning_states?)"},
+      {"trim --option coning_states=om", "'om' (did you mean on?) is not one of off or on"},
+      {"trim --format jsn", "'jsn' (did you mean json?)"},
+      {"respond --method rk5", "'rk5' (did you mean rk3?)"},
+      {"respond --input colective=1@0", "no control 'colective' (did you mean collective?)"},
+      {"respond --input pedal=1@0..1:doublt", "shape 'doublt' (did you mean doublet?)"},
+      {"respond --input gust_u=1m@0", "unit 'm' of gust_u is not mps"},
+      {"respond --input collective=nan@0", "'nan' is not a finite number; give -100.268..100.268 deg"},
+      {"respond --input collective=deg@0", "'deg' is not a number; give -100.268..100.268 deg"},
+      {"respond --input collective=1e999@0",
+       "'1e999' is beyond the range of floating-point numbers; give -100"},
+      // One thing said twice.
+      {"trim --grid realtime --option grid=realtime",
+       "grid is given more than once; --grid stands there too"},
+      {"trim --option tables=c1 --tables linear",
+       "tables is given more than once; --tables stands there too"},
+      {"trim --option wash=constant --option wash=constant",
+       "--option wash=constant: wash is given more than once"},
+      {"trim --format csv --format=json", "--format: given more than once"},
+      // Places of results, before anything is computed.
+      {"trim --output ''", "--output: the name is empty; give a file, or - for standard output"},
+      {"linearize --output=", "--output: the name is empty"},
+      {"report --output ''", "--output: the name is empty; give a folder"},
+      {"respond --matrices ''", "--matrices: the name is empty; give a folder"},
+      {"trim --output /dev/null/x", "--output: cannot write /dev/null/x"},
+      // Odd numbers and words.
+      {"trim --speed 0x10", "'0x10' is not a number"},
+      {"trim --speed 1e999", "'1e999' is beyond the range of floating-point numbers; give 0..150 m/s"},
+      {"trim --speed 40,", "'' is not a number"},
+      {"trim --speed ,", "'' is not a number"},
+      {"trim --speed '1;5'", "'1;5' is not a number"},
+      {"trim --climb 1,5", "'1,5' is not a number"},
+      {"trim --speed 0:1e-300:150", "has more than 100000 values"},
+      {"trim --speed 0:nan:5", "'nan' is not a finite number"},
+      {"trim --shard 1/1e9", "is not a whole number"},
+      {"trim --shard 1/2/3", "is not k/n"},
+      {"trim --shard -1/3", "'-1' is not a whole number in 1..3"},
+      {"trim 'a\nb'", "unexpected argument 'a?b'"},
+      {"trim --speed '1\n2'", "'1?2' is not a number"},
       {"version --mast 3", "unknown option --mast; the command takes no options"},
   };
   for (const BadUsage& bad : cases) check_refused(bad.arguments, bad.message);
+}
+
+// A full stick is inside the range although the trim leaves it at 1e-15.
+TEST(cli_good_inputs_reach_the_stops) {
+  for (const char* input : {"lat_stick=4.8@0", "pedal=-2.5@0", "gust_v=50@0", "elevator=0.5rad@0"})
+    CHECK_EQ(run_tiltrotor(std::string("respond --speed 40 --duration 0.02 --input ") + input).exit_status,
+             0);
 }
 
 TEST(cli_good_states_file_is_accepted) {
@@ -187,4 +254,12 @@ TEST(cli_bad_usage_leaves_no_file) {
   check_refused("derivative --states /nonexistent.csv --output " + file, "cannot be read");
   check_refused("rotor --collective75 91 --output " + file, "--collective75");
   CHECK_EQ(folder.files(), 0);
+  // Found with the trim, before the first row.
+  check_refused("respond --speed 40 --input gust_u=51@0 --output " + file, "gust_u would be 51 m/s");
+  check_refused("respond --speed 40 --output " + folder.path("m/a.csv") + " --matrices " + folder.path("m"),
+                "a.csv");
+  check_refused(
+      "respond --speed 40 --output " + folder.write("a.csv", "") + " --matrices " + folder.path("."),
+      "a.csv is written twice in one run");
+  CHECK_EQ(folder.read("a.csv"), "");
 }

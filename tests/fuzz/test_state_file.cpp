@@ -14,14 +14,17 @@ FUZZ_TARGET(state_file) {
   options.coning_states = in.below(4) == 3;
   const std::string& path = input.holding(in.rest());
   try {
-    const cli::StateFile file = cli::read_state_file(path, options);
-    REQUIRE(!file.rows.empty());
-    for (const cli::StateRow& row : file.rows) {
+    cli::StateFile file(path, options);
+    REQUIRE(file.size() > 0);
+    std::size_t rows = 0;
+    file.each(0, file.size(), [&](const cli::StateRow& row) {
+      ++rows;
       bool finite = true;
       State<double>::each(row.state, [&](double x) { finite = finite && std::isfinite(x); });
       Controls<double>::each(row.controls, [&](double x) { finite = finite && std::isfinite(x); });
-      REQUIRE(finite && row.cells.size() == file.columns.size() && row.line >= 2);
-    }
+      REQUIRE(finite && row.cells.size() == file.columns().size() && row.line >= 2);
+    });
+    REQUIRE(rows == file.size());
   } catch (const cli::UsageError& error) {
     REQUIRE(std::string(error.what()).compare(0, path.size() + 1, path + ":") == 0);
   }

@@ -69,15 +69,18 @@ class Sentence {
   int length_ = 0;
 };
 
-// "wing angle of attack 17.20 deg is beyond 16.00 deg"
+// "wing angle of attack 17.20 deg is beyond 16.00 deg". The longitudinal stick is counted as trim prints it:
+// 0 at its rear stop, 4.8 in neutral, 9.6 at its front stop.
 template <class R>
 void write_limit(const TrimResult<R>& r, Sentence& sentence) {
   const LimitName& limit = kLimitNames[static_cast<unsigned>(r.limit)];
   const bool degrees = limit.unit[0] == 'd';
   const double factor = degrees ? kDegree<double> : 1.0;
   sentence << limit.name << " ";
-  sentence.fixed(factor * static_cast<double>(r.limit_value)) << " " << limit.unit << " is beyond ";
-  sentence.fixed(factor * static_cast<double>(r.limit_bound)) << " " << limit.unit;
+  const double bound = static_cast<double>(r.limit_bound);
+  const double zero = r.limit == TrimLimit::long_stick ? std::fabs(bound) : 0.0;
+  sentence.fixed(factor * (zero + static_cast<double>(r.limit_value))) << " " << limit.unit << " is beyond ";
+  sentence.fixed(factor * (zero + bound)) << " " << limit.unit;
 }
 
 }  // namespace trim_detail

@@ -1,0 +1,80 @@
+#include "cli/flight_range.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "cli/errors.hpp"
+#include "cli/number.hpp"
+#include "tiltrotor/math/waist.hpp"
+#include "tiltrotor/model/control_range.hpp"
+
+namespace tiltrotor::cli {
+
+namespace {
+
+constexpr int digits = 6;
+constexpr double rounding = 1e-9;  // of a trim and its inputs
+
+// A range and a value in the unit of the command line.
+struct Shown {
+  explicit Shown(int control) : angle(kControlNames[control].unit == std::string("rad")), control_(control) {}
+  const char* unit() const {
+    return angle ? "deg" : control_ <= iu_pedal ? "in from neutral" : kControlNames[control_].unit;
+  }
+  std::string text(double value) const {
+    if (std::abs(value) < rounding) value = 0;
+    return number_text(angle ? given_as(value, kRadian<double>) : value, digits) + " " + unit();
+  }
+  Range range(double low, double high) const {
+    const double size = angle ? kRadian<double> : 1;
+    return {low / size, high / size, unit()};
+  }
+  bool angle;
+
+ private:
+  int control_;
+};
+
+}  // namespace
+
+double largest_amplitude(int control) {
+  const ControlRange<double> range = control_range<double>(control);
+  return range.high - range.low;
+}
+
+void require_inputs(const Simulation<double>& simulation, const std::string& where) {
+  double trimmed[control_count];
+  pack(simulation.controls, trimmed);
+  for (int i = 0; i < simulation.inputs; ++i) {
+    const InputSignal<double>& signal = simulation.input[i];
+    const int control = signal.control;
+    const ControlRange<double> range = control_range<double>(control);
+    // Inputs change at these times only.
+    for (const double edge :
+         {signal.start, signal.start + signal.duration, signal.start + 2 * signal.duration}) {
+      double value = trimmed[control];
+      for (int k = 0; k < simulation.inputs; ++k)
+        if (simulation.input[k].control == control) value += value_at(simulation.input[k], edge);
+      const double low = std::min(range.low, trimmed[control]);
+      const double high = std::max(range.high, trimmed[control]);
+      if (value >= low - rounding && value <= high + rounding) continue;
+      const Shown shown(control);
+      throw UsageError(where + ": " + kControlNames[control].name + " would be " + shown.text(value) +
+                       " at " + number_text(edge, digits) + " s (" + shown.text(trimmed[control]) +
+                       " in trim), outside " + range_text(shown.range(range.low, range.high)));
+    }
+  }
+}
+
+std::string fault_text(const Simulation<double>& simulation) {
+  const int state = simulation.fault_state;
+  if (state < 0) return "";
+  double x[state_count];
+  pack(simulation.state, x);
+  const StateName& name = kStateNames[state];
+  const double bound = response_detail::state_bound<double>(state);
+  return std::string(", state ") + name.name + ", " + number_text(x[state], digits) + " " + name.unit +
+         " in the last good step, range " + range_text({-bound, bound, name.unit});
+}
+
+}  // namespace tiltrotor::cli

@@ -1,0 +1,206 @@
+#include "cli/state_columns.hpp"
+
+#include <algorithm>
+
+#include "cli/flight_options.hpp"
+#include "cli/number.hpp"
+#include "cli/response_columns.hpp"
+#include "cli/trim_columns.hpp"
+#include "tiltrotor/math/waist.hpp"
+#include "tiltrotor/model/aircraft_data.hpp"
+
+namespace tiltrotor::cli {
+
+namespace {
+
+struct PrintedName {
+  const char* name;
+  const char* unit;
+};
+// In the order of kStateNames.
+constexpr PrintedName printed_states[state_count] = {
+    {"u_mps", "m/s"},
+    {"v_mps", "m/s"},
+    {"w_mps", "m/s"},
+    {"p_degps", "deg/s"},
+    {"q_degps", "deg/s"},
+    {"r_degps", "deg/s"},
+    {"roll_deg", "deg"},
+    {"pitch_deg", "deg"},
+    {"yaw_deg", "deg"},
+    {"b1c_right_deg", "deg"},
+    {"b1s_right_deg", "deg"},
+    {"b1c_rate_right_degps", "deg/s"},
+    {"b1s_rate_right_degps", "deg/s"},
+    {"n0_right", "-"},
+    {"nc_right", "-"},
+    {"ns_right", "-"},
+    {"b1c_left_deg", "deg"},
+    {"b1s_left_deg", "deg"},
+    {"b1c_rate_left_degps", "deg/s"},
+    {"b1s_rate_left_degps", "deg/s"},
+    {"n0_left", "-"},
+    {"nc_left", "-"},
+    {"ns_left", "-"},
+    {"downwash_deg", "deg"},
+    {"coning_right_deg", "deg"},
+    {"coning_rate_right_degps", "deg/s"},
+    {"coning_left_deg", "deg"},
+    {"coning_rate_left_degps", "deg/s"},
+    {"north_m", "m"},
+    {"east_m", "m"},
+    {"down_m", "m"},
+};
+
+// Names of the reference files and of the program for the four inceptors.
+struct InceptorColumn {
+  const char* name;
+  int control;
+  const char* unit;
+  bool from_rear_stop = false;
+};
+constexpr InceptorColumn inceptor_columns[] = {
+    {"th75_rad", iu_collective, "rad"},
+    {"collective75_deg", iu_collective, "deg"},
+    {"lon_in", iu_long_stick, "in"},
+    {"long_stick_from_neutral_in", iu_long_stick, "in"},
+    {"long_stick_in", iu_long_stick, "in", true},
+    {"lat_in", iu_lat_stick, "in"},
+    {"lat_stick_in", iu_lat_stick, "in"},
+    {"ped_in", iu_pedal, "in"},
+    {"pedal_in", iu_pedal, "in"},
+};
+
+struct SettingColumn {
+  const char* name;
+  Target target;
+  double (*value)(const FlightSetup<double>&);
+};
+constexpr SettingColumn setting_columns[] = {
+    {"mast_deg", {Target::mast, 0, 1, 0, "deg"}, [](const FlightSetup<double>& s) { return s.mast_deg; }},
+    {"altitude_m", {Target::altitude, 0, 1, 0, "m"}, [](const FlightSetup<double>& s) { return s.altitude; }},
+    {"flap_deg", {Target::flap, 0, 1, 0, "deg"}, [](const FlightSetup<double>& s) { return s.flap_deg; }},
+    {"rotor_rpm",
+     {Target::rotor_speed, 0, kPi<double> / 30, 0, "rpm"},
+     [](const FlightSetup<double>& s) { return s.rotor_speed; }},
+    {"mass_kg", {Target::mass, 0, 1, 0, "kg"}, [](const FlightSetup<double>& s) { return s.mass; }},
+    {"cg_sl_in", {Target::sl_cg, 0, kInch, 0, "in"}, [](const FlightSetup<double>& s) { return s.sl_cg; }},
+};
+
+double unit_size(const std::string& unit) { return unit.compare(0, 3, "deg") == 0 ? kRadian<double> : 1; }
+
+std::string increment_column(int control) {
+  const std::string unit = kControlNames[control].unit;
+  return std::string(kControlNames[control].name) + "_" + (unit == "m/s" ? "mps" : unit);
+}
+// As printed, in degrees; gusts have the name above.
+std::string printed_increment(int control) {
+  return std::string(kControlNames[control].name) + "_increment_deg";
+}
+
+std::optional<Target> find_control(const std::string& column) {
+  for (const InceptorColumn& inceptor : inceptor_columns) {
+    if (column != inceptor.name) continue;
+    const double zero = inceptor.from_rear_stop ? aircraft_data<double>().controls.long_travel : 0;
+    return Target{Target::control, inceptor.control, unit_size(inceptor.unit), zero, inceptor.unit};
+  }
+  for (int i = iu_pedal + 1; i < control_count; ++i) {
+    if (column == increment_column(i)) return Target{Target::control, i, 1, 0, kControlNames[i].unit};
+    if (i < iu_gust && column == printed_increment(i))
+      return Target{Target::control, i, kRadian<double>, 0, "deg"};
+  }
+  return std::nullopt;
+}
+
+bool contains(const std::vector<std::string>& names, const std::string& name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+const std::vector<std::string>& derived_columns() {
+  static const std::vector<std::string> names = [] {
+    std::vector<std::string> all = trim_columns();
+    for (const std::string& name : response_columns(true)) all.push_back(name);
+    return all;
+  }();
+  return names;
+}
+
+}  // namespace
+
+std::optional<Target> find_target(const std::string& column) {
+  if (column.compare(0, 2, "d_") == 0) return Target{Target::rate};
+  if (column == "case") return Target{Target::name};
+  for (const SettingColumn& setting : setting_columns) {
+    if (column == setting.name) return setting.target;
+  }
+  for (int i = 0; i < state_count; ++i) {
+    if (column == kStateNames[i].name) return Target{Target::state, i, 1, 0, kStateNames[i].unit};
+    const PrintedName& printed = printed_states[i];
+    if (column == printed.name) return Target{Target::state, i, unit_size(printed.unit), 0, printed.unit};
+  }
+  if (const std::optional<Target> control = find_control(column)) return control;
+  if (contains(derived_columns(), column)) return Target{Target::derived};
+  return std::nullopt;
+}
+
+std::vector<std::string> known_columns() {
+  std::vector<std::string> names = {"case"};
+  for (const SettingColumn& setting : setting_columns) names.emplace_back(setting.name);
+  for (int i = 0; i < state_count; ++i)
+    for (const std::string& name : state_columns(i)) names.push_back(name);
+  for (int i = 0; i < control_count; ++i)
+    for (const std::string& name : control_columns(i)) names.push_back(name);
+  return names;
+}
+
+std::vector<std::string> state_columns(int state) {
+  return {kStateNames[state].name, printed_states[state].name};
+}
+
+std::vector<std::string> control_columns(int control) {
+  std::vector<std::string> names;
+  for (const InceptorColumn& inceptor : inceptor_columns)
+    if (inceptor.control == control) names.emplace_back(inceptor.name);
+  if (control > iu_pedal) names.push_back(increment_column(control));
+  if (control > iu_pedal && control < iu_gust) names.push_back(printed_increment(control));
+  return names;
+}
+
+std::vector<int> needed_states(const Options& options) {
+  const ActiveStates active = active_states(options, true);
+  std::vector<int> states;
+  for (int i = 0; i < state_count; ++i) {
+    const bool alive = std::find(active.index, active.index + active.count, i) != active.index + active.count;
+    if (i < ix_coning_right || alive) states.push_back(i);
+  }
+  return states;
+}
+
+std::vector<std::string> completing_columns(const std::vector<std::string>& columns, const Options& options,
+                                            bool with_increments) {
+  std::vector<std::string> missing;
+  const auto complete = [&](const std::vector<std::string>& names) {
+    const bool there =
+        std::any_of(names.begin(), names.end(), [&](const std::string& n) { return contains(columns, n); });
+    if (!there) missing.push_back(names.back());
+  };
+  for (const int i : needed_states(options)) complete(state_columns(i));
+  for (int j = iu_pedal + 1; with_increments && j < control_count; ++j) complete(control_columns(j));
+  for (const SettingColumn& setting : setting_columns) complete({setting.name});
+  return missing;
+}
+
+double completing_value(const std::string& column, const Configuration<double>& c, const State<double>& x,
+                        const Controls<double>& u) {
+  const Target target = *find_target(column);
+  double states[state_count], controls[control_count];
+  pack(x, states);
+  pack(u, controls);
+  if (target.kind == Target::state) return target.shown(states[target.index]);
+  if (target.kind == Target::control) return target.shown(controls[target.index]);
+  const auto setting = std::find_if(std::begin(setting_columns), std::end(setting_columns),
+                                    [&](const SettingColumn& s) { return column == s.name; });
+  return given_as(setting->value(c.setup), target.unit);
+}
+
+}  // namespace tiltrotor::cli

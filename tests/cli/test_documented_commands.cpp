@@ -1,0 +1,192 @@
+// Every command line of the README and of the help is run as it stands there, found by its form: an indented
+// line of the README that holds build/tiltrotor, and what follows "Example: ". Each succeeds.
+#include <filesystem>
+#include <regex>
+#include <sstream>
+
+#include "check.hpp"
+#include "cli/scratch_folder.hpp"
+#include "run_program.hpp"
+
+using check::run_program;
+using check::run_tiltrotor;
+using check::ScratchFolder;
+
+namespace {
+
+std::string file_text(const std::string& name) {
+  std::ifstream in(check::source_path(name), std::ios::binary);
+  return std::string(std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>());
+}
+
+std::vector<std::string> lines_of(const std::string& text) {
+  std::vector<std::string> lines;
+  std::istringstream in(text);
+  for (std::string line; std::getline(in, line);) lines.push_back(line);
+  return lines;
+}
+
+// Indented lines that call the program; one that ends in a backslash goes on.
+std::vector<std::string> readme_commands() {
+  std::vector<std::string> commands;
+  std::string whole;
+  for (std::string line : lines_of(file_text("README.md"))) {
+    if (line.compare(0, 4, "    ") != 0) continue;
+    const bool goes_on = line.back() == '\\';
+    if (goes_on) line.pop_back();
+    whole += line;
+    if (goes_on) continue;
+    if (whole.find("build/tiltrotor") != std::string::npos) commands.push_back(whole.substr(4));
+    whole.clear();
+  }
+  return commands;
+}
+
+std::string replaced(const std::string& text, const std::string& pattern, const std::string& by) {
+  return std::regex_replace(text, std::regex(pattern), by);
+}
+
+// What GNU parallel and Slurm run: the quoted line for one shard, of so many that it is short.
+std::string one_job(const std::string& command) {
+  const std::size_t open = command.find('\'');
+  std::string job = command.substr(open + 1, command.rfind('\'') - open - 1);
+  job = replaced(job, "--shard \\S+", "--shard 1/5000");
+  return replaced(job, "\\{\\}|\\$SLURM_ARRAY_TASK_ID", "1");
+}
+
+void check_succeeds(const std::string& command, const std::string& name) {
+  const ScratchFolder folder;
+  const std::string first = command.find("# after: ") == std::string::npos
+                                ? ""
+                                : command.substr(command.find("# after: ") + 9) + " && ";
+  std::string line = replaced(first + command, "(^|[|(&] *)" + name + " ", "$1PROGRAM ");
+  for (std::size_t place; (place = line.find("PROGRAM ")) != std::string::npos;)
+    line.replace(place, 7, check::built("tiltrotor"));
+  const check::ProgramResult result = run_program("cd " + check::quoted(folder.path("")) + " && " + line);
+  const bool passed = result.exit_status == 0 && result.err.empty();
+  if (!CHECK(passed)) NOTE(command << ": exit " << result.exit_status << ", stderr: " << result.err);
+}
+
+// Examples that the help shows: of the program, and of each command it lists.
+std::vector<std::string> help_examples(const std::string& help) {
+  std::vector<std::string> examples;
+  for (const std::string& line : lines_of(help))
+    if (line.compare(0, 9, "Example: ") == 0) examples.push_back(line.substr(9));
+  return examples;
+}
+
+std::vector<std::string> listed_commands() {
+  std::vector<std::string> names;
+  const std::regex item("  ([a-z]+) +\\S.*");
+  std::smatch match;
+  for (const std::string& line : lines_of(run_tiltrotor("--help").out))
+    if (std::regex_match(line, match, item)) names.push_back(match[1]);
+  return names;
+}
+
+}  // namespace
+
+TEST(cli_help_commands_of_the_readme_succeed) {
+  const std::vector<std::string> commands = readme_commands();
+  CHECK_LE(10u, commands.size());
+  for (const std::string& command : commands) {
+    const bool direct = command.compare(0, 15, "build/tiltrotor") == 0;
+    check_succeeds(direct ? command : "( " + one_job(command) + " )", "build/tiltrotor");
+  }
+}
+
+// `report` draws everything: its example is run by the slow test.
+TEST(cli_help_examples_succeed) {
+  const std::vector<std::string> names = listed_commands();
+  CHECK_EQ(names.size(), 10u);
+  CHECK_EQ(help_examples(run_tiltrotor("--help").out).size(), 1u);
+  check_succeeds(help_examples(run_tiltrotor("--help").out)[0], "tiltrotor");
+  for (const std::string& name : names) {
+    const std::vector<std::string> examples = help_examples(run_tiltrotor(name + " --help").out);
+    if (!CHECK_EQ(examples.size(), 1u)) NOTE(name);
+    for (const std::string& example : examples)
+      if (name != "report") check_succeeds(example, "tiltrotor");
+  }
+}
+
+TEST(slow_cli_help_example_of_report_succeeds) {
+  const ScratchFolder folder;
+  const std::string example = help_examples(run_tiltrotor("report --help").out).at(0);
+  const check::ProgramResult result =
+      run_program("cd " + check::quoted(folder.path("")) + " && " +
+                  replaced(example, "^tiltrotor", replaced(check::built("tiltrotor"), "\\$", "$$$$")));
+  CHECK_EQ(result.exit_status, 0);
+}
+
+TEST(cli_help_examples_of_inputs_succeed) {
+  const std::string help = run_tiltrotor("respond --help").out;
+  const std::size_t begin = help.find("\nExamples: ") + 11;
+  std::istringstream inputs(help.substr(begin, help.find('\n', begin) - begin));
+  int count = 0;
+  for (std::string input; inputs >> input; ++count)
+    CHECK_EQ(run_tiltrotor("respond --speed 40 --duration 0.01 --input " + input).exit_status, 0);
+  CHECK_EQ(count, 3);
+}
+
+// "--option NAME=VALUE (trim --help lists them)": every switch with its values, and each value is accepted.
+TEST(cli_help_lists_the_switches_of_the_model) {
+  const std::string help = run_tiltrotor("trim --help").out;
+  CHECK(help.find("  tables=c1|linear ") != std::string::npos);
+  const std::regex item("  ([a-z_]+)=(\\S+) +\\S.*");
+  std::smatch match;
+  int switches = 0;
+  for (const std::string& line : lines_of(help)) {
+    if (!std::regex_match(line, match, item)) continue;
+    ++switches;
+    const std::string first = replaced(match[2].str(), "(\\||\\.\\.).*", "");
+    const check::ProgramResult result =
+        run_tiltrotor("trim --speed 40 --option " + match[1].str() + "=" + first);
+    if (!CHECK(result.exit_status != 2)) NOTE(result.err);
+  }
+  CHECK_LE(30, switches);
+  for (const char* command : {"linearize", "modes", "respond", "derivative", "loads", "rotor"})
+    CHECK(run_tiltrotor(std::string(command) + " --help").out.find("  tables=c1|linear ") !=
+          std::string::npos);
+}
+
+// Goals of make that the README names are goals of the Makefile.
+TEST(cli_help_goals_of_the_readme_exist) {
+  std::string rules;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(check::source_path(""))) {
+    const std::string name = entry.path().filename().string();
+    if (name == "Makefile" || entry.path().extension() == ".mk") {
+      std::ifstream in(entry.path());
+      rules += "\n" + std::string(std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>());
+    }
+  }
+  const std::string readme = file_text("README.md");
+  const std::regex call("(`|\n    )make ([a-z-]+)");
+  int goals = 0;
+  for (std::sregex_iterator i(readme.begin(), readme.end(), call), end; i != end; ++i, ++goals) {
+    const std::string goal = (*i)[2];
+    if (!CHECK(rules.find("\n" + goal + ":") != std::string::npos)) NOTE("make " << goal);
+  }
+  CHECK_LE(10, goals);
+}
+
+// The README's bounds of memory are those that `make budget` checks.
+TEST(cli_help_bounds_of_the_readme_are_checked) {
+  const std::string limits = file_text("tests/budget/limits.csv");
+  const std::string readme = file_text("README.md");
+  const auto limit = [&](const std::string& name) {
+    const std::size_t place = limits.find("\n" + name + ",");
+    return std::strtod(limits.c_str() + place + name.size() + 2, nullptr);
+  };
+  const auto states = [&](const std::string& sentence) {
+    if (!CHECK(replaced(readme, "\\s+", " ").find(sentence) != std::string::npos)) NOTE(sentence);
+  };
+  const auto kib = [&](const std::string& name) {
+    return std::to_string(static_cast<int>(limit(name) / 1024)) + " KiB";
+  };
+  states(kib("code_and_constants") + " of ROM and " + kib("ram_with_stack") + " of RAM");
+  double largest = 0;
+  for (const std::string& line : lines_of(limits))
+    if (line.compare(0, 14, "host_stack_tr_") == 0)
+      largest = std::max(largest, limit(line.substr(0, line.find(','))));
+  states("no call needs more than " + std::to_string(static_cast<int>(largest / 1024)) + " KiB of stack");
+}
