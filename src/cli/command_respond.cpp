@@ -165,7 +165,7 @@ OptionList options() {
       {"--dt", "S", "time step, 1e-4..0.1 (0.005)"},
       {"--method", "NAME", "rk3 (stable to 0.016 s), rk4 (0.018 s), or rodas3, for long steps (rk4)"},
       {"--modes-every", "S",
-       "adds name, real and imaginary part of the body's modes to a row\nevery S seconds"},
+       "adds name, real and imaginary part and branch of the body's modes\nto a row every S seconds"},
       {"--matrices", "DIR", "writes A and B at every step to DIR/a.csv and DIR/b.csv"},
   };
 }

@@ -49,7 +49,8 @@ struct WithoutTailWash {
 
 struct Records {
   Table motion{{"case", "time_s", "u_mps", "w_mps", "climb_mps", "ground_speed_mps", "q_degps", "pitch_deg"}};
-  Table modes{{"case", "time_s", "axis", "mode", "real", "imag", "frequency_rad_s", "damping_ratio"}};
+  Table modes{
+      {"case", "time_s", "axis", "mode", "real", "imag", "frequency_rad_s", "damping_ratio", "branch"}};
 };
 
 void record_motion(const std::string& name, const Simulation<double>& s, Table& table) {
@@ -63,17 +64,15 @@ void record_motion(const std::string& name, const Simulation<double>& s, Table& 
              degrees(x.pitch)});
 }
 
-void record_modes(const std::string& name, const Configured& c, const Simulation<double>& s, Modes& modes,
-                  bool follows, Table& table) {
-  auto now = std::make_unique<Modes>(modes_of(linear_model(c, s.state, current_controls(s), kInceptors)));
-  if (follows) continue_names(modes, *now);
-  for (int k = 0; k < now->count; ++k) {
-    const Mode<double>& m = now->mode[k];
+void record_modes(const std::string& name, double time, const Linear& model, cli::ModeTracker& tracker,
+                  Table& table) {
+  const Modes& now = modes_of(model, tracker, true);
+  for (int k = 0; k < now.count; ++k) {
+    const Mode<double>& m = now.mode[k];
     if (!is_body_mode(m)) continue;
-    table.add({name, current_time(s), std::string(axis_word(m.axis)), std::string(m.name), m.real, m.imag,
-               m.frequency, m.damping_ratio});
+    table.add({name, time, std::string(axis_word(m.axis)), std::string(m.name), m.real, m.imag, m.frequency,
+               m.damping_ratio, static_cast<double>(m.branch)});
   }
-  modes = *now;
 }
 
 void fly(const Case& which, Records& records) {
@@ -87,7 +86,7 @@ void fly(const Case& which, Records& records) {
 
   Simulation<double> flight;
   const auto work = std::make_unique<SimulationWorkspace<double>>();
-  const auto modes = std::make_unique<Modes>();
+  cli::ModeTracker tracker;
   const double one_degree = kRadian<double>;
   Status status = start(c, trim.state, trim.controls, kStep, Integrator::rk4, flight);
   if (status == Status::ok)
@@ -97,7 +96,12 @@ void fly(const Case& which, Records& records) {
   const int second = static_cast<int>(std::lround(1 / kStep));
   for (int k = 0; k <= steps && status == Status::ok; ++k) {
     if (k % record_steps == 0) record_motion(which.name, flight, records.motion);
-    if (k % second == 0) record_modes(which.name, c, flight, *modes, k > 0, records.modes);
+    // The input acts from 0 s on: the roots before it are those of the trim.
+    const Controls<double> controls = k > 0 ? current_controls(flight) : trim.controls;
+    if (k % second == 0) {
+      record_modes(which.name, current_time(flight), linear_model(c, flight.state, controls, kInceptors),
+                   tracker, records.modes);
+    }
     if (k < steps) status = advance(c, *work, flight);
   }
   if (status != Status::ok)

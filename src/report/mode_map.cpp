@@ -20,15 +20,9 @@ Table sweep_table(const Sweeps& sweeps) {
   for (const SpeedSweep& sweep : sweeps) {
     if (std::find(std::begin(kShownMasts), std::end(kShownMasts), sweep.mast_deg) == std::end(kShownMasts))
       continue;
-    auto previous = std::make_unique<Modes>();
-    auto current = std::make_unique<Modes>();
-    for (std::size_t i = 0; i < sweep.flights.size(); ++i) {
-      const LevelFlight& f = sweep.flights[i];
-      *current = modes_of(sweep.c, f.trim);
-      if (i > 0) continue_names(*previous, *current);
-      add_modes(table, {sweep.mast_deg, f.speed_mps}, *current);
-      std::swap(previous, current);
-    }
+    cli::ModeTracker tracker;
+    for (const LevelFlight& f : sweep.flights)
+      add_modes(table, {sweep.mast_deg, f.speed_mps}, modes_of(linear_model(sweep.c, f.trim), tracker, true));
   }
   return table;
 }
