@@ -156,15 +156,15 @@ std::vector<Finding> statements(const Records& records) {
     const int held = (climb > 0) + (slower < 0) + (nose > 0);
     std::string found = capitalized(which.name) + ", after 3 s: climb " + with_sign(climb, 2) +
                         " m/s, speed " + with_sign(slower, 2) + " m/s, pitch " + with_sign(nose, 2) + " deg.";
-    if (held < 3) {
+    if (which.tail_wash && nose < 0) {
       found +=
           " Cause: more collective strengthens the rotor wash; the wash tables at the horizontal tail turn "
           "that into "
           "upwash, and the tail pushes the nose down harder than the disks tilt back. The third case, "
           "without that wash, "
-          "shows it. The paper does not state its flap setting.";
+          "shows what is left. The paper does not state its flap setting.";
     }
-    findings.push_back({held == 3 ? Finding::holds : Finding::partly,
+    findings.push_back({verdict_of(held, 3),
                         "After +1 deg collective at 40 m/s the aircraft climbs, slows and pitches up.",
                         found});
   }
@@ -174,20 +174,15 @@ std::vector<Finding> statements(const Records& records) {
     for (const char* axis : {"longitudinal", "lateral"}) {
       const Root before = least_stable(records.modes, which.name, axis, 0);
       const Root after = least_stable(records.modes, which.name, axis, kDuration);
-      held += after.real > before.real;
+      const double change = after.real - before.real;
+      held += change > 0;
       found += std::string(" ") + axis + " " + root_text(before.real, before.imag) + " becomes " +
-               root_text(after.real, after.imag) + ";";
+               root_text(after.real, after.imag) + " (" + with_sign(change, 4) + "/s, " +
+               (change > 0 ? "less" : "more") + " stable);";
     }
     found.back() = '.';
-    if (held < 2) {
-      found +=
-          " Here the aircraft slows and pitches up, towards a state in which the slow oscillation is better "
-          "damped.";
-    }
-    findings.push_back({held == 2   ? Finding::holds
-                        : held == 1 ? Finding::partly
-                                    : Finding::differs,
-                        "The slow modes are less stable 3 s after the step than before it.", found});
+    findings.push_back(
+        {verdict_of(held, 2), "The slow modes are less stable 3 s after the step than before it.", found});
   }
   return findings;
 }
@@ -195,7 +190,7 @@ std::vector<Finding> statements(const Records& records) {
 Picture root_picture(const char* axis, const Table& modes) {
   Plot plot;
   plot.id = std::string("response_modes_") + axis;
-  plot.title = capitalized(axis) + " roots at 0, 1, 2, 3 s";
+  plot.title = capitalized(axis) + " roots before (0) and 1, 2, 3 s after";
   plot.x.label = "Real part, 1/s";
   plot.y.label = "Imaginary part, rad/s";
   plot.x.zero_line = true;
@@ -233,9 +228,12 @@ Picture root_picture(const char* axis, const Table& modes) {
 Section collective_response() {
   Section section{"response", "Response to +1 deg collective at 40 m/s", "", {}, {}, {}};
   section.reading =
-      "Helicopter mode, level flight, then one degree more collective and nothing else; nonlinear model, "
-      "Runge-Kutta, 5 ms. "
-      "The roots are those of the linear model at the state reached, which is no equilibrium.";
+      "Mast 0, 40 m/s, level flight, then one degree more collective and nothing else; rotor speed is held "
+      "at "
+      "589 rpm, no governor acts. Nonlinear model, Runge-Kutta, 5 ms. The roots at 0 s are those of the "
+      "trim, "
+      "before the input; later ones belong to the linear model at the state reached, which is no "
+      "equilibrium.";
   Records records;
   for (const Case& which : kCases) fly(which, records);
   const Table& motion = records.motion;
@@ -248,7 +246,8 @@ Section collective_response() {
       root_picture("lateral", records.modes)};
   section.findings = statements(records);
   section.tables.push_back({"response", "motion every 0.05 s", records.motion});
-  section.tables.push_back({"response_modes", "eigenvalues at 0, 1, 2, 3 s", records.modes});
+  section.tables.push_back(
+      {"response_modes", "eigenvalues of the trim (0 s) and 1, 2, 3 s after the input", records.modes});
   return section;
 }
 

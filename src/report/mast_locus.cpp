@@ -42,7 +42,7 @@ Section mast_locus() {
   section.reading =
       "The masts tilt, the speed stays: numbers along each branch are mast angles in deg. Flap 20/12.5 and "
       "589 rpm "
-      "throughout, so that only the masts move.";
+      "throughout, rotor speed and collective held, so that only the masts move.";
   const Table table = locus_table();
   for (const char* axis : {"longitudinal", "lateral"}) {
     for (const double speed : kSpeeds) {

@@ -91,6 +91,8 @@ TEST(modes_rules_longitudinal) {
   const Shares slow = share(&Shares::u, 0.5, &Shares::pitch, 0.5);
   CHECK_EQ(longitudinal({root(-0.1, 0.3, slow), root(-1, 2, fast)}), "phugoid short_period");
   CHECK_EQ(longitudinal({root(-1, 2, fast), root(-0.1, 0.3, slow)}), "short_period phugoid");
+  // Whatever their frequencies.
+  CHECK_EQ(longitudinal({root(0.1, 0.4, slow), root(-0.35, 0.1, fast)}), "phugoid short_period");
   // One pair of speed and attitude: heave, and pitch where two real roots are left.
   const Mode<double> heave = root(-0.3, 0, share(&Shares::w, 1)), pitch = root(-0.8, 0, share(&Shares::q, 1));
   CHECK_EQ(longitudinal({root(0.1, 0.4, slow), heave, pitch}), "phugoid heave pitch_subsidence");
@@ -130,6 +132,7 @@ TEST(modes_rules_lateral) {
   CHECK_EQ(lateral({root(-0.3, 1.5, yaw), roll, spiral}), "dutch_roll roll spiral");
   CHECK_EQ(lateral({spiral, roll, root(-0.3, 1.5, yaw)}), "spiral roll dutch_roll");
   CHECK_EQ(lateral({root(-0.1, 0.2, yaw), root(-0.3, 1.5, yaw)}), "roll_spiral dutch_roll");
+  CHECK_EQ(lateral({root(0.05, 0.36, yaw), root(-0.39, 0.13, yaw)}), "dutch_roll roll_spiral");
   CHECK_EQ(lateral({middle, roll, spiral, root(-1, 0, yaw)}),
            "aperiodic_dutch_roll roll spiral aperiodic_dutch_roll");
   // The spiral need not be the slowest: which two are the Dutch roll is seen by their distance.

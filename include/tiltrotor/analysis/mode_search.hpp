@@ -162,14 +162,16 @@ struct Halves {
   Selection fast, slow;  // each a pair or two real roots
 };
 
-// With two pairs the frequency tells them apart, else what takes part in the one there is.
+// What takes part tells two pairs apart, or what the one pair is. Frequency would not: heave and pitch may
+// form a pair slower than the phugoid.
 template <class R>
 Halves longitudinal_halves(const ModeSet<R>& set, const Selection& modes) {
   Selection pairs, reals;
   by_kind_of_root(set, modes, pairs, reals);
   if (pairs.count > 1) {
     Selection fast;
-    fast.add(take_largest(set, pairs, [](const Mode<R>& m) { return m.frequency; }));
+    fast.add(take_largest(
+        set, pairs, [](const Mode<R>& m) { return m.shares.w + m.shares.q - m.shares.u - m.shares.pitch; }));
     return {fast, pairs};
   }
   const Selection two = pairs.count == 1 ? pairs : take_closest(set, reals);
@@ -201,16 +203,17 @@ void name_longitudinal(ModeSet<R>& set, const Selection& modes) {
   name_all(set, half.fast, axis, ModeKind::heave);
 }
 
-// One half is the Dutch roll, the faster of two pairs and the only one there is; the other roll (the root
-// with more roll rate) and spiral, or both coupled.
+// One half is the Dutch roll: the only pair, or of two the one that oscillates faster, since roll and spiral
+// begin as a pair with a long period. The other half is roll (the root with more roll rate) and spiral, or
+// both coupled.
 template <class R>
 void name_lateral(ModeSet<R>& set, const Selection& modes) {
   const ModeAxis axis = ModeAxis::lateral;
   Selection pairs, reals;
   by_kind_of_root(set, modes, pairs, reals);
   if (pairs.count > 0) {
-    const auto fast = [](const Mode<R>& m) { return m.frequency; };
-    name_mode(set, take_largest(set, pairs, fast), axis, ModeKind::dutch_roll);
+    const auto oscillation = [](const Mode<R>& m) { return m.imag; };
+    name_mode(set, take_largest(set, pairs, oscillation), axis, ModeKind::dutch_roll);
   } else {
     name_all(set, take_closest(set, reals), axis, ModeKind::aperiodic_dutch_roll);
   }
