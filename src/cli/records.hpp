@@ -23,6 +23,7 @@ using Row = std::vector<Cell>;
 
 class Records {
  public:
+  // JSON rows end with a member "program" (identity.hpp); CSV has room for rows only.
   // `digits`: significant digits of numbers in CSV; a table shows fewer, JSON always the shortest exact text.
   // Without header: CSV whose header stands elsewhere (shards after the first).
   Records(Sink& sink, Format format, std::vector<std::string> columns, int digits, bool header = true);
