@@ -29,7 +29,8 @@ constexpr struct {
     {"roll_spiral", kPurple, Marker::diamond},
 };
 
-void set_style(const std::string& mode, Series& s) {
+void set_style(std::string mode, Series& s) {
+  if (mode.find_last_of("23") + 1 == mode.size()) mode.resize(mode.size() - 2);  // an ordinal: "_2"
   s.color = kBlack;
   s.marker = Marker::plus;
   for (const auto& style : kModeStyle) {
