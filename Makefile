@@ -94,7 +94,8 @@ BENCH_OBJECTS      := $(BENCH_SOURCE:bench/%.cpp=$(BUILD)/bench/%.o)
 OBJECTS            := $(TABLEGEN_OBJECTS) $(sort $(LIBRARY_OBJECTS) $(LIBRARY_ND_OBJECTS)) $(PROGRAM_OBJECTS) \
                       $(TEST_OBJECTS) $(BENCH_OBJECTS)
 
-GENERATED  := $(if $(TABLEGEN_SOURCE),$(BUILD)/generated/aircraft_tables.inc) $(BUILD)/generated/reference_points.inc
+GENERATED  := $(if $(TABLEGEN_SOURCE),$(BUILD)/generated/aircraft_tables.inc) $(BUILD)/generated/reference_points.inc \
+              $(BUILD)/generated/identity.inc
 # Everything of the program but main(): tests look into it.
 PROGRAM_PARTS := $(filter-out %/main.o,$(PROGRAM_OBJECTS))
 LIBRARIES  := $(BUILD)/libtiltrotor.a $(BUILD)/libtiltrotor-nd.a
@@ -168,6 +169,15 @@ STAMP_sources := $(AR) $(LDFLAGS) $(LDLIBS) $(OBJECTS)
 $(BUILD)/flags.stamp $(BUILD)/host.stamp $(BUILD)/tables.stamp $(BUILD)/sources.stamp: $(BUILD)/%.stamp: FORCE
 	@mkdir -p $(@D)
 	@printf '%s\n' '$(STAMP_$*)' | cmp -s - $@ || printf '%s\n' '$(STAMP_$*)' > $@
+
+# What every output names: aircraft and commit, the latter empty outside a git tree and with a + where files differ from
+# it. One small source includes it, so that a commit rebuilds nothing else.
+COMMIT   := $(shell test "$$(git rev-parse --show-toplevel 2>/dev/null)" = "$$(pwd -P)" && \
+              GIT_OPTIONAL_LOCKS=0 git describe --always --abbrev=12 --exclude='*' --dirty=+ 2>/dev/null)
+IDENTITY := "$(AIRCRAFT)", "$(COMMIT)"
+$(BUILD)/generated/identity.inc: FORCE
+	@mkdir -p $(@D)
+	@printf '%s\n' '$(IDENTITY)' | cmp -s - $@ || printf '%s\n' '$(IDENTITY)' > $@
 
 # ---- the aircraft, as constant arrays ----
 

@@ -288,9 +288,9 @@ typedef struct tr_mode {
   char name[32];          /* short_period, dutch_roll, flap_regressing_sym, ... */
 } tr_mode;
 
-/* Modes of a linear model made by tr_linearize, longitudinal ones first. `capacity` of shape->states is
- * always enough; *count is the number found, with TR_SHORT_BUFFER the number needed. TR_NOT_CONVERGED,
- * TR_NOT_FINITE, TR_SHORT_BUFFER. Cost: about 25 n^3 multiplications. */
+/* Modes of a linear model made by tr_linearize, longitudinal ones first; names depend on `a` alone.
+ * `capacity` of shape->states is always enough; *count is the number found, with TR_SHORT_BUFFER the number
+ * needed. TR_NOT_CONVERGED, TR_NOT_FINITE, TR_SHORT_BUFFER. Cost: about 25 n^3 multiplications. */
 tr_status tr_modes(tr_work* work, const tr_linear_shape* shape, const tr_real* a, size_t a_length,
                    tr_mode* modes, size_t capacity, size_t* count);
 

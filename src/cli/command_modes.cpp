@@ -17,18 +17,22 @@ namespace tiltrotor::cli {
 namespace {
 
 const std::vector<std::string> columns = {
-    "mast_deg",      "speed_mps",      "axis",   "mode",       "real",    "imag",    "frequency_rad_s",
-    "damping_ratio", "time_to_half_s", "status", "altitude_m", "mass_kg", "cg_sl_in"};
+    "mast_deg",      "speed_mps",      "axis",   "mode",       "real",    "imag",     "frequency_rad_s",
+    "damping_ratio", "time_to_half_s", "status", "altitude_m", "mass_kg", "cg_sl_in", "branch"};
 
-// Neighbours in a sweep of speed, or of the mast angle at one speed, closer than these.
-constexpr double speed_neighbour = 10;  // m/s
-constexpr double mast_neighbour = 10;   // deg
+// Branches are followed along a sweep of speed, or of mast angle at one speed, and numbered through it. A
+// shard begins with the sweep, to find the same numbers.
+bool same_sweep(const FlightCase& a, const FlightCase& b) {
+  return a.setup == b.setup && (a.mast_deg == b.mast_deg || a.flight.speed == b.flight.speed);
+}
 
-bool neighbours(const FlightCase& a, const FlightCase& b) {
-  const double speed_step = std::abs(a.flight.speed - b.flight.speed);
-  const double mast_step = std::abs(a.mast_deg - b.mast_deg);
-  return a.setup == b.setup && ((mast_step == 0 && speed_step <= speed_neighbour) ||
-                                (speed_step == 0 && mast_step <= mast_neighbour));
+// Steps of a sweep beyond these connect nothing.
+constexpr double longest_speed_step = 10;  // m/s
+constexpr double longest_mast_step = 10;   // deg
+
+bool neighbours(const TrimmedFlight& flight, double mast_deg, double speed) {
+  return std::abs(flight.flight.speed - speed) <= longest_speed_step &&
+         std::abs(flight.mast_deg - mast_deg) <= longest_mast_step;
 }
 
 void add_row(Records& records, const TrimmedFlight& flight, const char* status,
@@ -41,7 +45,8 @@ void add_row(Records& records, const TrimmedFlight& flight, const char* status,
                                 mode->frequency,       mode->damping_ratio, mode->time_to_half}
                           : Row{"", "", nothing, nothing, nothing, nothing, nothing};
   row.insert(row.end(), numbers.begin(), numbers.end());
-  for (const Cell& cell : Row{status, setup.altitude, setup.mass, given_as(setup.sl_cg, kInch)})
+  const double branch = mode != nullptr ? mode->branch : nothing;
+  for (const Cell& cell : Row{status, setup.altitude, setup.mass, given_as(setup.sl_cg, kInch), branch})
     row.push_back(cell);
   records.add(row);
 }
@@ -60,8 +65,14 @@ int run(const Arguments& arguments) {
   const AnalysesRoom room;
   const auto model = std::make_unique<LinearModel<double>>();
   ModeTracker tracker;
+  double mast_before = 0;
+  double speed_before = 0;
   const auto visit = [&](const TrimmedFlight& flight) -> int {
     const TrimResult<double>& trim = flight.trim;
+    const bool connects = flight.connects && neighbours(flight, mast_before, speed_before);
+    mast_before = flight.mast_deg;
+    speed_before = flight.flight.speed;
+    if (!flight.connects) tracker.begin_sweep();
     if (!is_trimmed(trim.status)) {
       tracker.lose_track();
       if (!flight.is_preliminary) add_row(records, flight, trim_status_word(trim.status));
@@ -69,7 +80,7 @@ int run(const Arguments& arguments) {
     }
     Status status = linearize(flight.configuration, trim.state, trim.controls, ControlSet{}, *room, *model);
     if (status == Status::ok && rigid) status = reduce_to_rigid(*model);
-    if (status == Status::ok) status = tracker.find(*model, flight.connects);
+    if (status == Status::ok) status = tracker.find(*model, connects);
     if (flight.is_preliminary) return exit_success;
     if (status == Status::ok) {
       add_rows(records, flight, tracker.found());
@@ -79,7 +90,7 @@ int run(const Arguments& arguments) {
     std::fprintf(stderr, "tiltrotor: %s: %s\n", flight.where.c_str(), status_text(status));
     return exit_case_failed;
   };
-  const int exit_status = for_each_trim(arguments, setups, output.shard(), *room, visit, neighbours);
+  const int exit_status = for_each_trim(arguments, setups, output.shard(), *room, visit, same_sweep);
   records.finish();
   return exit_status;
 }
@@ -87,17 +98,19 @@ int run(const Arguments& arguments) {
 }  // namespace
 
 Command modes_command() {
-  return {"modes",
-          "eigenvalues of A with names, frequency and damping",
-          "One row for every real root or conjugate pair, longitudinal, lateral, then rotor, slow modes "
-          "first. A\n"
-          "negative time_to_half_s is the time to double. Names come from the states that take part; along a "
-          "sweep in\n"
-          "steps of at most 10 m/s, or 10 deg of mast angle at one speed, they follow the mode.\n"
-          "--mast, --speed, --altitude, --mass and --cg-sl take a value, a list or a range.\n",
-          "tiltrotor modes --mast 30,60,90 --speed 60",
-          reduce_option() + flight_list() + SetupOptions::list() + Output::list(),
-          run};
+  return {
+      "modes",
+      "eigenvalues of A with names, frequency and damping",
+      "One row for every real root or conjugate pair, longitudinal, lateral, then rotor, slow modes\n"
+      "first. A negative time_to_half_s is the time to double. The name of a mode comes from its matrix\n"
+      "alone, from the states that take part. Which mode of one row continues which of another is the\n"
+      "number `branch`: followed along a sweep of speed at one mast angle (of mast angle at one speed) in\n"
+      "steps of at most 10 m/s (10 deg). Where a pair falls apart into two real roots, and at a flight\n"
+      "without a trim, branches end. A shard follows them from the beginning of its sweep.\n"
+      "--mast, --speed, --altitude, --mass and --cg-sl take a value, a list or a range.\n",
+      "tiltrotor modes --mast 30,60,90 --speed 60",
+      reduce_option() + flight_list() + SetupOptions::list() + Output::list(),
+      run};
 }
 
 }  // namespace tiltrotor::cli

@@ -184,8 +184,8 @@ OptionList options() {
       {"--method", "NAME",
        "rk3, rk4 (in equal parts of a step that is too long for\neither), or rodas3, for long steps (rk4)"},
       {"--modes-every", "S",
-       "adds name, real and imaginary part of the body's modes to a row\nevery S seconds, a multiple of "
-       "--dt"},
+       "adds name, real and imaginary part and branch of the body's modes\nto a row every S seconds, a "
+       "multiple of --dt"},
       {"--matrices", "DIR", "writes A and B at every step to DIR/a.csv and DIR/b.csv"},
   };
 }

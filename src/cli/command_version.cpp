@@ -2,8 +2,8 @@
 
 #include "cli/command.hpp"
 #include "cli/errors.hpp"
+#include "cli/identity.hpp"
 #include "cli/sink.hpp"
-#include "library/analyses.hpp"
 
 namespace tiltrotor::cli {
 
@@ -11,7 +11,7 @@ namespace {
 
 int run(const Arguments&) {
   Sink sink("-", "");
-  sink.write(std::string("tiltrotor " TILTROTOR_VERSION " (") + differentiation_name() + " derivatives)\n");
+  sink.write(identity_text() + "\n");
   sink.finish();
   return exit_success;
 }
@@ -20,8 +20,10 @@ int run(const Arguments&) {
 
 Command version_command() {
   return {"version",
-          "version, and how this program differentiates",
-          "Prints the version and the way of differentiation that was compiled in: automatic or numerical.\n",
+          "version, aircraft, commit, and how this program differentiates",
+          "Prints what was compiled in: version, aircraft, commit (where built from a git tree; + for "
+          "changed files)\n"
+          "and the way of differentiation, automatic or numerical.\n",
           "tiltrotor version",
           {},
           run};

@@ -3,6 +3,7 @@
 #include <functional>
 
 #include "cli/errors.hpp"
+#include "cli/identity.hpp"
 #include "cli/json.hpp"
 #include "cli/number.hpp"
 #include "cli/output.hpp"
@@ -110,7 +111,8 @@ void LinearOutput::add_json(const LinearCase& which, const Model& model) {
   };
   std::string text = count_ > 0 ? ",\n" : "";
   text += "{\n\"case\": " + json_text(which.name) + ",\n\"mast_deg\": " + json_number(which.mast_deg) +
-          ",\n\"speed_mps\": " + json_number(which.speed) + ",\n\"status\": " + json_text(which.status);
+          ",\n\"speed_mps\": " + json_number(which.speed) + ",\n\"status\": " + json_text(which.status) +
+          ",\n\"program\": " + program_json();
   if (which.valid) {
     const auto a = [&](int i, int j) { return model.a(i, j); };
     const auto b = [&](int i, int j) { return model.b(i, j); };
@@ -131,9 +133,10 @@ void LinearOutput::add_json(const LinearCase& which, const Model& model) {
 void LinearOutput::add_matlab(const LinearCase& which, const Model& model) {
   const std::string name = "model(" + std::to_string(count_ + 1) + ").";
   std::string text =
-      "% mast " + number_text(which.mast_deg) + " deg, " + number_text(which.speed) +
-      " m/s; xdot = A (x - x0) + B (u - u0)\n" + name + "mast_deg = " + number_text(which.mast_deg) + ";\n" +
-      name + "speed_mps = " + number_text(which.speed) + ";\n" + name + "status = '" + which.status + "';\n";
+      (count_ == 0 ? "% " + program_text() + "\n" : "") + "% mast " + number_text(which.mast_deg) + " deg, " +
+      number_text(which.speed) + " m/s; xdot = A (x - x0) + B (u - u0)\n" + name +
+      "mast_deg = " + number_text(which.mast_deg) + ";\n" + name + "speed_mps = " + number_text(which.speed) +
+      ";\n" + name + "status = '" + which.status + "';\n";
   if (which.valid) {
     const int n = model.states;
     const int m = model.controls;

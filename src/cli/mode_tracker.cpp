@@ -2,11 +2,25 @@
 
 namespace tiltrotor::cli {
 
+void ModeTracker::begin_sweep() {
+  has_previous_ = false;
+  branches_ = 0;
+}
+
 Status ModeTracker::find(const LinearModel<double>& model, bool connects) {
-  Status status = modes(model, room_->work, room_->current);
-  if (status == Status::ok && connects && has_previous_) status = follow(room_->previous, room_->current);
+  ModeSet<double>& set = room_->current;
+  Status status = modes(model, room_->work, set);
+  if (status == Status::ok && connects && has_previous_) {
+    status = follow(room_->previous, set);
+  } else {
+    for (int i = 0; i < set.count; ++i) set.mode[i].branch += branches_;
+    set.branches += branches_;
+  }
   has_previous_ = status == Status::ok;
-  if (has_previous_) room_->previous = room_->current;
+  if (has_previous_) {
+    branches_ = set.branches;
+    room_->previous = set;
+  }
   return status;
 }
 

@@ -1,4 +1,4 @@
-// Modes of one linear model after another, names carried along.
+// Modes of one linear model after another, and which continues which.
 #pragma once
 
 #include <memory>
@@ -7,8 +7,10 @@
 
 namespace tiltrotor::cli {
 
+// Numbers the branches of a sweep: each number stands for one branch, whatever lies between.
 class ModeTracker {
  public:
+  void begin_sweep();
   // `connects`: the model continues the one before. Status as modes().
   Status find(const LinearModel<double>& model, bool connects);
   const ModeSet<double>& found() const { return room_->current; }
@@ -20,6 +22,7 @@ class ModeTracker {
     ModeSet<double> previous, current;
   };
   bool has_previous_ = false;
+  int branches_ = 0;  // numbered so far
   std::unique_ptr<Room> room_ = std::make_unique<Room>();
 };
 

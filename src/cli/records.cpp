@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "cli/identity.hpp"
 #include "cli/json.hpp"
 #include "cli/number.hpp"
 
@@ -90,6 +91,7 @@ void Records::write_header() {
 void Records::write_json(const Row& row) {
   std::vector<JsonMember> members;
   for (std::size_t i = 0; i < row.size(); ++i) members.emplace_back(columns_[i], cell_json(row[i]));
+  members.emplace_back("program", program_json());
   sink_.write((count_ == 0 ? "[\n" : ",\n") + json_object(members));
 }
 

@@ -26,6 +26,7 @@ std::string csv_cell(const std::string& text);
 
 class Records {
  public:
+  // JSON rows end with a member "program" (identity.hpp); CSV has room for rows only.
   // `digits`: significant digits of numbers in CSV; a table shows fewer, JSON always the shortest exact text.
   // Numbers smaller than `resolution` are zero but for rounding and are written so, save those of the column
   // `residual`. Without header: CSV whose header stands elsewhere (shards after the first). Nothing is

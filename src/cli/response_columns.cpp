@@ -80,7 +80,7 @@ std::vector<std::string> response_columns(bool with_modes, const Options& option
   for (const std::string& name : completing_columns(own_columns(), options, true)) names.push_back(name);
   for (int i = 1; with_modes && i <= shown_modes; ++i) {
     const std::string name = "mode" + std::to_string(i);
-    names.insert(names.end(), {name, name + "_real", name + "_imag"});
+    names.insert(names.end(), {name, name + "_real", name + "_imag", name + "_branch"});
   }
   return names;
 }
@@ -100,10 +100,10 @@ void append_modes(Row& row, const ModeSet<double>* set) {
   for (int i = 0; set != nullptr && i < set->count && shown < shown_modes; ++i) {
     const Mode<double>& mode = set->mode[i];
     if (mode.axis == ModeAxis::rotor) continue;
-    row.insert(row.end(), {mode.name, mode.real, mode.imag});
+    row.insert(row.end(), {mode.name, mode.real, mode.imag, static_cast<double>(mode.branch)});
     ++shown;
   }
-  for (; shown < shown_modes; ++shown) row.insert(row.end(), {"", nothing, nothing});
+  for (; shown < shown_modes; ++shown) row.insert(row.end(), {"", nothing, nothing, nothing});
 }
 
 }  // namespace tiltrotor::cli

@@ -15,8 +15,8 @@ std::vector<std::string> response_columns(bool with_modes, const Options& option
 // State now and the controls that act from now on.
 Row response_row(const Configuration<double>& c, const Simulation<double>& simulation);
 
-// Name, real and imaginary part of the body's and the downwash's modes; the rotors' are left out. Empty cells
-// when `set` is null.
+// Name, real and imaginary part and branch of the body's and the downwash's modes; the rotors' are left out.
+// Empty cells when `set` is null.
 void append_modes(Row& row, const ModeSet<double>* set);
 
 }  // namespace tiltrotor::cli

@@ -94,7 +94,7 @@ Section control_response(const Sweeps& sweeps) {
   section.reading =
       "Angular acceleration for one inch of stick or pedal, and the damping that opposes the rate it builds "
       "up; rotors and "
-      "inflow in quasi-steady balance.";
+      "inflow in quasi-steady balance; rotor speed and collective held.";
   const Table table = response_table(sweeps);
   const Table estimate = reference_points("hover_control_response");
   for (const AxisOfControl& axis : kAxes) {
@@ -121,16 +121,14 @@ Section control_response(const Sweeps& sweeps) {
     };
     const int held =
         close("sensitivity_rad_s2_per_in") + close("control_power_rad_s2") + close("damping_1_per_s");
-    section.findings.push_back({held == 3  ? Finding::holds
-                                : held > 0 ? Finding::partly
-                                           : Finding::differs,
-                                "Hover, " + estimate.text(i, "axis") + ": the 1975 design estimate (30 %).",
-                                "Sensitivity " + compare("sensitivity_rad_s2_per_in") +
-                                    " rad/s² per inch, control power " + compare("control_power_rad_s2") +
-                                    " rad/s², damping " + compare("damping_1_per_s") +
-                                    " 1/s. The printed trims are met, so what is missing in damping is "
-                                    "dynamic: at low speed the wake moves over "
-                                    "wing and tail, which the tables do not know."});
+    section.findings.push_back(
+        {verdict_of(held, 3), "Hover, " + estimate.text(i, "axis") + ": the 1975 design estimate (30 %).",
+         "Sensitivity " + compare("sensitivity_rad_s2_per_in") + " rad/s² per inch, control power " +
+             compare("control_power_rad_s2") + " rad/s², damping " + compare("damping_1_per_s") + " 1/s." +
+             (close("damping_1_per_s") ? ""
+                                       : " The printed trims are met, so what is missing in damping is "
+                                         "dynamic: at low speed the wake moves over wing and tail, which "
+                                         "the tables do not know.")});
   }
   section.tables.push_back({"control_response", "sensitivity, control power, damping", table});
   section.tables.push_back({"control_compared", "hover against the 1975 design estimate", compared});

@@ -148,7 +148,7 @@ void hover(Section& section) {
     }
   }
   section.findings.push_back(
-      {within == oarf_compared.rows() ? Finding::holds : Finding::partly,
+      {verdict_of(static_cast<int>(within), static_cast<int>(oarf_compared.rows())),
        "Hover power at given thrust within 7 % of OARF.",
        std::to_string(within) + " of " + std::to_string(oarf_compared.rows()) +
            " points, largest difference " + with_sign(worst, 1) +
@@ -219,7 +219,7 @@ void forward_flight(Section& section) {
     ++k;
   }
   section.pictures.push_back({plot.id, svg(plot)});
-  section.findings.push_back({within == table.rows() ? Finding::holds : Finding::partly,
+  section.findings.push_back({verdict_of(static_cast<int>(within), static_cast<int>(table.rows())),
                               "Torque in forward flight within 6e-4 of CQ/sigma.",
                               std::to_string(within) + " of " + std::to_string(table.rows()) +
                                   " points, largest difference " + with_sign(1e4 * worst, 1) + "e-4."});

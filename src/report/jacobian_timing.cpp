@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "report/linear_models.hpp"
-#include "report/reference_points.hpp"
+#include "report/paper_timing.hpp"
 #include "report/sections.hpp"
 #include "report/step_error.hpp"
 #include "report/svg_plot.hpp"
@@ -147,23 +147,9 @@ Section jacobian_timing() {
        "Central differences, as well written, cost at least " + fixed(gain, 1) +
            " times as much and differ by up to " + fixed(1e9 * difference, 1) +
            " billionths of a row's largest entry."});
-  const Table paper = reference_points("paper_timing");
-  double low = 1e9;
-  double high = 0;
-  for (std::size_t i = 0; i < paper.rows(); ++i) {
-    if (paper.text(i, "quantity") == "trim time") continue;
-    const double ratio = paper.number(i, "numerical_s") / paper.number(i, "automatic_s");
-    low = std::min(low, ratio);
-    high = std::max(high, ratio);
-  }
-  section.findings.push_back(
-      {Finding::remark,
-       "The paper reports a gain of " + fixed(low, 0) + " to " + fixed(high, 0) +
-           " times for the derivatives after trim.",
-       "There the exact derivatives were left over from the trim, and each difference trimmed inflow "
-       "and flapping anew; here both ways evaluate the same function, once for each entry they need."});
   section.pictures = {picture(table)};
   section.tables.push_back({"jacobian_timing", "times and ratios", table});
+  add_paper_timing(section);
   add_step_error(section);
   return section;
 }

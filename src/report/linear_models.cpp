@@ -39,6 +39,10 @@ Linear linear_model(const Configured& c, const State<double>& x, const Controls<
   return model;
 }
 
+Linear linear_model(const Configured& c, const Trimmed& trim) {
+  return linear_model(c, trim.state, trim.controls, kInceptors);
+}
+
 Linear quasi_steady(const Linear& full) {
   Linear reduced;
   require(residualise(full, work().reduction, reduced), "quasi-steady linear model");
@@ -51,12 +55,11 @@ Modes modes_of(const Linear& model) {
   return set;
 }
 
-Modes modes_of(const Configured& c, const Trimmed& trim) {
-  return modes_of(linear_model(c, trim.state, trim.controls, kInceptors));
-}
+Modes modes_of(const Configured& c, const Trimmed& trim) { return modes_of(linear_model(c, trim)); }
 
-void continue_names(const Modes& previous, Modes& current) {
-  require(follow(previous, current), "modes of a sweep");
+const Modes& modes_of(const Linear& model, cli::ModeTracker& tracker, bool connects) {
+  require(tracker.find(model, connects), "modes");
+  return tracker.found();
 }
 
 double state_derivative(const Linear& model, StateIndex rate, StateIndex state) {

@@ -3,6 +3,7 @@
 
 #include <memory>
 
+#include "cli/mode_tracker.hpp"
 #include "report/flights.hpp"
 #include "tiltrotor/analysis/linear_model.hpp"
 #include "tiltrotor/analysis/mode_names.hpp"
@@ -17,11 +18,12 @@ using Modes = ModeSet<double>;
 Linear linear_model(const Configured& c, const State<double>& x, const Controls<double>& u,
                     const ControlSet& columns);
 Linear quasi_steady(const Linear& full);  // rotors, inflow and downwash in balance
+Linear linear_model(const Configured& c, const Trimmed& trim);
 Modes modes_of(const Linear& model);
 Modes modes_of(const Configured& c, const Trimmed& trim);
 
-// Names carried on along a sweep.
-void continue_names(const Modes& previous, Modes& current);
+// With branches followed along a sweep; `connects`: the model continues the one before. Valid until the next.
+const Modes& modes_of(const Linear& model, cli::ModeTracker& tracker, bool connects);
 
 // A mode of the airframe, not of rotors or wash.
 inline bool is_body_mode(const Mode<double>& mode) {

@@ -1,7 +1,5 @@
 // Root loci over mast angle at constant speed.
 
-#include <memory>
-
 #include "report/linear_models.hpp"
 #include "report/mode_table.hpp"
 #include "report/sections.hpp"
@@ -19,8 +17,7 @@ Table locus_table() {
   Table table = mode_table({"speed_mps", "mast_deg"});
   table.comment("Flap 20/12.5 and 589 rpm at every mast angle; points inside every limit of trim.");
   for (const double speed : kSpeeds) {
-    auto previous = std::make_unique<Modes>();
-    auto current = std::make_unique<Modes>();
+    cli::ModeTracker tracker;
     bool follows = false;
     for (double mast = 0; mast <= kHighestMast; mast += kMastStep) {
       Setup setup = default_setup(mast);
@@ -31,10 +28,7 @@ Table locus_table() {
         follows = false;
         continue;
       }
-      *current = modes_of(c, t);
-      if (follows) continue_names(*previous, *current);
-      add_modes(table, {speed, mast}, *current);
-      std::swap(previous, current);
+      add_modes(table, {speed, mast}, modes_of(linear_model(c, t), tracker, follows));
       follows = true;
     }
   }
@@ -48,7 +42,7 @@ Section mast_locus() {
   section.reading =
       "The masts tilt, the speed stays: numbers along each branch are mast angles in deg. Flap 20/12.5 and "
       "589 rpm "
-      "throughout, so that only the masts move.";
+      "throughout, rotor speed and collective held, so that only the masts move.";
   const Table table = locus_table();
   for (const char* axis : {"longitudinal", "lateral"}) {
     for (const double speed : kSpeeds) {

@@ -20,15 +20,9 @@ Table sweep_table(const Sweeps& sweeps) {
   for (const SpeedSweep& sweep : sweeps) {
     if (std::find(std::begin(kShownMasts), std::end(kShownMasts), sweep.mast_deg) == std::end(kShownMasts))
       continue;
-    auto previous = std::make_unique<Modes>();
-    auto current = std::make_unique<Modes>();
-    for (std::size_t i = 0; i < sweep.flights.size(); ++i) {
-      const LevelFlight& f = sweep.flights[i];
-      *current = modes_of(sweep.c, f.trim);
-      if (i > 0) continue_names(*previous, *current);
-      add_modes(table, {sweep.mast_deg, f.speed_mps}, *current);
-      std::swap(previous, current);
-    }
+    cli::ModeTracker tracker;
+    for (const LevelFlight& f : sweep.flights)
+      add_modes(table, {sweep.mast_deg, f.speed_mps}, modes_of(linear_model(sweep.c, f.trim), tracker, true));
   }
   return table;
 }
@@ -73,11 +67,51 @@ std::string unstable_ranges(const Table& table, double from_speed) {
   return text.empty() ? "none" : text;
 }
 
+// Speeds of a mast angle, and those at which something grows, from a speed on.
+struct Unstable {
+  int speeds, growing;
+};
+Unstable count_unstable(const Table& table, double mast, double from_speed) {
+  const Table rows = table.where("mast_deg", mast);
+  Unstable count{0, 0};
+  for (const std::string& speed : rows.different("speed_mps")) {
+    const std::vector<double> real = rows.where("speed_mps", speed).numbers("real");
+    if (rows.where("speed_mps", speed).number(0, "speed_mps") < from_speed) continue;
+    ++count.speeds;
+    count.growing += *std::max_element(real.begin(), real.end()) > 0;
+  }
+  return count;
+}
+
+std::string counts_of_unstable(const Table& table) {
+  std::string text;
+  for (const double mast : kShownMasts) {
+    const Unstable all = count_unstable(table, mast, 0);
+    const Unstable fast = count_unstable(table, mast, kLowSpeed);
+    text += (text.empty() ? "" : ", ") + mast_text(mast) + " " + std::to_string(all.growing) + " of " +
+            std::to_string(all.speeds) + " (from " + fixed(kLowSpeed, 0) + " m/s on " +
+            std::to_string(fast.growing) + " of " + std::to_string(fast.speeds) + ")";
+  }
+  return text;
+}
+
+// A mast angle at which most speeds beyond the low ones are unstable contradicts the statement.
+Finding::Verdict stability_verdict(const Table& table) {
+  Finding::Verdict verdict = Finding::holds;
+  for (const double mast : kShownMasts) {
+    const Unstable fast = count_unstable(table, mast, kLowSpeed);
+    if (2 * fast.growing > fast.speeds) return Finding::differs;
+    if (fast.growing > 0) verdict = Finding::partly;
+  }
+  return verdict;
+}
+
 std::vector<Finding> statements(const Table& table) {
   const Table hover = table.where("mast_deg", 0.0).where("speed_mps", 0.0);
   const Table cruise = table.where("mast_deg", 90.0).where("speed_mps", 100.0);
   std::vector<Finding> findings;
-  const bool hover_set = has_mode(hover, "heave") && has_mode(hover, "pitch_subsidence");
+  const bool hover_set =
+      has_mode(hover, "phugoid") && has_mode(hover, "heave") && has_mode(hover, "pitch_subsidence");
   const bool cruise_set = has_mode(cruise, "short_period") && has_mode(cruise, "phugoid");
   const auto list = [](const Table& rows, const char* axis) {
     std::string text;
@@ -89,7 +123,7 @@ std::vector<Finding> statements(const Table& table) {
     return text;
   };
   findings.push_back(
-      {hover_set && cruise_set ? Finding::holds : Finding::differs,
+      {verdict_of(hover_set + cruise_set, 2),
        "Longitudinal modes: phugoid-like oscillation, pitch subsidence and heave in helicopter mode, which "
        "merge into a short period towards airplane mode.",
        "Hover: " + list(hover, "longitudinal") + ". Mast 90, 100 m/s: " + list(cruise, "longitudinal") +
@@ -100,15 +134,16 @@ std::vector<Finding> statements(const Table& table) {
       {lateral_set ? Finding::holds : Finding::differs, "Lateral modes: spiral, roll subsidence, Dutch roll.",
        "Mast 90, 100 m/s: " + list(cruise, "lateral") + ". Hover: " + list(hover, "lateral") + "."});
   const double fast = fastest_growth(table, kLowSpeed);
-  findings.push_back({fast <= 0 ? Finding::holds : Finding::partly,
-                      "Unstable only in hover and at low speed.",
-                      "Fastest growth over all speeds " + with_sign(fastest_growth(table, 0), 2) +
-                          "/s, from " + fixed(kLowSpeed, 0) + " m/s on " + with_sign(fast, 2) +
-                          "/s. Growing from there: " + unstable_ranges(table, kLowSpeed) +
-                          ". Cause: the lateral growth in helicopter mode comes from the rotors' sidewash "
-                          "at the fins, the growing oscillation near 50 m/s from the rotor wash at the tail, "
-                          "which takes away more tail "
-                          "lift with speed."});
+  findings.push_back(
+      {stability_verdict(table), "Unstable only in hover and at low speed.",
+       "Speeds at which a mode grows: " + counts_of_unstable(table) + ". Fastest growth over all speeds " +
+           with_sign(fastest_growth(table, 0), 2) + "/s, from " + fixed(kLowSpeed, 0) + " m/s on " +
+           with_sign(fast, 2) + "/s. Growing from there: " + unstable_ranges(table, kLowSpeed) + "." +
+           (fast <= 0 ? ""
+                      : " Cause: the lateral growth in helicopter mode comes from the rotors' sidewash "
+                        "at the fins, the growing oscillation near 50 m/s from the rotor wash at the tail, "
+                        "which takes away more tail "
+                        "lift with speed.")});
   return findings;
 }
 
@@ -117,9 +152,13 @@ std::vector<Finding> statements(const Table& table) {
 Section mode_map(const Sweeps& sweeps) {
   Section section{"modes", "Modes in the complex plane", "", {}, {}, {}};
   section.reading =
-      "Each line is one mode followed through speed (numbers in m/s); stable to the left of the grey line. "
-      "Of a conjugate "
-      "pair the upper root is drawn. Rotor modes lie far to the left and are left out.";
+      "Each line is a branch followed through speed (numbers in m/s), in the colour of its mode's name, "
+      "which "
+      "depends on the flight alone; stable to the left of the grey line. Of a conjugate pair the upper root "
+      "is "
+      "drawn. Rotor modes lie far to the left and are left out. Rotor speed and collective are held: no "
+      "governor "
+      "acts.";
   const Table table = sweep_table(sweeps);
   for (const char* axis : {"longitudinal", "lateral"}) {
     for (const double mast : kShownMasts) {

@@ -17,13 +17,20 @@ constexpr struct {
   const char* color;
   Marker marker;
 } kModeStyle[] = {
-    {"phugoid", kBlue, Marker::circle},    {"short_period", kOrange, Marker::square},
-    {"heave", kGreen, Marker::triangle},   {"pitch_subsidence", kPurple, Marker::diamond},
-    {"dutch_roll", kBlue, Marker::circle}, {"roll", kOrange, Marker::square},
-    {"spiral", kGreen, Marker::triangle},  {"roll_spiral", kPurple, Marker::diamond},
+    {"phugoid", kBlue, Marker::circle},
+    {"aperiodic_phugoid", kBlue, Marker::circle},
+    {"short_period", kOrange, Marker::square},
+    {"heave", kGreen, Marker::triangle},
+    {"pitch_subsidence", kPurple, Marker::diamond},
+    {"dutch_roll", kBlue, Marker::circle},
+    {"aperiodic_dutch_roll", kBlue, Marker::circle},
+    {"roll", kOrange, Marker::square},
+    {"spiral", kGreen, Marker::triangle},
+    {"roll_spiral", kPurple, Marker::diamond},
 };
 
-void set_style(const std::string& mode, Series& s) {
+void set_style(std::string mode, Series& s) {
+  if (mode.find_last_of("23") + 1 == mode.size()) mode.resize(mode.size() - 2);  // an ordinal: "_2"
   s.color = kBlack;
   s.marker = Marker::plus;
   for (const auto& style : kModeStyle) {
@@ -39,6 +46,25 @@ bool is_multiple(double value, double step) {
   return std::fabs(value / step - std::round(value / step)) < 1e-6;
 }
 
+// From root to root along every branch, where it arrives at a root of this name.
+void trace(const Table& rows, const std::string& mode, Series& line) {
+  const auto add = [&line](double x, double y) {
+    line.x.push_back(x);
+    line.y.push_back(y);
+  };
+  for (const std::string& number : rows.different("branch")) {
+    const Table branch = rows.where("branch", number);
+    for (std::size_t i = 1; i < branch.rows(); ++i) {
+      if (branch.text(i, "mode") != mode) continue;
+      if (i == 1 || branch.text(i - 1, "mode") != mode) {
+        add(kMissing, kMissing);
+        add(branch.number(i - 1, "real"), branch.number(i - 1, "imag"));
+      }
+      add(branch.number(i, "real"), branch.number(i, "imag"));
+    }
+  }
+}
+
 // Words for a name: "short_period" reads "short period".
 std::string spaced(std::string name) {
   std::replace(name.begin(), name.end(), '_', ' ');
@@ -49,7 +75,7 @@ std::string spaced(std::string name) {
 
 Table mode_table(std::vector<std::string> leading_columns) {
   for (const char* column :
-       {"axis", "mode", "real", "imag", "frequency_rad_s", "damping_ratio", "time_to_half_s"}) {
+       {"axis", "mode", "real", "imag", "frequency_rad_s", "damping_ratio", "time_to_half_s", "branch"}) {
     leading_columns.emplace_back(column);
   }
   Table table(std::move(leading_columns));
@@ -64,7 +90,7 @@ void add_modes(Table& table, const std::vector<double>& leading, const Modes& mo
     if (!is_body_mode(m)) continue;
     std::vector<Table::Cell> row(leading.begin(), leading.end());
     row.insert(row.end(), {std::string(axis_word(m.axis)), std::string(m.name), m.real, m.imag, m.frequency,
-                           m.damping_ratio, m.time_to_half});
+                           m.damping_ratio, m.time_to_half, static_cast<double>(m.branch)});
     table.add(row);
   }
 }
@@ -101,17 +127,8 @@ Picture mode_picture(const ModePlot& what, const Table& rows) {
     line.marker = Marker::none;
     marks.name = spaced(mode);
     marks.line = Line::none;
-    line.x = branch.numbers("real");
-    line.y = branch.numbers("imag");
-    // A mode that ends and comes back under the same name is two pieces.
+    trace(rows, mode, line);
     const std::vector<double> parameter = branch.numbers(what.parameter);
-    const double step = parameter.size() > 1 ? parameter[1] - parameter[0] : 1;
-    for (std::size_t i = parameter.size(); i-- > 1;) {
-      if (parameter[i] - parameter[i - 1] > 1.5 * step) {
-        line.x.insert(line.x.begin() + static_cast<std::ptrdiff_t>(i), kMissing);
-        line.y.insert(line.y.begin() + static_cast<std::ptrdiff_t>(i), kMissing);
-      }
-    }
     for (std::size_t i = 0; i < branch.rows(); ++i) {
       const bool end = i == 0 || i + 1 == branch.rows();
       if (!end && !is_multiple(parameter[i], what.label_step)) continue;

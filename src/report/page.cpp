@@ -32,16 +32,27 @@ td.text { text-align: left; }
 td.long { text-align: left; white-space: normal; min-width: 40em; }
 summary { cursor: pointer; }
 .files { font-size: .9rem; }
+@page { size: A4; margin: 14mm 12mm; }
+@page wide { size: A4 landscape; margin: 12mm; }
 @media print {
   nav, summary { display: none; }
-  body { max-width: none; padding: 0; font-size: 11pt; }
+  body { max-width: none; padding: 0; font-size: 10.5pt; }
+  p, .findings li { max-width: none; }
+  h2 { break-after: avoid; }
   .pictures { grid-template-columns: 1fr 1fr; }
-  .pictures svg, .findings li { break-inside: avoid; }
+  .pictures svg, .findings li, tr { break-inside: avoid; }
+  .scroll { overflow: visible; }
+  .wide { page: wide; }
+  table { width: 100%; font-size: 6.5pt; line-height: 1.25; }
+  th, td { white-space: normal; padding: .15em .3em; }
+  td.number { white-space: nowrap; }
+  td.long { min-width: 14em; }
 }
 )css";
 
 constexpr std::size_t kMostRowsShown = 80;
-constexpr std::size_t kLongText = 40;  // characters: longer cells may break into lines
+constexpr std::size_t kMostColumnsUpright = 9;  // on paper
+constexpr std::size_t kLongText = 40;           // characters: longer cells may break into lines
 
 bool is_number(const std::string& text) {
   return !text.empty() && text.find_first_not_of("0123456789.-+e") == std::string::npos;
@@ -67,8 +78,8 @@ std::string percent_encoded(const std::string& text) {
   return out;
 }
 
-// Column names are long and without spaces: a narrow screen may break them at each underscore.
-std::string heading(const std::string& column) {
+// Names are long and without spaces: a narrow screen or column may break them at each underscore.
+std::string breakable(const std::string& column) {
   std::string out;
   for (const char c : escaped(column)) {
     out += c;
@@ -79,16 +90,16 @@ std::string heading(const std::string& column) {
 
 std::string html_table(const Table& table) {
   std::string out = "<div class=\"scroll\"><table><thead><tr>";
-  for (const std::string& column : table.columns()) out += "<th>" + heading(column) + "</th>";
+  for (const std::string& column : table.columns()) out += "<th>" + breakable(column) + "</th>";
   out += "</tr></thead><tbody>\n";
   for (std::size_t i = 0; i < table.rows(); ++i) {
     out += "<tr>";
     for (std::size_t j = 0; j < table.columns().size(); ++j) {
       const std::string& cell = table.text(i, j);
-      out += (cell.empty() || is_number(cell) ? "<td>"
+      out += (cell.empty() || is_number(cell) ? "<td class=\"number\">"
               : cell.size() > kLongText       ? "<td class=\"long\">"
                                               : "<td class=\"text\">") +
-             escaped(cell) + "</td>";
+             breakable(cell) + "</td>";
     }
     out += "</tr>\n";
   }
@@ -101,8 +112,10 @@ std::string html_tables(const std::vector<NumberedTable>& tables) {
     const std::string link = "<a download=\"" + t.name + ".csv\" href=\"data:text/csv;charset=utf-8," +
                              percent_encoded(t.table.csv()) + "\">" + t.name + ".csv</a>";
     const std::string what = escaped(t.what) + " (" + std::to_string(t.table.rows()) + " rows)";
-    out += "<div class=\"files\">" + link + ": " + what;
-    if (t.whole || t.table.rows() <= kMostRowsShown) {
+    const bool shown = t.whole || t.table.rows() <= kMostRowsShown;
+    const bool wide = t.whole && t.table.columns().size() > kMostColumnsUpright;
+    out += std::string("<div class=\"files") + (wide ? " wide" : "") + "\">" + link + ": " + what;
+    if (shown) {
       out += std::string(t.whole ? "<details open=\"open\">" : "<details>") + "<summary>show</summary>\n" +
              html_table(t.table) + "</details>";
     }

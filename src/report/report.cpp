@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "cli/errors.hpp"
+#include "cli/identity.hpp"
 #include "cli/progress.hpp"
 #include "cli/sink.hpp"
 #include "report/page.hpp"
@@ -50,6 +51,8 @@ std::vector<File> files_of(const PageHead& head, const std::vector<Section>& sec
       files.push_back({p.name + ".svg", "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n" + p.svg});
     }
   }
+  // Apart from the data, which stay comparable from run to run.
+  files.push_back({"run.txt", cli::identity_text() + "\n" + cli::date_text() + "\n"});
   files.push_back({"index.html", page(head, sections)});
   return files;
 }
@@ -70,6 +73,7 @@ PageHead page_head(const std::vector<Section>& sections, double seconds) {
       "run; marks without "
       "a line are published numbers. Each statement is judged on the numbers beside it.";
   head.facts = {
+      cli::identity_text() + "; run of " + cli::date_text(),
       std::to_string(pictures) + " figures, computed in " + fixed(seconds, 1) + " s",
       "statements: " + std::to_string(counts[Finding::holds]) + " hold, " +
           std::to_string(counts[Finding::partly]) + " hold in part, " +

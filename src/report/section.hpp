@@ -28,6 +28,11 @@ struct Finding {
   std::string found;  // numbers of this run, with the cause where it differs
 };
 
+// By how many of several things hold.
+constexpr Finding::Verdict verdict_of(int held, int of) {
+  return held == of ? Finding::holds : held > 0 ? Finding::partly : Finding::differs;
+}
+
 struct Section {
   std::string id;  // anchor
   std::string title;

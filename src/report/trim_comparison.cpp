@@ -87,7 +87,7 @@ std::vector<Finding> trim_comparison_findings(const Table& compared) {
                  " m/s: " + with_sign(rows.number(i, "difference"), 2);
     }
     const bool all = within == rows.rows();
-    return Finding{all ? Finding::holds : Finding::partly, statement,
+    return Finding{verdict_of(static_cast<int>(within), static_cast<int>(rows.rows())), statement,
                    std::to_string(within) + " of " + std::to_string(rows.rows()) +
                        " numbers within tolerance." + (all ? "" : " Outside: " + outside + ". " + cause)};
   };

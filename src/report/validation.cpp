@@ -132,14 +132,15 @@ void read_hover(const Table& table, std::vector<Comparison>& out) {
 }
 
 // The frequency tables are dense, for drawing; published points stand eight steps to a band.
-void read_frequencies(const Table& table, const std::string& name, std::vector<Comparison>& out) {
+void read_frequencies(const Table& table, const std::string& name, double mast_deg,
+                      std::vector<Comparison>& out) {
   constexpr std::size_t steps = 8;
   const std::size_t stride = (table.rows() - 1) / steps;
   for (std::size_t i = 0; i < table.rows(); i += stride) {
     const std::string point = name + " omega=" + fixed(table.number(i, "omega_rad_s"), 4);
     for (const std::string column : {"gain_db", "phase_deg"}) {
       out.push_back(comparison("transfer_functions", point, column, table.number(i, column),
-                               table.number(i, "identified_" + column)));
+                               table.number(i, "identified_" + column), mast_deg));
     }
   }
 }
@@ -165,8 +166,8 @@ std::vector<Comparison> comparisons(const std::vector<Section>& sections) {
   std::vector<Comparison> all;
   for (const Reading& how : readings()) read(table_of(sections, how.table), how, all);
   read_hover(table_of(sections, "rotor_hover_compared"), all);
-  for (const std::string name : {"cruise_q_elevator", "hover_az_power"})
-    read_frequencies(table_of(sections, "frequency_" + name), name, all);
+  for (const auto& [name, mast] : {std::pair("cruise_q_elevator", 90.0), std::pair("hover_az_power", 0.0)})
+    read_frequencies(table_of(sections, std::string("frequency_") + name), name, mast, all);
   read_other_modes(table_of(sections, "modes"), all);
   const Table claims = compared_claims(table_of(sections, "trim_curves"), table_of(sections, "trim_compared"),
                                        table_of(sections, "modes"), table_of(sections, "response"),
@@ -206,6 +207,7 @@ std::vector<Judged> judge(const std::vector<Comparison>& all) {
     const double off = shortfall(rule, c.here, c.reference);
     Judged j{c, most, kMissing, "information", rule.cause};
     if (rule.judged) {
+      j.cause = cause_of(rule, c.set, c.quantity, c.mast_deg, c.here - c.reference);
       j.ratio = std::isfinite(off) ? off / most : HUGE_VAL;
       j.status = j.ratio <= 1 ? "within" : "exceeds";
     }

@@ -40,6 +40,21 @@ Tolerance tolerance_of(const std::string& set, const std::string& quantity, doub
   throw std::runtime_error("validation_tolerances.csv: nothing about " + set + " " + quantity);
 }
 
+std::string cause_of(const Tolerance& tolerance, const std::string& set, const std::string& quantity,
+                     double mast_deg, double difference) {
+  if (tolerance.demand != Tolerance::equal && shortfall(tolerance, difference, 0) == 0)
+    return "Nothing is left: the bound is met.";
+  static const Table causes = reference_points("validation_causes");
+  const char* side = difference > 0 ? "above" : "below";
+  for (std::size_t i = 0; i < causes.rows(); ++i) {
+    const double mast = causes.number(i, "mast_deg");
+    if (causes.text(i, "set") == set && causes.text(i, "quantity") == quantity &&
+        causes.text(i, "side") == side && (!std::isfinite(mast) || mast == mast_deg))
+      return causes.text(i, "cause");
+  }
+  return tolerance.cause;
+}
+
 double allowed(const Tolerance& tolerance, double scale) {
   if (!tolerance.judged) return kMissing;
   return std::max(tolerance.absolute, tolerance.fraction * std::fabs(scale));

@@ -16,6 +16,11 @@ struct Tolerance {
 // The first rule for it; mast_deg may be NaN. Throws std::runtime_error when there is none.
 Tolerance tolerance_of(const std::string& set, const std::string& quantity, double mast_deg);
 
+// What explains the difference from the published number: of a tolerance, where validation_causes.csv has
+// nothing for that side.
+std::string cause_of(const Tolerance& tolerance, const std::string& set, const std::string& quantity,
+                     double mast_deg, double difference);
+
 // What may remain; the fraction is of `scale`, as a rule the size of the reference. NaN: not judged.
 double allowed(const Tolerance& tolerance, double scale);
 

@@ -1,5 +1,6 @@
 // The rules by which modes get their names, each on a set of made-up roots and shares, and where roots have
 // no shares.
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -90,6 +91,8 @@ TEST(modes_rules_longitudinal) {
   const Shares slow = share(&Shares::u, 0.5, &Shares::pitch, 0.5);
   CHECK_EQ(longitudinal({root(-0.1, 0.3, slow), root(-1, 2, fast)}), "phugoid short_period");
   CHECK_EQ(longitudinal({root(-1, 2, fast), root(-0.1, 0.3, slow)}), "short_period phugoid");
+  // Whatever their frequencies.
+  CHECK_EQ(longitudinal({root(0.1, 0.4, slow), root(-0.35, 0.1, fast)}), "phugoid short_period");
   // One pair of speed and attitude: heave, and pitch where two real roots are left.
   const Mode<double> heave = root(-0.3, 0, share(&Shares::w, 1)), pitch = root(-0.8, 0, share(&Shares::q, 1));
   CHECK_EQ(longitudinal({root(0.1, 0.4, slow), heave, pitch}), "phugoid heave pitch_subsidence");
@@ -98,7 +101,8 @@ TEST(modes_rules_longitudinal) {
   // One pair of heave and pitch rate: speed and attitude have fallen apart into two real roots.
   const Mode<double> speed = root(-0.05, 0, share(&Shares::u, 1)),
                      other = root(0.1, 0, share(&Shares::pitch, 1));
-  CHECK_EQ(longitudinal({root(-1, 2, fast), speed, other}), "short_period phugoid phugoid");
+  CHECK_EQ(longitudinal({root(-1, 2, fast), speed, other}),
+           "short_period aperiodic_phugoid aperiodic_phugoid");
   // Each of its two conditions alone makes a phugoid of the pair: more speed than heave ...
   Shares between{};
   between.q = 0.5;
@@ -111,8 +115,13 @@ TEST(modes_rules_longitudinal) {
   between.u = 0.1;
   between.pitch = 0.5;
   CHECK_EQ(longitudinal({root(-1, 2, between), heave, pitch}), "phugoid heave pitch_subsidence");
-  // No pair at all: the fastest left over are aperiodic phugoids.
-  CHECK_EQ(longitudinal({heave, speed, other, pitch}), "heave phugoid phugoid pitch_subsidence");
+  // No pair at all: the two that lie closest together stand for one, a phugoid or a short period by what
+  // takes part, and keep that name as they come apart.
+  CHECK_EQ(longitudinal({heave, speed, other, pitch}),
+           "heave aperiodic_phugoid aperiodic_phugoid pitch_subsidence");
+  const Mode<double> near_heave = root(-0.31, 0, share(&Shares::q, 1));
+  CHECK_EQ(longitudinal({root(-0.9, 0, share(&Shares::u, 1)), near_heave, other, heave}),
+           "aperiodic_phugoid pitch_subsidence aperiodic_phugoid heave");
 }
 
 TEST(modes_rules_lateral) {
@@ -123,7 +132,12 @@ TEST(modes_rules_lateral) {
   CHECK_EQ(lateral({root(-0.3, 1.5, yaw), roll, spiral}), "dutch_roll roll spiral");
   CHECK_EQ(lateral({spiral, roll, root(-0.3, 1.5, yaw)}), "spiral roll dutch_roll");
   CHECK_EQ(lateral({root(-0.1, 0.2, yaw), root(-0.3, 1.5, yaw)}), "roll_spiral dutch_roll");
-  CHECK_EQ(lateral({middle, roll, spiral, root(-1, 0, yaw)}), "dutch_roll roll spiral dutch_roll");
+  CHECK_EQ(lateral({root(0.05, 0.36, yaw), root(-0.39, 0.13, yaw)}), "dutch_roll roll_spiral");
+  CHECK_EQ(lateral({middle, roll, spiral, root(-1, 0, yaw)}),
+           "aperiodic_dutch_roll roll spiral aperiodic_dutch_roll");
+  // The spiral need not be the slowest: which two are the Dutch roll is seen by their distance.
+  CHECK_EQ(lateral({root(0.20, 0, yaw), roll, root(0.25, 0, yaw), root(-0.1, 0, yaw)}),
+           "aperiodic_dutch_roll roll aperiodic_dutch_roll spiral");
   CHECK_EQ(lateral({}), "");
 }
 
@@ -179,20 +193,22 @@ TEST(modes_rules_of_division) {
   for (int i = 0; i < longitudinal_half.count; ++i) CHECK(set.mode[longitudinal_half.place[i]].shares.u > 0);
 }
 
-// A name taken by a mode that keeps it is passed over, whatever stands between.
+// Modes that would have the same name are numbered, the least stable first, whatever their order.
 TEST(modes_rules_of_ordinals) {
-  ModeSet<double> set = set_of(std::vector<Mode<double>>(4, root(-1, 0, Shares{})));
-  for (int i = 0; i < 4; ++i) set.mode[i].label = {ModeKind::heave, Symmetry::none, 1};
-  set.mode[1].label.ordinal = 2;
+  ModeSet<double> set =
+      set_of({root(-2, 0, Shares{}), root(0.5, 0, Shares{}), root(-1, 0, Shares{}), root(-3, 0, Shares{})});
+  for (int i = 0; i < 4; ++i) set.mode[i].label = {ModeKind::aperiodic_phugoid, Symmetry::none, 9};
   set.mode[3].label.kind = ModeKind::spiral;
-  const bool fixed[kMaxLinearStates] = {false, true, false, false};
-  d::make_unique(set, fixed);
-  CHECK_EQ(std::string(set.mode[0].name), "heave");
-  CHECK_EQ(std::string(set.mode[1].name), "heave_2");
-  CHECK_EQ(std::string(set.mode[2].name), "heave_3");
+  d::number_names(set);
+  CHECK_EQ(std::string(set.mode[0].name), "aperiodic_phugoid_3");
+  CHECK_EQ(std::string(set.mode[1].name), "aperiodic_phugoid");
+  CHECK_EQ(std::string(set.mode[2].name), "aperiodic_phugoid_2");
   CHECK_EQ(std::string(set.mode[3].name), "spiral");
-  d::make_unique<double>(set, nullptr);
-  CHECK_EQ(std::string(set.mode[1].name), "heave_2");
+  // Of equal roots the order decides.
+  set.mode[0].real = set.mode[2].real;
+  d::number_names(set);
+  CHECK_EQ(std::string(set.mode[0].name), "aperiodic_phugoid_2");
+  CHECK_EQ(std::string(set.mode[2].name), "aperiodic_phugoid_3");
 }
 
 // A root whose vectors say nothing, because they are no numbers or nothing, has equal shares of every state
@@ -233,27 +249,21 @@ TEST(modes_rules_of_continuation) {
     for (int i = 0; i < 2; ++i)
       for (int j = 0; j < 2; ++j) set.system.right(i, j) = set.system.left(i, j) = entry[i][j];
   };
-  const auto kind_after = [&](double tilt) {
+  const auto branch_after = [&](double tilt) {
     set_vectors(before, 0);
     set_vectors(after, tilt);
-    before.mode[0].label = {ModeKind::phugoid, Symmetry::none, 1};
-    before.mode[1].label = {ModeKind::heave, Symmetry::none, 1};
-    after.mode[0].real = -1;
-    after.mode[1].real = -2;
-    for (int i = 0; i < 2; ++i) {
-      after.mode[i].eigenvalue = i;
-      after.mode[i].label = {ModeKind::spiral, Symmetry::none, 1 + i};
-    }
+    before.branches = 7;
+    before.mode[0].branch = 7;
+    before.mode[1].branch = 4;
     CHECK(follow(before, after) == Status::ok);
-    for (int i = 0; i < 2; ++i)
-      if (after.mode[i].eigenvalue == 0) return after.mode[i].label.kind;
-    return ModeKind::count;
+    CHECK_EQ(after.branches, std::max({7, after.mode[0].branch, after.mode[1].branch}));
+    return after.mode[0].branch;
   };
   set_vectors(before, 0);
   set_vectors(after, 1);
   CHECK_EQ(overlap(before, 0, after, 0), 0.5);
-  CHECK(kind_after(0) == ModeKind::phugoid);
-  CHECK(kind_after(0.99) == ModeKind::phugoid);
-  CHECK(kind_after(1) == ModeKind::spiral);
-  CHECK(kind_after(1.01) == ModeKind::heave);
+  CHECK_EQ(branch_after(0), 7);
+  CHECK_EQ(branch_after(0.99), 7);
+  CHECK_EQ(branch_after(1), 8);  // a new one
+  CHECK_EQ(branch_after(1.01), 4);
 }

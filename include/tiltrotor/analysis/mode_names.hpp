@@ -1,5 +1,8 @@
-// Names of modes: what a root of the linear model is called, decided by which states take part in it
-//.
+// Names of modes: what a root of the linear model is called, decided by the matrix alone (mode_search.hpp).
+//
+// A pair that has fallen apart into two real roots keeps no name of an oscillation: the short period becomes
+// heave and pitch_subsidence, the coupled roll_spiral roll and spiral, the phugoid aperiodic_phugoid (twice),
+// the Dutch roll aperiodic_dutch_roll (twice).
 #pragma once
 
 #include "tiltrotor/analysis/reduction.hpp"
@@ -10,10 +13,12 @@ enum class ModeAxis : unsigned char { longitudinal, lateral, rotor };
 
 enum class ModeKind : unsigned char {
   phugoid,
+  aperiodic_phugoid,
   short_period,
   heave,
   pitch_subsidence,  // longitudinal
   dutch_roll,
+  aperiodic_dutch_roll,
   roll,
   spiral,
   roll_spiral,  // lateral
@@ -28,10 +33,22 @@ enum class ModeKind : unsigned char {
 
 namespace mode_detail {
 inline constexpr const char* kAxisWords[] = {"longitudinal", "lateral", "rotor"};
-inline constexpr const char* kKindWords[] = {
-    "phugoid",       "short_period", "heave",    "pitch_subsidence", "dutch_roll",      "roll",
-    "spiral",        "roll_spiral",  "downwash", "flap_progressing", "flap_regressing", "inflow_mean",
-    "inflow_cyclic", "coning"};
+inline constexpr const char* kKindWords[] = {"phugoid",
+                                             "aperiodic_phugoid",
+                                             "short_period",
+                                             "heave",
+                                             "pitch_subsidence",
+                                             "dutch_roll",
+                                             "aperiodic_dutch_roll",
+                                             "roll",
+                                             "spiral",
+                                             "roll_spiral",
+                                             "downwash",
+                                             "flap_progressing",
+                                             "flap_regressing",
+                                             "inflow_mean",
+                                             "inflow_cyclic",
+                                             "coning"};
 static_assert(sizeof(kKindWords) / sizeof(kKindWords[0]) == static_cast<unsigned>(ModeKind::count),
               "one word per kind");
 }  // namespace mode_detail
@@ -47,7 +64,7 @@ constexpr const char* kind_word(ModeKind kind) {
 struct ModeLabel {
   ModeKind kind;
   Symmetry symmetry;  // of rotor modes: mean (both rotors alike) or difference
-  int ordinal;        // 1, 2, ... among modes of the same kind and symmetry
+  int ordinal;        // 1, 2, ... among modes of the same kind and symmetry, the least stable first
 };
 constexpr bool operator==(const ModeLabel& a, const ModeLabel& b) {
   return a.kind == b.kind && a.symmetry == b.symmetry && a.ordinal == b.ordinal;

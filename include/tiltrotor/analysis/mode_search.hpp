@@ -2,13 +2,11 @@
 //
 // 1. Rigid-body modes: the roots with the largest share of rigid-body states, eight of them.
 // 2. Four of these are longitudinal, four lateral: the division with the largest longitudinal share in the
-// one half and
-//    the largest lateral share in the other.
-// 3. Names inside each half by the pattern of pairs and real roots, and by participation where the pattern is
-// open.
+//    one half and the largest lateral share in the other.
+// 3. Each four are two and two, a fast and a slow half, each a pair or two real roots. Without a pair the two
+//    real roots that lie closest together, where a pair has come apart or is about to form, stand for one.
 // 4. Of the others: the root in which the downwash state takes part most is its lag; the rotors' roots by
-// flapping,
-//    mean or cyclic inflow, symmetric or antisymmetric.
+//    flapping, mean or cyclic inflow, symmetric or antisymmetric.
 #pragma once
 
 #include "tiltrotor/analysis/modes.hpp"
@@ -132,49 +130,97 @@ void by_kind_of_root(const ModeSet<R>& set, const Selection& from, Selection& pa
   for (int i = 0; i < from.count; ++i) (is_pair(set.mode[from.place[i]]) ? pairs : reals).add(from.place[i]);
 }
 
-// Two pairs: short period (fast) and phugoid. One pair: the phugoid, with heave and pitch subsidence, unless
-// speed and attitude hardly take part in it; then the short period. Real roots left over are aperiodic
-// phugoids.
+// Takes out of real roots the two that lie closest together, with all there are when these are fewer.
+template <class R>
+Selection take_closest(const ModeSet<R>& set, Selection& from) {
+  sort_descending(set, from, [](const Mode<R>& m) { return m.real; });
+  const auto gap = [&](int i) { return set.mode[from.place[i]].real - set.mode[from.place[i + 1]].real; };
+  int closest = 0;
+  for (int i = 1; i + 1 < from.count; ++i)
+    if (gap(i) < gap(closest)) closest = i;
+  Selection two, rest;
+  for (int i = 0; i < from.count; ++i) (i == closest || i == closest + 1 ? two : rest).add(from.place[i]);
+  from = rest;
+  return two;
+}
+
+// Whether heave and pitch rate make up a pair more than speed and attitude do.
+template <class R>
+bool is_short_period(const ModeSet<R>& set, const Selection& two) {
+  R fast = R(0), slow = R(0), heave = R(0), speed = R(0);
+  for (int i = 0; i < two.count; ++i) {
+    const ModeShares<R>& s = set.mode[two.place[i]].shares;
+    fast += s.w + s.q;
+    slow += s.u + s.pitch;
+    heave += s.w;
+    speed += s.u;
+  }
+  return fast > slow && heave > speed;
+}
+
+struct Halves {
+  Selection fast, slow;  // each a pair or two real roots
+};
+
+// What takes part tells two pairs apart, or what the one pair is. Frequency would not: heave and pitch may
+// form a pair slower than the phugoid.
+template <class R>
+Halves longitudinal_halves(const ModeSet<R>& set, const Selection& modes) {
+  Selection pairs, reals;
+  by_kind_of_root(set, modes, pairs, reals);
+  if (pairs.count > 1) {
+    Selection fast;
+    fast.add(take_largest(
+        set, pairs, [](const Mode<R>& m) { return m.shares.w + m.shares.q - m.shares.u - m.shares.pitch; }));
+    return {fast, pairs};
+  }
+  const Selection two = pairs.count == 1 ? pairs : take_closest(set, reals);
+  return is_short_period(set, two) ? Halves{two, reals} : Halves{reals, two};
+}
+
+template <class R>
+bool oscillates(const ModeSet<R>& set, const Selection& half) {
+  return half.count > 0 && is_pair(set.mode[half.place[0]]);
+}
+
+template <class R>
+void name_all(ModeSet<R>& set, const Selection& half, ModeAxis axis, ModeKind kind) {
+  for (int i = 0; i < half.count; ++i) name_mode(set, half.place[i], axis, kind);
+}
+
+// The fast half is the short period, or heave and pitch subsidence; the slow one the phugoid.
 template <class R>
 void name_longitudinal(ModeSet<R>& set, const Selection& modes) {
   const ModeAxis axis = ModeAxis::longitudinal;
-  Selection pairs, reals;
-  by_kind_of_root(set, modes, pairs, reals);
-  const auto fast = [](const Mode<R>& m) { return m.frequency; };
-  bool short_period = false;
-  if (pairs.count >= 2) {
-    name_mode(set, take_largest(set, pairs, fast), axis, ModeKind::short_period);
-    short_period = true;
-  } else if (pairs.count == 1) {
-    const ModeShares<R>& s = set.mode[pairs.place[0]].shares;
-    short_period = s.w + s.q > s.u + s.pitch && s.w > s.u;
-    name_mode(set, pairs.place[0], axis, short_period ? ModeKind::short_period : ModeKind::phugoid);
-    pairs.count = 0;
-  }
-  while (pairs.count > 0) name_mode(set, take_largest(set, pairs, fast), axis, ModeKind::phugoid);
-  if (!short_period) {
+  Halves half = longitudinal_halves(set, modes);
+  name_all(set, half.slow, axis,
+           oscillates(set, half.slow) ? ModeKind::phugoid : ModeKind::aperiodic_phugoid);
+  if (oscillates(set, half.fast)) return name_all(set, half.fast, axis, ModeKind::short_period);
+  if (half.fast.count > 1) {
     const auto pitching = [](const Mode<R>& m) { return m.shares.q - m.shares.w; };
-    const auto heaving = [](const Mode<R>& m) { return m.shares.w; };
-    if (reals.count > 1) name_mode(set, take_largest(set, reals, pitching), axis, ModeKind::pitch_subsidence);
-    name_mode(set, take_largest(set, reals, heaving), axis, ModeKind::heave);
+    name_mode(set, take_largest(set, half.fast, pitching), axis, ModeKind::pitch_subsidence);
   }
-  while (reals.count > 0) name_mode(set, take_largest(set, reals, fast), axis, ModeKind::phugoid);
+  name_all(set, half.fast, axis, ModeKind::heave);
 }
 
-// One pair: Dutch roll, with roll (the real root with most roll rate) and spiral. Two pairs: the slower is
-// the coupled roll and spiral. No pair: the real roots left over are an aperiodic Dutch roll.
+// One half is the Dutch roll: the only pair, or of two the one that oscillates faster, since roll and spiral
+// begin as a pair with a long period. The other half is roll (the root with more roll rate) and spiral, or
+// both coupled.
 template <class R>
 void name_lateral(ModeSet<R>& set, const Selection& modes) {
   const ModeAxis axis = ModeAxis::lateral;
   Selection pairs, reals;
   by_kind_of_root(set, modes, pairs, reals);
-  const auto fast = [](const Mode<R>& m) { return m.frequency; };
-  name_mode(set, take_largest(set, pairs, fast), axis, ModeKind::dutch_roll);
-  while (pairs.count > 0) name_mode(set, take_largest(set, pairs, fast), axis, ModeKind::roll_spiral);
-  name_mode(set, take_largest(set, reals, [](const Mode<R>& m) { return m.shares.p; }), axis, ModeKind::roll);
-  name_mode(set, take_largest(set, reals, [](const Mode<R>& m) { return -m.frequency; }), axis,
-            ModeKind::spiral);
-  while (reals.count > 0) name_mode(set, take_largest(set, reals, fast), axis, ModeKind::dutch_roll);
+  if (pairs.count > 0) {
+    const auto oscillation = [](const Mode<R>& m) { return m.imag; };
+    name_mode(set, take_largest(set, pairs, oscillation), axis, ModeKind::dutch_roll);
+  } else {
+    name_all(set, take_closest(set, reals), axis, ModeKind::aperiodic_dutch_roll);
+  }
+  name_all(set, pairs, axis, ModeKind::roll_spiral);
+  const auto rolling = [](const Mode<R>& m) { return m.shares.p; };
+  name_mode(set, take_largest(set, reals, rolling), axis, ModeKind::roll);
+  name_all(set, reals, axis, ModeKind::spiral);
 }
 
 template <class R>
@@ -222,25 +268,20 @@ void sort_modes(ModeSet<R>& set) {
   }
 }
 
-// The first ordinal that no mode marked in `fixed` has.
+// Modes of the same kind and symmetry are numbered, the least stable first, and every name is written.
 template <class R>
-void make_unique(ModeSet<R>& set, const bool* fixed) {
-  bool done[kMaxLinearStates];
-  for (int i = 0; i < set.count; ++i) done[i] = fixed != nullptr && fixed[i];
+void number_names(ModeSet<R>& set) {
   for (int i = 0; i < set.count; ++i) {
-    if (done[i]) continue;
     ModeLabel& label = set.mode[i].label;
-    const auto taken = [&set, &done, &label]() {
-      bool found = false;
-      for (int k = 0; k < set.count; ++k) found = found || (done[k] && set.mode[k].label == label);
-      return found;
-    };
     label.ordinal = 1;
-    // Every other mode can raise it at most once.
-    for (int pass = 0; pass < set.count && taken(); ++pass) ++label.ordinal;
-    done[i] = true;
+    for (int k = 0; k < set.count; ++k) {
+      const Mode<R>& other = set.mode[k];
+      const bool same = other.label.kind == label.kind && other.label.symmetry == label.symmetry;
+      const bool before = other.real > set.mode[i].real || (other.real == set.mode[i].real && k < i);
+      if (same && before) ++label.ordinal;
+    }
+    write_name(label, set.mode[i].name);
   }
-  for (int i = 0; i < set.count; ++i) write_name(set.mode[i].label, set.mode[i].name);
 }
 
 }  // namespace mode_detail
@@ -248,7 +289,7 @@ void make_unique(ModeSet<R>& set, const bool* fixed) {
 template <class R>
 Status modes(const LinearModel<R>& model, ModesWorkspace<R>& work, ModeSet<R>& set) {
   namespace d = mode_detail;
-  set.count = 0;
+  set.count = set.branches = 0;
   set.states = model.states;
   if (model.states < kRigidStates || model.states > kMaxLinearStates) return Status::bad_argument;
   split(model, work.split);
@@ -269,7 +310,9 @@ Status modes(const LinearModel<R>& model, ModesWorkspace<R>& work, ModeSet<R>& s
   d::name_lateral(set, lateral);
   d::name_rotor(set, others, downwash_state);
   d::sort_modes(set);
-  d::make_unique<R>(set, nullptr);
+  d::number_names(set);
+  set.branches = set.count;
+  for (int i = 0; i < set.count; ++i) set.mode[i].branch = i + 1;
   return Status::ok;
 }
 
@@ -321,11 +364,11 @@ Status follow(const ModeSet<R>& previous, ModeSet<R>& current) {
     if (from < 0) break;
     used[from] = true;
     fixed[to] = true;
-    current.mode[to].label = previous.mode[from].label;
-    current.mode[to].axis = previous.mode[from].axis;
+    current.mode[to].branch = previous.mode[from].branch;
   }
-  mode_detail::make_unique<R>(current, fixed);
-  mode_detail::sort_modes(current);
+  current.branches = previous.branches;
+  for (int j = 0; j < current.count; ++j)
+    if (!fixed[j]) current.mode[j].branch = ++current.branches;
   return Status::ok;
 }
 

@@ -1,7 +1,8 @@
 // Modes of a linear model: eigenvalues, eigenvectors, damping, and a name for each.
 //
 // Works on the full and on the residualised model, at trimmed and at any other states. A mode is a real
-// eigenvalue or a conjugate pair. follow() carries names along a sweep.
+// eigenvalue or a conjugate pair. Its name is a function of the matrix alone: the same whatever was looked at
+// before. Which mode of one matrix continues which of another is a number of its own, the branch.
 #pragma once
 
 #include "tiltrotor/analysis/mode_names.hpp"
@@ -21,12 +22,14 @@ struct Mode {
   ModeShares<R> shares;
   R condition;     // of the eigenvalue, math/eigen.hpp
   int eigenvalue;  // its place in ModeSet::system
+  int branch;      // the same number along a sweep that follow() has gone through; alone 1, 2, ... in order
 };
 
 // Ordered: longitudinal, lateral, rotor; slow modes first. Coordinates as in SplitModel.
 template <class R>
 struct ModeSet {
   int count;
+  int branches;  // the highest number of a branch so far
   Mode<R> mode[kMaxLinearStates];
   int states;
   SplitCoordinate coordinate[kMaxLinearStates];
@@ -44,10 +47,10 @@ struct ModesWorkspace {
 template <class R>
 Status modes(const LinearModel<R>& model, ModesWorkspace<R>& work, ModeSet<R>& set);
 
-// Give the modes of `current` the names of those modes of `previous` that they continue: same kind of root
-// (real or pair) and eigenvectors that overlap. Modes without a forerunner keep the name they have, with
-// another ordinal when it is taken. Both sets must belong to models with the same states; otherwise
-// bad_argument and nothing changes.
+// Gives the modes of `current` the branches of those modes of `previous` that they continue: same kind of
+// root (real or pair) and eigenvectors that overlap by more than half, the surest first. The others begin
+// branches with numbers not used before. Names and order stay. Both sets must belong to models with the same
+// states; otherwise bad_argument and nothing changes.
 template <class R>
 Status follow(const ModeSet<R>& previous, ModeSet<R>& current);
 
