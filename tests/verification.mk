@@ -62,10 +62,9 @@ $(FUZZ_TARGETS:%=$(BUILD)/fuzz_%): $(BUILD)/fuzz_%: $(BUILD)/tests/fuzz/test_%.o
 # Conditions and decisions (MC/DC) need clang 18 or later.
 COVERAGE_CXX ?= $(shell command -v clang++-19 || echo clang++)
 coverage: ## statement, branch and condition/decision coverage of include/ and src/ by all tests, with what is not covered
-	+$(Q)if ! $(COVERAGE_CXX) -print-prog-name=llvm-cov 2>/dev/null | xargs -r test -x; then \
-	  echo "coverage: $(COVERAGE_CXX) with llvm-cov is not installed, nothing measured"; else \
+	+$(Q)if tools=$$(tests/coverage/tools.sh '$(COVERAGE_CXX)' '$(mapped)'); then \
 	  LLVM_PROFILE_FILE='$(abspath $(BUILD))/coverage/profiles/%2m.profraw' \
-	  $(MAKE) BUILD=$(BUILD)/coverage CXX=$(COVERAGE_CXX) HOST_CXX=$(COVERAGE_CXX) ARCH= COVERAGE_CXX=$(COVERAGE_CXX) \
+	  $(MAKE) BUILD=$(BUILD)/coverage CXX='$(COVERAGE_CXX)' HOST_CXX='$(COVERAGE_CXX)' ARCH= COVERAGE_TOOLS="$$(echo $$tools)" \
 	    CXXFLAGS='$(mapped)' HOST_CXXFLAGS='$(mapped)' coverage-measured; fi
 mapped = -O1 -fprofile-instr-generate -fcoverage-mapping $(call if_accepted,-fcoverage-mcdc)
 if_accepted = $(shell $(COVERAGE_CXX) -fprofile-instr-generate -fcoverage-mapping $(1) -E -x c++ /dev/null >/dev/null 2>&1 && echo $(1))
@@ -73,7 +72,7 @@ if_accepted = $(shell $(COVERAGE_CXX) -fprofile-instr-generate -fcoverage-mappin
 coverage-measured: all $(BUILD)/run_tests
 	$(Q)rm -rf $(BUILD)/profiles
 	$(Q)$(BUILD)/run_tests $(TESTS)
-	$(Q)tests/coverage/report.sh $(COVERAGE_CXX) $(BUILD)
+	$(Q)tests/coverage/report.sh $(COVERAGE_TOOLS) $(BUILD)
 
 # ---- requirements ----
 
