@@ -29,12 +29,13 @@ $(BUILD)/envelope: $(ENVELOPE_OBJECTS) $(BUILD)/libtiltrotor.a
 
 SECONDS ?= 60
 FUZZ_TARGETS := c_interface solvers command_line state_file tables
+FUZZ_CXX ?= clang++
 has_fuzzer = echo 'extern "C" int LLVMFuzzerTestOneInput(const char*, long) { return 0; }' | \
-             clang++ -fsanitize=fuzzer,address,undefined -x c++ - -o /dev/null 2>/dev/null
+             $(FUZZ_CXX) -fsanitize=fuzzer,address,undefined -x c++ - -o /dev/null 2>/dev/null
 each = $$(( ($(SECONDS) + $(words $(FUZZ_TARGETS)) - 1) / $(words $(FUZZ_TARGETS)) ))
 fuzz: ## SECONDS=60 of mutated input for every reader, solver and the C interface, under the sanitizers
 	+$(Q)set -e; if $(has_fuzzer); then \
-	  $(MAKE) BUILD=$(BUILD)/fuzz CXX=clang++ ARCH= \
+	  $(MAKE) BUILD=$(BUILD)/fuzz CXX='$(FUZZ_CXX)' ARCH= \
 	    CXXFLAGS='$(sanitized) -fsanitize=fuzzer-no-link -DTILTROTOR_FUZZER' fuzzers; \
 	  for target in $(FUZZ_TARGETS); do \
 	    mkdir -p $(BUILD)/fuzz/found/$$target; \
@@ -45,7 +46,8 @@ fuzz: ## SECONDS=60 of mutated input for every reader, solver and the C interfac
 	      "$$(grep -o 'cov: [0-9]*' $(BUILD)/fuzz/$$target.log | tail -n 1 | cut -c 6-) edges reached, nothing found"; \
 	  done; \
 	else \
-	  echo "fuzz: clang++ with libFuzzer is not installed, the plain driver mutates the corpus at random"; \
+	  echo "fuzz: not installed: $(FUZZ_CXX) with libFuzzer (Debian: clang libclang-rt-dev of its version)," \
+	    "the plain driver mutates the corpus at random"; \
 	  $(MAKE) BUILD=$(BUILD)/fuzz ARCH= CXXFLAGS='$(sanitized)' $(BUILD)/fuzz/run_tests; \
 	  FUZZ_SECONDS=$(each) $(fixed_layout) $(BUILD)/fuzz/run_tests fuzz_; \
 	fi
@@ -89,4 +91,4 @@ lint: $(GENERATED) ## clang-tidy and cppcheck on src/ and the headers it include
 
 MUTANTS ?= 60
 mutate: $(GENERATED) ## break MUTANTS=60 operators and constants of include/ one at a time; the tests should notice
-	$(Q)tests/mutation/mutate.sh $(MUTANTS) $(BUILD)
+	$(Q)CXX='$(CXX)' tests/mutation/mutate.sh $(MUTANTS) $(BUILD)
