@@ -123,8 +123,7 @@ test: all $(BUILD)/run_tests ## build and run every test, or TESTS="name ..."
 test-cross: $(BUILD)/reference_flight ## test on other machines, emulated: the same tests, and the reference flight bit for bit
 	$(Q)$(BUILD)/reference_flight >$(BUILD)/reference_flight.txt
 	+$(Q)set -e; for tools in $(CROSS_TOOLS); do \
-	  if ! command -v $$tools-g++ >/dev/null || ! command -v qemu-$${tools%%-*} >/dev/null; then \
-	    echo "test-cross: no compiler or emulator for $$tools, not tested"; continue; fi; \
+	  tests/tool.sh "test-cross $$tools" $$tools-g++ g++-$$tools qemu-$${tools%%-*} qemu-user || continue; \
 	  $(MAKE) CROSS_COMPILE=$$tools- BUILD=$(BUILD)/$$tools CXXFLAGS=-O1 $(BUILD)/$$tools/reference_flight test; \
 	  qemu-$${tools%%-*} -L /usr/$$tools $(BUILD)/$$tools/reference_flight | cmp - $(BUILD)/reference_flight.txt; \
 	  echo "$$tools: the reference flight is that of this machine, bit for bit"; done
@@ -133,9 +132,8 @@ CROSS_TOOLS ?= aarch64-linux-gnu riscv64-linux-gnu arm-linux-gnueabihf
 headers: $(HEADERS:%=alone/%) ## compile every public header alone, warnings are errors
 
 format: ## lay out every source with clang-format
-	$(Q)if command -v $(CLANG_FORMAT) >/dev/null; then \
-	  find include src tests bench -name '*.[ch]pp' -o -name '*.h' | xargs $(CLANG_FORMAT) $(FORMAT_FLAGS); \
-	else echo "format: $(CLANG_FORMAT) is not installed, nothing done"; fi
+	$(Q)if tests/tool.sh format $(CLANG_FORMAT) clang-format; then \
+	  find include src tests bench -name '*.[ch]pp' -o -name '*.h' | xargs $(CLANG_FORMAT) $(FORMAT_FLAGS); fi
 FORMAT_FLAGS ?= -i
 
 install: all ## copy headers, libraries, program and pkg-config file to DESTDIR/PREFIX
@@ -153,9 +151,20 @@ install: all ## copy headers, libraries, program and pkg-config file to DESTDIR/
 clean: ## remove the build directory
 	rm -rf '$(BUILD)'
 
+# Goals by what they are for; "use" is all the others.
+HELP_check   := test test-cross trace envelope fuzz coverage mutate headers lint format
+HELP_measure := bench bench-peers bench-instructions
+HELP_target  := hash firmware test-firmware budget
 help: ## list the goals
-	@sed -n 's/^\([a-z-]*\):.*## \(.*\)/  \1:\2/p' $(filter-out %.d,$(MAKEFILE_LIST)) | \
-	  awk -F: '{ printf "%-15s %s\n", $$1, $$2 }'
+	@sed -n 's/^\([a-z-]*\):.*## \(.*\)/\1 \2/p' $(filter-out %.d,$(MAKEFILE_LIST)) | \
+	  awk -v check='$(HELP_check)' -v measure='$(HELP_measure)' -v target='$(HELP_target)' ' \
+	    function assign(group, goals,    n, i, goal) { \
+	      for (n = split(goals, goal, " "); i++ < n;) group_of[goal[i]] = group } \
+	    BEGIN { assign("check", check); assign("measure", measure); assign("target", target) } \
+	    { goal = $$1; sub(/^[^ ]* /, ""); group = goal in group_of ? group_of[goal] : "use"; \
+	      lines[group] = lines[group] sprintf("  %-19s %s\n", goal, $$0) } \
+	    END { for (n = split("use check measure target", name, " "); k++ < n;) \
+	            printf "%s\n%s", name[k], lines[name[k]] }'
 
 include bench/bench.mk
 

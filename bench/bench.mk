@@ -40,12 +40,15 @@ $(foreach peer,$(PEERS),$(eval $(BUILD)/bench_peers_$(peer): LDLIBS += $(PEER_LI
 bench-peers: ## measure other differentiation and linear algebra libraries beside it
 	$(foreach peer,$(PEERS),$(call measure_peer,$(peer)))
 
-# One after another, whatever -j says. A peer is there when a program of one line compiles.
+# One after another, whatever -j says. A peer is there when a program of one line compiles. What the compiler says about
+# foreign headers (some of it no flag silences) goes to a file.
 define measure_peer
-	$(Q)if printf '#include <$(PEER_HEADER_$(1))>\nint main() {}\n' | \
+	+$(Q)if printf '#include <$(PEER_HEADER_$(1))>\nint main() {}\n' | \
 	    $(CXX) -std=c++17 $(PEER_FLAGS_$(1)) -x c++ - -o /dev/null $(PEER_LIBS_$(1)) 2>/dev/null; then \
-	  $(MAKE) --no-print-directory $(BUILD)/bench_peers_$(1) && $(BUILD)/bench_peers_$(1) $(BUILD)/bench; \
-	else echo "bench-peers: $(1) is not installed (Debian: $(PEER_PACKAGES_$(1)))"; fi
+	  mkdir -p $(BUILD)/bench; log=$(BUILD)/bench/peers_$(1).log; \
+	  if $(MAKE) --no-print-directory $(BUILD)/bench_peers_$(1) >$$log 2>&1; then $(BUILD)/bench_peers_$(1) $(BUILD)/bench; \
+	  else echo "bench-peers: $(1) is installed and does not compile, see $$log"; exit 1; fi; \
+	else echo "bench-peers: not installed: $(1) (Debian: $(PEER_PACKAGES_$(1))), left out"; fi
 
 endef
 
@@ -56,7 +59,9 @@ endef
 COUNTED := $(BUILD)/instructions
 
 bench-instructions: ## count instructions and compare with bench/limits.csv
-	$(Q)if ! command -v valgrind >/dev/null; then echo "bench-instructions: valgrind is not installed, nothing counted"; \
+	+$(Q)if ! tests/tool.sh bench-instructions valgrind valgrind; then :; \
+	elif [ "$$($(CXX) -dumpversion)" != 12 ]; then \
+	  echo "bench-instructions: the limits are for g++ 12 (Debian: g++-12), not for $(CXX), nothing counted"; \
 	elif [ "$$(uname -m)" != x86_64 ]; then echo "bench-instructions: the limits are for x86-64, nothing counted"; \
 	else $(MAKE) --no-print-directory BUILD=$(COUNTED) ARCH=x86-64-v3 CXXFLAGS=-O3 $(COUNTED)/bench_instructions && \
 	  bench/count_instructions.sh $(COUNTED)/bench_instructions bench/limits.csv $(BUILD)/bench; fi

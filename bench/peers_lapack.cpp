@@ -1,7 +1,11 @@
 // Eigenvalues and linear systems with LAPACK: dgeev, dgesv, whichever implementation is installed.
+#include <dlfcn.h>
+
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <cstdio>
+#include <cstdlib>
 #include <cstring>
 
 #include "peers_algebra.hpp"
@@ -12,6 +16,7 @@ void dgeev_(const char* left, const char* right, const int* n, double* a, const 
             const int* work_size, int* info, std::size_t, std::size_t);
 void dgesv_(const int* n, const int* columns, double* a, const int* stride, int* pivot, double* b,
             const int* stride_b, int* info);
+void ilaver_(int* major, int* minor, int* patch);
 }
 
 using namespace bench;
@@ -81,11 +86,26 @@ double largest_difference() {
   return worst;
 }
 
+// Which library answers to a name: the ratios belong to that build alone.
+void say_where(const char* function) {
+  Dl_info where{};
+  void* const found = dlsym(RTLD_DEFAULT, function);
+  char* const path =
+      found != nullptr && dladdr(found, &where) != 0 ? realpath(where.dli_fname, nullptr) : nullptr;
+  std::printf("  %-8s from %s\n", function, path != nullptr ? path : "this program");
+  std::free(path);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
   require(argc == 2, "usage: bench_peers_lapack DIRECTORY");
   introduce("Peer: LAPACK dgeev (eigensystem: right and left vectors, as ours) and dgesv");
+  int version[3] = {};
+  ilaver_(&version[0], &version[1], &version[2]);
+  std::printf("  LAPACK %d.%d.%d\n", version[0], version[1], version[2]);
+  say_where("dgeev_");
+  say_where("dgemm_");
   Results results(argv[1]);
   compare_algebra<LapackAlgebra>("lapack", results);
   results.add("eigenvalues_n9_difference_lapack", largest_difference<9>(), "-");

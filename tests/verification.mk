@@ -29,12 +29,13 @@ $(BUILD)/envelope: $(ENVELOPE_OBJECTS) $(BUILD)/libtiltrotor.a
 
 SECONDS ?= 60
 FUZZ_TARGETS := c_interface solvers command_line state_file tables
+FUZZ_CXX ?= clang++
 has_fuzzer = echo 'extern "C" int LLVMFuzzerTestOneInput(const char*, long) { return 0; }' | \
-             clang++ -fsanitize=fuzzer,address,undefined -x c++ - -o /dev/null 2>/dev/null
+             $(FUZZ_CXX) -fsanitize=fuzzer,address,undefined -x c++ - -o /dev/null 2>/dev/null
 each = $$(( ($(SECONDS) + $(words $(FUZZ_TARGETS)) - 1) / $(words $(FUZZ_TARGETS)) ))
 fuzz: ## SECONDS=60 of mutated input for every reader, solver and the C interface, under the sanitizers
 	+$(Q)set -e; if $(has_fuzzer); then \
-	  $(MAKE) BUILD=$(BUILD)/fuzz CXX=clang++ ARCH= \
+	  $(MAKE) BUILD=$(BUILD)/fuzz CXX='$(FUZZ_CXX)' ARCH= \
 	    CXXFLAGS='$(sanitized) -fsanitize=fuzzer-no-link -DTILTROTOR_FUZZER' fuzzers; \
 	  for target in $(FUZZ_TARGETS); do \
 	    mkdir -p $(BUILD)/fuzz/found/$$target; \
@@ -45,7 +46,8 @@ fuzz: ## SECONDS=60 of mutated input for every reader, solver and the C interfac
 	      "$$(grep -o 'cov: [0-9]*' $(BUILD)/fuzz/$$target.log | tail -n 1 | cut -c 6-) edges reached, nothing found"; \
 	  done; \
 	else \
-	  echo "fuzz: clang++ with libFuzzer is not installed, the plain driver mutates the corpus at random"; \
+	  echo "fuzz: not installed: $(FUZZ_CXX) with libFuzzer (Debian: clang libclang-rt-dev of its version)," \
+	    "the plain driver mutates the corpus at random"; \
 	  $(MAKE) BUILD=$(BUILD)/fuzz ARCH= CXXFLAGS='$(sanitized)' $(BUILD)/fuzz/run_tests; \
 	  FUZZ_SECONDS=$(each) $(fixed_layout) $(BUILD)/fuzz/run_tests fuzz_; \
 	fi
@@ -62,10 +64,9 @@ $(FUZZ_TARGETS:%=$(BUILD)/fuzz_%): $(BUILD)/fuzz_%: $(BUILD)/tests/fuzz/test_%.o
 # Conditions and decisions (MC/DC) need clang 18 or later.
 COVERAGE_CXX ?= $(shell command -v clang++-19 || echo clang++)
 coverage: ## statement, branch and condition/decision coverage of include/ and src/ by all tests, with what is not covered
-	+$(Q)if ! $(COVERAGE_CXX) -print-prog-name=llvm-cov 2>/dev/null | xargs -r test -x; then \
-	  echo "coverage: $(COVERAGE_CXX) with llvm-cov is not installed, nothing measured"; else \
+	+$(Q)if tools=$$(tests/coverage/tools.sh '$(COVERAGE_CXX)' '$(mapped)'); then \
 	  LLVM_PROFILE_FILE='$(abspath $(BUILD))/coverage/profiles/%2m.profraw' \
-	  $(MAKE) BUILD=$(BUILD)/coverage CXX=$(COVERAGE_CXX) HOST_CXX=$(COVERAGE_CXX) ARCH= COVERAGE_CXX=$(COVERAGE_CXX) \
+	  $(MAKE) BUILD=$(BUILD)/coverage CXX='$(COVERAGE_CXX)' HOST_CXX='$(COVERAGE_CXX)' ARCH= COVERAGE_TOOLS="$$(echo $$tools)" \
 	    CXXFLAGS='$(mapped)' HOST_CXXFLAGS='$(mapped)' coverage-measured; fi
 mapped = -O1 -fprofile-instr-generate -fcoverage-mapping $(call if_accepted,-fcoverage-mcdc)
 if_accepted = $(shell $(COVERAGE_CXX) -fprofile-instr-generate -fcoverage-mapping $(1) -E -x c++ /dev/null >/dev/null 2>&1 && echo $(1))
@@ -73,7 +74,7 @@ if_accepted = $(shell $(COVERAGE_CXX) -fprofile-instr-generate -fcoverage-mappin
 coverage-measured: all $(BUILD)/run_tests
 	$(Q)rm -rf $(BUILD)/profiles
 	$(Q)$(BUILD)/run_tests $(TESTS)
-	$(Q)tests/coverage/report.sh $(COVERAGE_CXX) $(BUILD)
+	$(Q)tests/coverage/report.sh $(COVERAGE_TOOLS) $(BUILD)
 
 # ---- requirements ----
 
@@ -90,4 +91,4 @@ lint: $(GENERATED) ## clang-tidy and cppcheck on src/ and the headers it include
 
 MUTANTS ?= 60
 mutate: $(GENERATED) ## break MUTANTS=60 operators and constants of include/ one at a time; the tests should notice
-	$(Q)tests/mutation/mutate.sh $(MUTANTS) $(BUILD)
+	$(Q)CXX='$(CXX)' tests/mutation/mutate.sh $(MUTANTS) $(BUILD)

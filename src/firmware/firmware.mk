@@ -40,17 +40,21 @@ image_make = $(MAKE) --no-print-directory CROSS_COMPILE=$(FIRMWARE_PREFIX) CXX=$
   CXXFLAGS='-O3 -fcallgraph-info=su -fstack-usage' LDFLAGS= BUILD=$(BUILD)/$(1)
 IMAGES := $(BUILD)/cortex-m7/flight.elf $(BUILD)/cortex-m4f/flight.elf
 
+# $(call firmware_tools,GOAL): what building the images, and flying them, needs
+firmware_builders = tests/tool.sh $(1) $(FIRMWARE_PREFIX)g++ gcc-arm-none-eabi \
+                      $(FIRMWARE_PREFIX)g++:cmath libstdc++-arm-none-eabi-newlib
+firmware_tools    = $(firmware_builders) qemu-system-arm qemu-system-arm
+
 firmware: ## images of the reference flight for Cortex-M7 and Cortex-M4F
-	+$(Q)if command -v $(FIRMWARE_PREFIX)g++ >/dev/null; then \
+	+$(Q)if $(call firmware_builders,firmware); then \
 	  $(call image_make,cortex-m7,double) $(BUILD)/cortex-m7/flight.elf $(BUILD)/cortex-m7/measure.elf && \
 	  $(call image_make,cortex-m4f,single) $(BUILD)/cortex-m4f/flight.elf $(BUILD)/cortex-m4f/measure.elf && \
-	  $(FIRMWARE_PREFIX)size $(IMAGES); \
-	else echo "firmware: $(FIRMWARE_PREFIX)g++ is not installed, nothing built"; fi
+	  $(FIRMWARE_PREFIX)size $(IMAGES); fi
 
 # The host's own flights, without -march: the hashes must be equal all the same.
-test-firmware: firmware ## fly the images in an emulator and compare with the flight on this machine
-	+$(Q)if ! command -v $(FIRMWARE_PREFIX)g++ >/dev/null || ! command -v qemu-system-arm >/dev/null; then \
-	  echo "test-firmware: $(FIRMWARE_PREFIX)g++ or qemu-system-arm is not installed, nothing tested"; exit 0; fi; set -e; \
+test-firmware: ## fly the images in an emulator and compare with the flight on this machine
+	+$(Q)$(call firmware_tools,test-firmware) || exit 0; set -e; \
+	$(MAKE) --no-print-directory firmware; \
 	$(MAKE) --no-print-directory $(BUILD)/reference_flight; \
 	$(MAKE) --no-print-directory PRECISION=single BUILD=$(BUILD)/single $(BUILD)/single/reference_flight; \
 	src/firmware/compare.sh cortex-m7 mps2-an500 $(BUILD)/cortex-m7/flight.elf \

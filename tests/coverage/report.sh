@@ -1,20 +1,20 @@
 #!/usr/bin/env bash
-# report.sh CLANG BUILD: statements and branches of include/ and src/ from the profiles below BUILD/profiles, without
-# what exclusions.txt lists. A template counts once: a line or a side of a branch is covered when any instance is.
+# report.sh PROFDATA COV BUILD: statements and branches of include/ and src/ from the profiles below BUILD/profiles,
+# without what exclusions.txt lists. A template counts once: a line or a side of a branch is covered when any is.
 set -eu -o pipefail
-clang=$1
-build=$2
-tool() { "$clang" -print-prog-name="$1"; }
-"$(tool llvm-profdata)" merge -sparse "$build"/profiles/*.profraw -o "$build/tests.profdata"
-"$(tool llvm-cov)" export -format=lcov -instr-profile="$build/tests.profdata" "$build/run_tests" \
+profdata=$1
+cov=$2
+build=$3
+"$profdata" merge -sparse "$build"/profiles/*.profraw -o "$build/tests.profdata"
+"$cov" export -format=lcov -instr-profile="$build/tests.profdata" "$build/run_tests" \
     -object "$build/tiltrotor" -object "$build/tablegen" >"$build/coverage.lcov"
-"$(tool llvm-cov)" show -format=html -instr-profile="$build/tests.profdata" "$build/run_tests" \
+"$cov" show -format=html -instr-profile="$build/tests.profdata" "$build/run_tests" \
     -object "$build/tiltrotor" -object "$build/tablegen" -ignore-filename-regex='(tests|bench|generated)/' \
     -show-branches=count -output-dir="$build/coverage" >/dev/null 2>&1 || true
 # What lcov does not know, with its place, in lines of four fields divided by TABs: sides of branches (file, line:column,
 # times true, times false) and conditions of decisions of two or more (file, line:column+place, "mcdc", 1 when shown to
 # decide alone).
-"$(tool llvm-cov)" export -skip-functions -instr-profile="$build/tests.profdata" "$build/run_tests" \
+"$cov" export -skip-functions -instr-profile="$build/tests.profdata" "$build/run_tests" \
     -object "$build/tiltrotor" -object "$build/tablegen" | sed 's/{"branches":/\n&/g' | awk '
   /^\{"branches":\[.*\],"expansions":/ { branches = substr($0, 1, index($0, "],\"expansions\":")) }
   match($0, /"filename":"[^"]*"/) {

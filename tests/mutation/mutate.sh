@@ -9,7 +9,7 @@ set -u
 count=$1
 build=$2
 seed=${3:-1}
-cxx=${CXX:-g++}
+cxx=${CXX:-g++}  # may be two words: ccache g++
 work=$(mktemp -d) || exit 1
 trap 'rm -rf "$work"' EXIT
 flags="-std=c++17 -O1 -ffp-contract=off -fno-tree-slp-vectorize -fno-math-errno -w -Isrc -Itests -I$build/generated"
@@ -54,8 +54,8 @@ tests_for() {
 
 # Objects that no mutant touches.
 data="$fast/aircraft_data.o $fast/check.o"
-"$cxx" $flags -Iinclude "${defines[@]}" -c src/library/aircraft_data.cpp -o "$fast/aircraft_data.o" &&
-    "$cxx" $flags -Iinclude "${defines[@]}" -c tests/check.cpp -o "$fast/check.o" || exit 1
+$cxx $flags -Iinclude "${defines[@]}" -c src/library/aircraft_data.cpp -o "$fast/aircraft_data.o" &&
+    $cxx $flags -Iinclude "${defines[@]}" -c tests/check.cpp -o "$fast/check.o" || exit 1
 
 # built TEST INCLUDE: compiled against that copy of the headers, with its other half where it has one.
 built() {
@@ -63,9 +63,9 @@ built() {
     rm -f "$work"/*.o
     for half in "$1" "${1%.cpp}_portable.cpp"; do
         [ -e "$half" ] || continue
-        timeout 300 "$cxx" $flags -I"$2" "${defines[@]}" -c "$half" -o "$work/$(basename "$half" .cpp).o" 2>/dev/null || return
+        timeout 300 $cxx $flags -I"$2" "${defines[@]}" -c "$half" -o "$work/$(basename "$half" .cpp).o" 2>/dev/null || return
     done
-    "$cxx" "$work"/*.o $data -o "$work/run" 2>/dev/null
+    $cxx "$work"/*.o $data -o "$work/run" 2>/dev/null
 }
 passes() { ( timeout 120 "$work/run" --skip slow_ ) >/dev/null 2>&1; }
 # sound TEST: it passes without a mutant. Asked only of tests that noticed one, once each.
@@ -97,7 +97,7 @@ while IFS=$'\t' read -r file line from to; do
     verdict=survived
     for test in $(tests_for "$file"); do
         # A test that does not see the file cannot notice.
-        "$cxx" $flags -I"$work/include" "${defines[@]}" -MM "$test" 2>/dev/null | grep -q "$work/$file" || continue
+        $cxx $flags -I"$work/include" "${defines[@]}" -MM "$test" 2>/dev/null | grep -q "$work/$file" || continue
         how=compiler
         if built "$test" "$work/include"; then
             passes && continue
