@@ -6,8 +6,9 @@
 //   for (...) if (advance(c, work, flight) != Status::ok) ... flight.fault_state, flight.fault_time
 //
 // Simulation is plain: a snapshot is a copy, and a replay is exact. Heading, and position when it is a state,
-// are integrated with the rest. A and B at any moment: linearize(c, flight.state, current_controls(flight),
-// ..., current_azimuth(c, flight)); the rates it finds are the first evaluation of the step that follows:
+// are integrated with the rest. A and B at any moment: linearize(c, current_state(flight),
+// current_controls(flight), ..., current_azimuth(c, flight)); the rates it finds are the first evaluation of
+// the step that follows:
 // advance(c, work, flight, model.xdot) takes them over and finds the same bits for one derivative less.
 #pragma once
 
@@ -15,6 +16,7 @@
 
 #include "tiltrotor/analysis/differentiation.hpp"
 #include "tiltrotor/analysis/input_signal.hpp"
+#include "tiltrotor/analysis/travel.hpp"
 #include "tiltrotor/math/integrate.hpp"
 
 namespace tiltrotor {
@@ -30,6 +32,7 @@ inline constexpr int kMaxInputs = 8;
 template <class R>
 struct Simulation {
   State<R> state;
+  Travel travel;         // its sums, more exactly
   Controls<R> controls;  // what the inputs add to; may be changed between steps
   InputSignal<R> input[kMaxInputs];
   int inputs;
@@ -52,7 +55,7 @@ struct SimulationWorkspace {
     RosenbrockWorkspace<R, state_count> rosenbrock;
   } method;
   ActiveStates active;
-  R x[state_count];  // active states
+  R x[state_count];  // active states; of the sums what the step adds
   R rates[state_count];
   R ahead[state_count], behind[state_count];
   R scale[state_count];
@@ -68,6 +71,19 @@ R current_time(const Simulation<R>& s) {
 template <class R>
 R current_azimuth(const Configuration<R>& c, const Simulation<R>& s) {
   return c.setup.rotor_speed * current_time(s);
+}
+
+// The state with bank and heading within half a turn: what the next step begins with.
+template <class R>
+State<R> current_state(const Simulation<R>& s) {
+  Travel travel = s.travel;
+  follow(s.state, travel);
+  R x[state_count];
+  pack(s.state, x);
+  take_turns_off(travel, x);
+  State<R> state;
+  unpack(x, state);
+  return state;
 }
 
 // Controls at a time: the simulation's own and every input.
@@ -92,6 +108,7 @@ template <class R>
 Status start(const Configuration<R>& c, const State<R>& x, const Controls<R>& u, R dt, Integrator integrator,
              Simulation<R>& s) {
   s.state = x;
+  s.travel = Travel{};
   s.controls = u;
   s.inputs = 0;
   s.integrator = integrator;
@@ -126,7 +143,8 @@ constexpr R state_bound(int index) {
   if (index <= ix_r) return R(20);                     // rad/s
   if (index == ix_roll) return R(1000);                // rolls may add up
   if (index == ix_pitch) return R(89.5) * kRadian<R>;  // Euler angles end there
-  if (index == ix_yaw || index >= ix_position) return std::numeric_limits<R>::max();
+  if (index == ix_yaw) return R(1e6);                  // and turns
+  if (index >= ix_position) return R(1e9);             // m
   if (index == ix_downwash) return R(2);
   const bool rate = index > ix_downwash
                         ? (index - ix_coning_right) % 2 == 1
@@ -149,7 +167,10 @@ struct RightSide {
     pack(controls, u);
     for (int i = 0; i < state_count; ++i) room.x[i] = T(work.whole[i]);
     for (int j = 0; j < control_count; ++j) room.u[j] = T(u[j]);
-    for (int k = 0; k < work.active.count; ++k) room.x[work.active.index[k]] = x[k];
+    for (int k = 0; k < work.active.count; ++k) {
+      const int i = work.active.index[k];
+      room.x[i] = sum_of(i) < 0 ? x[k] : room.x[i] + x[k];
+    }
     model_rates(c, azimuth, room);
     for (int k = 0; k < work.active.count; ++k) rates[k] = room.x[work.active.index[k]];
   }
@@ -205,7 +226,12 @@ Status advance(const Configuration<R>& c, SimulationWorkspace<R, Policy>& work, 
   work.active = active_states(c.setup.options, true);
   const int n = work.active.count;
   pack(s.state, work.whole);
-  for (int k = 0; k < n; ++k) work.x[k] = work.whole[work.active.index[k]];
+  Travel travel = s.travel;
+  follow(s.state, travel);
+  take_turns_off(travel, work.whole);
+  // Sums begin at zero: what a step adds is not rounded to the size of the sum.
+  for (int k = 0; k < n; ++k)
+    work.x[k] = sum_of(work.active.index[k]) < 0 ? work.whole[work.active.index[k]] : R(0);
   const Controls<R> controls = current_controls(s);
   const R time = current_time(s);
   s.fault_state = -1;
@@ -232,7 +258,13 @@ Status advance(const Configuration<R>& c, SimulationWorkspace<R, Policy>& work, 
   }
   for (int k = 0; k < n && s.status == Status::ok; ++k) {
     const int index = work.active.index[k];
-    if (!(std::fabs(work.x[k]) <= response_detail::state_bound<R>(index))) {
+    const int sum = sum_of(index);
+    if (sum >= 0) travel.sum[sum] += static_cast<double>(work.x[k]);
+    if (sum >= 0) work.x[k] = static_cast<R>(travel.sum[sum]);
+    const R bound = response_detail::state_bound<R>(index);
+    const bool within =
+        sum < 0 ? std::fabs(work.x[k]) <= bound : std::fabs(travel.sum[sum]) <= static_cast<double>(bound);
+    if (!within) {
       s.fault_state = index;
       s.status = Status::out_of_range;
     }
@@ -243,6 +275,7 @@ Status advance(const Configuration<R>& c, SimulationWorkspace<R, Policy>& work, 
     return s.status;
   }
   unpack(work.whole, s.state);
+  s.travel = travel;
   ++s.steps;
   return s.status;
 }
