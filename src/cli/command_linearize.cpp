@@ -59,7 +59,7 @@ int at_given_states(const Arguments& arguments, const SetupOptions& setup) {
   for (std::size_t r = linearizer.shard().begin(file.rows.size());
        r < linearizer.shard().end(file.rows.size()); ++r) {
     const StateRow& row = file.rows[r];
-    const Vec3<double>& v = row.state.velocity;
+    const Vec3<double> v = row.state.velocity - row.controls.gust;
     const LinearCase which{row.name, *row.mast_deg, std::sqrt(dot(v, v)), "ok", true};
     const int done = linearizer.add(which, setup.configuration(*row.mast_deg), row.state, row.controls);
     if (done != exit_success) exit_status = done;
