@@ -1,15 +1,12 @@
-// The C interface: the aircraft, its controls, its state and what follows from them.
+// The C interface: the aircraft, its controls and its state.
 #include <cmath>
 
-#include "library/c_memory.hpp"
+#include "library/c_state.hpp"
 #include "library/c_words.hpp"
-#include "tiltrotor/model/aircraft_data.hpp"
 
 namespace tiltrotor::c_interface {
 
 namespace {
-
-using Setup = FlightSetup<R>;
 
 static_assert(int{TR_STATES} == state_count && int{TR_CONTROLS} == control_count);
 static_assert(int{TR_ROLL} == ix_roll && int{TR_ROTOR_RIGHT} == ix_rotor_right &&
@@ -39,7 +36,7 @@ bool in_bounds(const tr_state& state) {
     if (!(std::fabs(state.x[i]) <= response_detail::state_bound<R>(i))) return false;
   for (const R u : state.u)
     if (!(std::fabs(u) <= kLargestControl)) return false;
-  return state.time_s >= 0;
+  return state.time_s >= 0 && state.time_s <= kLongestFlight && state.steps <= kMostSteps;
 }
 
 bool choice(Options& options, const tr_setup& setup) {
@@ -55,6 +52,78 @@ bool choice(Options& options, const tr_setup& setup) {
 
 }  // namespace
 
+tr_status wanted_setup(const tr_setup& setup, FlightSetup<R>& wanted) {
+  if (setup.aircraft != TR_XV15) return TR_BAD_ARGUMENT;
+  if (!detail::within(setup.mast_deg, R(0), R(90))) return TR_OUT_OF_RANGE;
+  wanted = flight_setup(aircraft_data<R>(), setup.mast_deg);
+  wanted.flap_deg = setup.flap_deg;
+  wanted.altitude = setup.altitude_m;
+  wanted.mass = setup.mass_kg;
+  wanted.rotor_speed = setup.rotor_radps;
+  wanted.sl_cg = setup.cg_station_m;
+  if (!choice(wanted.options, setup)) return TR_BAD_ARGUMENT;
+  return detail::valid(wanted) ? TR_OK : TR_OUT_OF_RANGE;
+}
+
+tr_setup setup_of(const FlightSetup<R>& setup) {
+  const Options& o = setup.options;
+  tr_setup found;
+  found.aircraft = TR_XV15;
+  found.grid = o.grid == BladeGrid::realtime ? TR_GRID_REALTIME : TR_GRID_SPECIFICATION;
+  found.tables = o.tables == Interpolation::c1 ? TR_TABLES_SMOOTH : TR_TABLES_LINEAR;
+  found.coning_states = o.coning_states ? 1 : 0;
+  found.mast_deg = setup.mast_deg;
+  found.flap_deg = setup.flap_deg;
+  found.altitude_m = setup.altitude;
+  found.mass_kg = setup.mass;
+  found.rotor_radps = setup.rotor_speed;
+  found.cg_station_m = setup.sl_cg;
+  return found;
+}
+
+tr_status make(const FlightSetup<R>& setup, tr_sim* sim) {
+  Configuration<R> configuration;
+  const Status status = prepare(aircraft_data<R>(), setup, configuration);
+  if (status != Status::ok) return translated(status);
+  Sim& s = *::new (static_cast<void*>(sim->reserved)) Sim;
+  s.configuration = configuration;
+  s.configuration.aircraft = nullptr;
+  s.x = State<R>{};
+  s.travel = Travel{};
+  s.u = Controls<R>{};
+  s.time = 0;
+  s.steps = 0;
+  s.mark = kMark;
+  return TR_OK;
+}
+
+tr_status check_state(const tr_state& state) {
+  if (!is_finite(state.time_s) || !all_finite(state.x, TR_STATES) || !all_finite(state.u, TR_CONTROLS))
+    return TR_NOT_FINITE;
+  return in_bounds(state) ? TR_OK : TR_OUT_OF_RANGE;
+}
+
+void get_state(const Sim& s, tr_state& state) {
+  state.time_s = s.time;
+  state.steps = s.steps;
+  pack(s.x, state.x);
+  pack(s.u, state.u);
+  const double* sum = s.travel.sum;
+  state.roll_rad = *sum++;
+  state.yaw_rad = *sum++;
+  for (double& position : state.position_m) position = *sum++;
+}
+
+void put_state(const tr_state& state, Sim& s) {
+  s.time = state.time_s;
+  s.steps = state.steps;
+  unpack(state.x, s.x);
+  unpack(state.u, s.u);
+  const double* north = state.position_m;
+  s.travel = {{state.roll_rad, state.yaw_rad, north[0], north[1], north[2]}};
+  follow(s.x, s.travel);
+}
+
 }  // namespace tiltrotor::c_interface
 
 using namespace tiltrotor;
@@ -64,7 +133,7 @@ tr_status tr_default_setup(tr_setup* setup, uint32_t version, int32_t aircraft, 
   if (version != TR_API_VERSION) return TR_WRONG_VERSION;
   if (setup == nullptr || aircraft != TR_XV15) return TR_BAD_ARGUMENT;
   if (!detail::within(mast_deg, R(0), R(90))) return TR_OUT_OF_RANGE;
-  const Setup defaults = flight_setup(aircraft_data<R>(), mast_deg);
+  const FlightSetup<R> defaults = flight_setup(aircraft_data<R>(), mast_deg);
   setup->aircraft = aircraft;
   setup->grid = TR_GRID_REALTIME;
   setup->tables = TR_TABLES_SMOOTH;
@@ -82,26 +151,11 @@ tr_status tr_init(tr_sim* sim, uint32_t version, const tr_setup* setup) {
   if (sim == nullptr) return TR_BAD_ARGUMENT;
   // The size of what lies behind the pointer depends on the version: nothing is touched before it is known.
   if (version != TR_API_VERSION) return TR_WRONG_VERSION;
-  Sim& s = *::new (static_cast<void*>(sim->reserved)) Sim;
-  s.mark = 0;
-  if (setup == nullptr || setup->aircraft != TR_XV15) return TR_BAD_ARGUMENT;
-  const Aircraft<R>& aircraft = aircraft_data<R>();
-  if (!detail::within(setup->mast_deg, R(0), R(90))) return TR_OUT_OF_RANGE;
-  Setup wanted = flight_setup(aircraft, setup->mast_deg);
-  wanted.flap_deg = setup->flap_deg;
-  wanted.altitude = setup->altitude_m;
-  wanted.mass = setup->mass_kg;
-  wanted.rotor_speed = setup->rotor_radps;
-  wanted.sl_cg = setup->cg_station_m;
-  if (!choice(wanted.options, *setup)) return TR_BAD_ARGUMENT;
-  const Status status = prepare(aircraft, wanted, s.configuration);
-  if (status != Status::ok) return translated(status);
-  s.x = State<R>{};
-  s.u = Controls<R>{};
-  s.time = 0;
-  s.steps = 0;
-  s.mark = kMark;
-  return TR_OK;
+  (::new (static_cast<void*>(sim->reserved)) Sim)->mark = 0;
+  if (setup == nullptr) return TR_BAD_ARGUMENT;
+  FlightSetup<R> wanted;
+  const tr_status status = wanted_setup(*setup, wanted);
+  return status == TR_OK ? make(wanted, sim) : status;
 }
 
 size_t tr_sim_size(void) { return sizeof(Sim); }
@@ -128,11 +182,7 @@ tr_status tr_get_state(const tr_sim* sim, tr_state* state) {
   const tr_status ready = check(sim);
   if (ready != TR_OK) return ready;
   if (state == nullptr) return TR_BAD_ARGUMENT;
-  const Sim& s = *opened(sim);
-  state->time_s = s.time;
-  state->steps = s.steps;
-  pack(s.x, state->x);
-  pack(s.u, state->u);
+  get_state(*opened(sim), *state);
   return TR_OK;
 }
 
@@ -140,68 +190,7 @@ tr_status tr_set_state(tr_sim* sim, const tr_state* state) {
   const tr_status ready = check(sim);
   if (ready != TR_OK) return ready;
   if (state == nullptr) return TR_BAD_ARGUMENT;
-  if (!is_finite(state->time_s) || !all_finite(state->x, TR_STATES) || !all_finite(state->u, TR_CONTROLS))
-    return TR_NOT_FINITE;
-  if (!in_bounds(*state)) return TR_OUT_OF_RANGE;
-  Sim& s = *opened(sim);
-  s.time = state->time_s;
-  s.steps = state->steps;
-  unpack(state->x, s.x);
-  unpack(state->u, s.u);
-  return TR_OK;
-}
-
-tr_status tr_derivative(const tr_sim* sim, tr_real* rates, size_t length) {
-  const tr_status ready = check(sim);
-  if (ready != TR_OK) return ready;
-  if (rates == nullptr) return TR_BAD_ARGUMENT;
-  if (length < TR_STATES) return TR_SHORT_BUFFER;
-  const Sim& s = *opened(sim);
-  State<R> xdot;
-  derivative(s.configuration, s.x, s.u, xdot);
-  pack(xdot, rates);
-  return all_finite(rates, TR_STATES) ? TR_OK : TR_NOT_FINITE;
-}
-
-tr_status tr_get_outputs(const tr_sim* sim, tr_outputs* outputs) {
-  const tr_status ready = check(sim);
-  if (ready != TR_OK) return ready;
-  if (outputs == nullptr) return TR_BAD_ARGUMENT;
-  const Sim& s = *opened(sim);
-  const Configuration<R>& c = s.configuration;
-  Evaluation<R> e;
-  evaluate(c, s.x, s.u, e);
-  const BladeControls<R> blades = mix_controls(c, s.u, s.x.velocity - s.u.gust);
-
-  tr_outputs& o = *outputs;
-  const Vec3<R>& v = s.x.velocity;
-  const R airspeed = std::sqrt(dot(v, v));
-  o.time_s = s.time;
-  o.airspeed_mps = airspeed;
-  o.angle_of_attack_rad = airspeed > R(0) ? atan2(v.z, v.x) : R(0);
-  o.sideslip_rad = airspeed > R(0) ? atan2(v.y, std::sqrt(v.x * v.x + v.z * v.z)) : R(0);
-  Vec3<R> force{};
-  for (const Loads<R>& loads : e.loads.component) force = force + loads.force;
-  const R per_mass = R(1) / c.mass.mass;
-  o.specific_force_mps2[0] = force.x * per_mass;
-  o.specific_force_mps2[1] = force.y * per_mass;
-  o.specific_force_mps2[2] = force.z * per_mass;
-  o.load_factor = -(force.z * per_mass) / kGravity<R>;
-  o.climb_rate_mps = -e.rates.position.z;
-  for (int side = 0; side < 2; ++side) {
-    const RotorLoads<R>& rotor = e.rotor[side].loads;
-    const RotorState<R>& x = s.x.rotor[side];
-    o.thrust_n[side] = std::sqrt(dot(rotor.force, rotor.force));
-    o.torque_nm[side] = rotor.torque;
-    o.power_w[side] = rotor.torque * c.setup.rotor_speed;
-    o.collective_rad[side] = blades.collective[side];
-    o.long_cyclic_rad[side] = blades.long_cyclic[side];
-    o.gimbal_tilt_rad[side] = std::sqrt(x.b1c * x.b1c + x.b1s * x.b1s);
-  }
-  o.elevator_rad = blades.elevator;
-  o.aileron_rad = blades.aileron;
-  o.rudder_rad = blades.rudder;
-  const bool finite = is_finite(o.load_factor) && is_finite(o.power_w[0]) && is_finite(o.power_w[1]) &&
-                      all_finite(o.specific_force_mps2, 3);
-  return finite ? TR_OK : TR_NOT_FINITE;
+  const tr_status status = check_state(*state);
+  if (status == TR_OK) put_state(*state, *opened(sim));
+  return status;
 }
