@@ -164,6 +164,19 @@ TEST(capi_every_state_is_bounded_where_a_step_can_go) {
     }
   }
   CHECK_LE(60, flown);
+  const tr_sim sim = trimmed_sim(30, 50);
+  for (int j = 0; j < TR_CONTROLS; ++j) {
+    for (const tr_real sign : {tr_real(1), tr_real(-1)}) {
+      tr_state state = state_of(sim);
+      state.u[j] = sign * 100;
+      tr_sim here = sim;
+      CHECK_EQ(tr_set_state(&here, &state), TR_OK);
+      const tr_status status = tr_step(&here, work.get(), dt);
+      CHECK(status == TR_OK || status == TR_OUT_OF_RANGE || status == TR_NOT_FINITE);
+      state.u[j] = sign * tr_real(100.001);
+      CHECK_EQ(tr_set_state(&here, &state), TR_OUT_OF_RANGE);
+    }
+  }
 }
 
 // A flight that reaches the end of a range says so, and stays in what can be set again.
