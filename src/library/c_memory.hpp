@@ -36,14 +36,7 @@ inline const Configuration<R>& equipped(const Sim& s, Configuration<R>& room) {
 }
 
 // The state as the equations of motion see it: bank and heading within half a turn.
-inline State<R> evaluated_state(const Sim& s) {
-  R flat[state_count];
-  State<R> x;
-  pack(s.x, flat);
-  take_turns_off(s.travel, flat);
-  unpack(flat, x);
-  return x;
-}
+inline State<R> evaluated_state(const Sim& s) { return without_turns(s.x, s.travel); }
 
 // One group of members at a time. The explicit integrator needs no Jacobian, hence the small workspace of
 // NumDiff.

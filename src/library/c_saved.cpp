@@ -17,7 +17,16 @@ namespace {
 constexpr unsigned char kMagic[8] = {'t', 'r', 's', 'a', 'v', 'e', 'd', 0x1a};
 constexpr std::uint32_t kFormat = 1;
 
-// The bits of a number, written and read with the least significant byte first.
+// Least significant byte first. Out of line: there are many numbers, and little memory for code on a target.
+TILTROTOR_NOINLINE void put(std::uint64_t bits, std::size_t bytes, unsigned char* to) {
+  for (std::size_t k = 0; k < bytes; ++k) to[k] = static_cast<unsigned char>(bits >> (8 * k));
+}
+TILTROTOR_NOINLINE std::uint64_t taken(std::size_t bytes, const unsigned char* from) {
+  std::uint64_t bits = 0;
+  for (std::size_t k = 0; k < bytes; ++k) bits |= std::uint64_t{from[k]} << (8 * k);
+  return bits;
+}
+
 template <class T>
 using Bits = std::conditional_t<sizeof(T) == 8, std::uint64_t,
                                 std::conditional_t<sizeof(T) == 4, std::uint32_t, unsigned char>>;
@@ -29,8 +38,8 @@ class Writer {
   void operator()(const T& number) {
     Bits<T> bits;
     std::memcpy(&bits, &number, sizeof number);
-    for (unsigned k = 0; k < sizeof number; ++k)
-      *to_++ = static_cast<unsigned char>(std::uint64_t{bits} >> (8 * k));
+    put(bits, sizeof number, to_);
+    to_ += sizeof number;
   }
 
  private:
@@ -42,10 +51,9 @@ class Reader {
   explicit Reader(const unsigned char* from) : from_(from) {}
   template <class T>
   void operator()(T& number) {
-    std::uint64_t sum = 0;
-    for (unsigned k = 0; k < sizeof number; ++k) sum |= std::uint64_t{*from_++} << (8 * k);
-    const auto bits = static_cast<Bits<T>>(sum);
+    const auto bits = static_cast<Bits<T>>(taken(sizeof number, from_));
     std::memcpy(&number, &bits, sizeof number);
+    from_ += sizeof number;
   }
 
  private:
@@ -159,7 +167,7 @@ tr_status tr_save(const tr_sim* sim, void* bytes, size_t length, size_t* used) {
   tr_state state;
   get_state(s, state);
   each_of_flight(setup, state, Writer(to + kHeaderBytes));
-  Writer(to + kChecked)(hash_of(to, kChecked));
+  put(hash_of(to, kChecked), sizeof(std::uint64_t), to + kChecked);
   return TR_OK;
 }
 
@@ -173,20 +181,18 @@ tr_status tr_load_saved(tr_sim* sim, uint32_t version, const void* bytes, size_t
   if (std::memcmp(header.magic, kMagic, sizeof kMagic) != 0) return TR_DAMAGED;
   if (header.format != kFormat || header.version != TR_API_VERSION) return TR_WRONG_VERSION;
   if (length < kSavedBytes) return TR_SHORT_BUFFER;
-  std::uint64_t stored = 0;
-  Reader(from + kChecked)(stored);
-  if (stored != hash_of(from, kChecked)) return TR_DAMAGED;
+  if (taken(sizeof(std::uint64_t), from + kChecked) != hash_of(from, kChecked)) return TR_DAMAGED;
   if (header.identity != identity()) return TR_WRONG_VERSION;
 
   tr_setup setup;
   tr_state state;
   each_of_flight(setup, state, Reader(from + kHeaderBytes));
-  FlightSetup<R> wanted;
-  const tr_status possible = wanted_setup(setup, wanted);
-  if (possible != TR_OK) return possible;
   const tr_status in_range = check_state(state);
   if (in_range != TR_OK) return in_range;
   if (!adds_up(state)) return TR_OUT_OF_RANGE;
+  FlightSetup<R> wanted;
+  const tr_status possible = wanted_setup(setup, wanted);
+  if (possible != TR_OK) return possible;
   const tr_status made = make(wanted, sim);
   if (made == TR_OK) put_state(state, *opened(sim));
   return made;

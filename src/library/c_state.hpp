@@ -9,10 +9,10 @@ namespace tiltrotor::c_interface {
 inline constexpr double kLongestFlight = 1e9;  // s
 inline constexpr std::uint64_t kMostSteps = 1000000000000000;
 
-// What tr_init accepts; `wanted` is valid with TR_OK.
+// The choices of a setup; its numbers are checked by make().
 tr_status wanted_setup(const tr_setup& setup, FlightSetup<R>& wanted);
 tr_setup setup_of(const FlightSetup<R>& setup);
-// An aircraft at rest, of a valid setup; `sim` is touched with TR_OK alone.
+// An aircraft at rest; `sim` is touched with TR_OK alone.
 tr_status make(const FlightSetup<R>& setup, tr_sim* sim);
 
 // What tr_set_state accepts.

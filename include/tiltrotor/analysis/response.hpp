@@ -78,12 +78,7 @@ template <class R>
 State<R> current_state(const Simulation<R>& s) {
   Travel travel = s.travel;
   follow(s.state, travel);
-  R x[state_count];
-  pack(s.state, x);
-  take_turns_off(travel, x);
-  State<R> state;
-  unpack(x, state);
-  return state;
+  return without_turns(s.state, travel);
 }
 
 // Controls at a time: the simulation's own and every input.
@@ -225,10 +220,9 @@ Status advance(const Configuration<R>& c, SimulationWorkspace<R, Policy>& work, 
   if (s.status != Status::ok) return s.status;
   work.active = active_states(c.setup.options, true);
   const int n = work.active.count;
-  pack(s.state, work.whole);
   Travel travel = s.travel;
   follow(s.state, travel);
-  take_turns_off(travel, work.whole);
+  pack(without_turns(s.state, travel), work.whole);
   // Sums begin at zero: what a step adds is not rounded to the size of the sum.
   for (int k = 0; k < n; ++k)
     work.x[k] = sum_of(work.active.index[k]) < 0 ? work.whole[work.active.index[k]] : R(0);

@@ -24,20 +24,11 @@ constexpr int sum_of(int state) {
   return -1;
 }
 
-// `x`: flat, in the order of State::each.
-template <class R>
-void follow(const R* x, Travel& travel) {
-  for (int k = 0; k < kSums; ++k) {
-    const R shown = x[kSumIndex[k]];
-    if (!(static_cast<R>(travel.sum[k]) == shown)) travel.sum[k] = static_cast<double>(shown);
-  }
-}
-
 template <class R>
 void follow(const State<R>& x, Travel& travel) {
-  R flat[state_count];
-  pack(x, flat);
-  follow(static_cast<const R*>(flat), travel);
+  const R shown[kSums] = {x.roll, x.yaw, x.position.x, x.position.y, x.position.z};
+  for (int k = 0; k < kSums; ++k)
+    if (!(static_cast<R>(travel.sum[k]) == shown[k])) travel.sum[k] = static_cast<double>(shown[k]);
 }
 
 // Without whole turns, -pi..pi; exact to 1e-10 rad up to 1e6 rad.
@@ -49,9 +40,10 @@ inline double within_half_a_turn(double angle) {
 
 // The same attitude and heading as an evaluation sees them.
 template <class R>
-void take_turns_off(const Travel& travel, R* x) {
-  x[ix_roll] = static_cast<R>(within_half_a_turn(travel.sum[sum_of(ix_roll)]));
-  x[ix_yaw] = static_cast<R>(within_half_a_turn(travel.sum[sum_of(ix_yaw)]));
+State<R> without_turns(State<R> x, const Travel& travel) {
+  x.roll = static_cast<R>(within_half_a_turn(travel.sum[sum_of(ix_roll)]));
+  x.yaw = static_cast<R>(within_half_a_turn(travel.sum[sum_of(ix_yaw)]));
+  return x;
 }
 
 }  // namespace tiltrotor
