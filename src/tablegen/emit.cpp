@@ -10,6 +10,7 @@
 #include <sstream>
 
 #include "tablegen/aircraft_fields.hpp"
+#include "tablegen/compose.hpp"
 #include "tablegen/fault.hpp"
 #include "tiltrotor/math/table_slopes.hpp"
 
@@ -65,14 +66,20 @@ std::vector<double> nodes(const TableArray& table) {
   tiltrotor::Axis<double> axis[Smooth];
   std::size_t block = per_node;
   for (std::size_t a = 0; a < Smooth; ++a) {
-    axis[a] = {static_cast<int>(table.smooth[a].size()), table.smooth[a].data(), nullptr, 0, 0};
+    axis[a] = {static_cast<int>(table.smooth[a].size()), table.smooth[a].data()};
     block *= table.smooth[a].size();
   }
   std::vector<double> node(table.value.size() * per_node);
   std::vector<double> scratch(block);
   for (std::size_t i = 0; i < table.value.size(); ++i) node[i * per_node] = table.value[i];
-  for (std::size_t at = 0; at < node.size(); at += block)
-    tiltrotor::fill_slopes<double, Smooth>(axis, &node[at], scratch.data());
+  const std::size_t row = block / table.smooth[0].size();  // from one knot of the first axis to the next
+  for (std::size_t at = 0; at < node.size(); at += block) {
+    const auto first = node.begin() + static_cast<std::ptrdiff_t>(at);
+    const bool closed =
+        around_circle(table.smooth[0]) && std::equal(first, first + static_cast<std::ptrdiff_t>(row),
+                                                     first + static_cast<std::ptrdiff_t>(block - row));
+    tiltrotor::fill_slopes<double, Smooth>(axis, &node[at], scratch.data(), closed);
+  }
   return node;
 }
 
@@ -142,11 +149,11 @@ void emit_table(std::ostream& out, const TableArray& table, const AxisNames& nam
       out << "  a." << table.field << "." << member << "[" << a << "] = {" << axes[a].size()
           << ", A::" << name;
       if (index.bucket.empty()) {
-        out << ", nullptr, 0, R(0)};\n";
+        out << ", nullptr, 0, R(0)";
       } else {
-        out << ", A::" << name << "_bucket, " << index.bucket.size() << ", " << literal(index.per_width)
-            << "};\n";
+        out << ", A::" << name << "_bucket, " << index.bucket.size() << ", " << literal(index.per_width);
       }
+      out << ", " << (smooth ? literal(table.end_width[a]) : "R(0)") << "};\n";
     }
   };
   axis("smooth", "x", table.smooth);
