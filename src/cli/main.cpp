@@ -10,6 +10,7 @@
 #include "cli/errors.hpp"
 #include "cli/help.hpp"
 #include "cli/sink.hpp"
+#include "library/processor.hpp"
 
 namespace tiltrotor::cli {
 
@@ -59,6 +60,11 @@ int run(std::vector<std::string> words) {
 
 int main(int count, char** arguments) {
   using namespace tiltrotor::cli;
+  if (const char* const missing = tiltrotor::missing_instructions(tiltrotor::kInstructions)) {
+    std::fprintf(stderr, "tiltrotor: compiled for %s, which this processor lacks; build with ARCH= (empty)\n",
+                 missing);
+    return exit_case_failed;
+  }
   // A reader that leaves early and a file that may not grow shall be errors of writing with a message, not a
   // silent death.
   std::signal(SIGPIPE, SIG_IGN);
