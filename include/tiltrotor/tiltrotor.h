@@ -72,6 +72,9 @@ typedef enum tr_status {
   TR_CONTROL_LIMIT,   /* trimmed, but a control is beyond its stop */
   TR_FLAP_LIMIT,      /* trimmed, but a gimbal is beyond its stop */
   TR_ROTOR_STALL,     /* no trim: the rotors stall before the weight is carried */
+  TR_VORTEX_RING_STATE, /* trimmed, but a rotor descends in its own wake: momentum theory does not hold */
+  TR_POWER_LIMIT,       /* trimmed, but the rotors need more than take-off power */
+  TR_TORQUE_LIMIT,      /* trimmed, but a mast carries more than its largest steady torque */
   TR_STATUS_COUNT
 } tr_status;
 
@@ -218,9 +221,9 @@ tr_status tr_get_outputs(const tr_sim* sim, tr_outputs* outputs);
 
 typedef struct tr_flight {
   tr_real speed_mps;       /* 0..150 */
-  tr_real climb_rad;       /* of the flight path, + up, within 60 deg */
+  tr_real climb_rad;       /* of the flight path, + up, within 90 deg; 0 at speed 0 */
   tr_real turn_rate_radps; /* of the heading, + right, within 60 deg/s */
-  tr_real sideslip_rad;    /* + wind from the right, within 60 deg */
+  tr_real sideslip_rad;    /* + wind from the right, within 60 deg; 0 at speed 0 and climb +-90 deg */
 } tr_flight;
 
 typedef struct tr_trim_result {
@@ -230,8 +233,9 @@ typedef struct tr_trim_result {
   char text[160];     /* one sentence on how it ended */
 } tr_trim_result;
 
-/* Puts the aircraft in steady flight: state, controls and time 0. With TR_WING_STALL, TR_CONTROL_LIMIT and
- * TR_FLAP_LIMIT too: the equations are fulfilled, a limit is exceeded. Otherwise (TR_ROTOR_STALL,
+/* Puts the aircraft in steady flight: state, controls and time 0. With TR_WING_STALL, TR_CONTROL_LIMIT,
+ * TR_FLAP_LIMIT, TR_VORTEX_RING_STATE, TR_POWER_LIMIT and TR_TORQUE_LIMIT too: the equations are fulfilled, a
+ * limit is exceeded. NaN and infinity in `flight` are TR_NOT_FINITE. Otherwise (TR_ROTOR_STALL,
  * TR_NOT_CONVERGED, TR_SINGULAR, TR_NOT_FINITE, TR_OUT_OF_RANGE) the aircraft stays as it was. `result` may
  * be NULL; it is filled whenever the aircraft is initialised. Cost: 3 to 9 Jacobians as a rule, at most about
  * 1800 with 12 derivatives each. */

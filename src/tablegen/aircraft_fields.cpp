@@ -168,6 +168,10 @@ const std::vector<Field> kFields = {
     {"controls.rudder_limit", "rudder_limit", "rad"},
     {"controls.flap_limit", "rotor_flap_limit", "rad"},
     {"controls.power_limit", "transmission_limit_helicopter", "W"},
+    {"controls.engine_power", "engine_power_takeoff", "W"},
+    {"controls.engine_power_continuous", "engine_power_continuous", "W"},
+    {"controls.transmission_efficiency", "transmission_efficiency", "ND"},
+    {"controls.mast_torque", "mast_torque_steady", "N m"},
 
     {"smooth.section_speed", "smooth_section_speed", "m/s"},
     {"smooth.inflow_speed", "smooth_inflow_speed", "ND"},

@@ -8,7 +8,7 @@
 namespace tiltrotor {
 
 enum class [[nodiscard]] Status : unsigned char{
-    ok,   not_converged, singular, not_finite, out_of_range, bad_argument,
+    ok,   not_converged, singular, not_finite, out_of_range, bad_argument, vortex_ring,
     count  // number of words above; never returned
 };
 
@@ -26,6 +26,7 @@ inline constexpr Row kStatusTable[] = {
     {"not_finite", "a NaN or an infinity was met in the input or arose in the computation"},
     {"out_of_range", "an input lies outside the range for which the model is defined"},
     {"bad_argument", "an argument contradicts the function's contract, for example a size"},
+    {"vortex_ring", "the rotor descends in its own wake, where momentum theory does not hold"},
 };
 
 static_assert(sizeof(kStatusTable) / sizeof(kStatusTable[0]) == static_cast<unsigned>(Status::count),
