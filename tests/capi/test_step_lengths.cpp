@@ -57,8 +57,8 @@ TEST(capi_step_of_any_length_is_stable) {
       const auto dt = static_cast<tr_real>(length);
       tr_sim sim = trim;
       tr_state disturbed = begin;
-      disturbed.x[TR_ROTOR_RIGHT + 5] += tr_real(0.05);
-      disturbed.x[TR_ROTOR_LEFT + 2] += tr_real(0.5);
+      disturbed.x[TR_ROTOR_RIGHT + TR_COSINE_INFLOW] += tr_real(0.05);
+      disturbed.x[TR_ROTOR_LEFT + TR_B1C_RATE] += tr_real(0.5);
       CHECK_EQ(tr_set_state(&sim, &disturbed), TR_OK);
       tr_status status = TR_OK;
       for (int k = 0; k < static_cast<int>(1 / length) && status == TR_OK; ++k)
@@ -84,8 +84,8 @@ TEST(capi_step_is_stable_in_fast_air) {
     tr_state state;
     CHECK_EQ(tr_get_state(&sim, &state), TR_OK);
     state.x[direction / 2] = direction % 2 == 0 ? 250 : -250;
-    state.x[TR_ROTOR_RIGHT + 5] = tr_real(0.05);
-    state.x[TR_ROTOR_LEFT + 6] = tr_real(-0.05);
+    state.x[TR_ROTOR_RIGHT + TR_COSINE_INFLOW] = tr_real(0.05);
+    state.x[TR_ROTOR_LEFT + TR_SINE_INFLOW] = tr_real(-0.05);
     state.u[TR_GUST_U] = -50;
     const auto flown = [&](int steps, tr_real dt, tr_state* end) {
       CHECK_EQ(tr_set_state(&sim, &state), TR_OK);
