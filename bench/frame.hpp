@@ -35,7 +35,7 @@ void step(const Configuration<double>& c, FrameWork<Policy>& work, Simulation<do
 
 template <class Policy>
 void frame(const Configuration<double>& c, FrameWork<Policy>& work, Simulation<double>& flight) {
-  require(linearize(c, flight.state, current_controls(flight), kBladeControls, work.linearization,
+  require(linearize(c, current_state(flight), current_controls(flight), kBladeControls, work.linearization,
                     work.model) == Status::ok,
           "no linear model");
   require(eigenvalues(work.model, work.eigen, work.values) == Status::ok, "no eigenvalues");

@@ -1,6 +1,7 @@
 /* tiltrotor: flight dynamics of a tilt-rotor aircraft, as a C library.
  *
- *   static tr_sim sim;        the aircraft: configuration, state, controls; a copy of it is a snapshot
+ *   static tr_sim sim;        the aircraft: configuration, state, controls; a copy of it is a snapshot,
+ *                             tr_save writes one that any machine reads
  *   static tr_work work;      scratch of the calls that name it; nothing in it outlives a call
  *   tr_setup setup;
  *   tr_default_setup(&setup, TR_API_VERSION, TR_XV15, 0.0);
@@ -19,7 +20,14 @@
  * reported. The content of a tr_sim that a call of tr_init has filled must not be written by anything else.
  *
  * Units: SI and radians unless the name says otherwise. Body axes x forward, y right, z down; attitude 3-2-1
- * Euler; velocity relative to the air mass. Right rotor first.
+ * Euler. Right rotor first.
+ *
+ * Air that moves: velocity (TR_U..TR_W) and position of the state are relative to the undisturbed air, which
+ * may drift over the ground steadily. TR_GUST_U..TR_GUST_W is the velocity of the air at the aircraft
+ * relative to that: a gust, or all of the wind when the undisturbed air shall be at rest over the ground.
+ * What blades, wing and instruments feel is relative to the air at the aircraft: velocity minus gust. So
+ * airspeed, angle of attack and sideslip of tr_outputs, and speed, climb and sideslip of tr_flight; climb
+ * rate is that of the state.
  *
  * Costs are worst cases, in evaluations of the equations of motion ("derivatives") and of their Jacobian. A
  * derivative is constant work: the same for every state but for the branches of table searches.
@@ -46,14 +54,14 @@ extern "C" {
 
 #ifdef TR_SINGLE_PRECISION
 typedef float tr_real;
-#define TR_API_VERSION 0x00010004u
+#define TR_API_VERSION 0x00020004u
 #define TR_SIM_SIZE 3072
 #define TR_WORK_SIZE TR_SINGLE_WORK_SIZE
 #else
 typedef double tr_real;
 /* Changes when a program must be compiled again: interface in the upper half, bytes of a tr_real in the
  * lower. */
-#define TR_API_VERSION 0x00010008u
+#define TR_API_VERSION 0x00020008u
 #define TR_SIM_SIZE 6144 /* bytes */
 #define TR_WORK_SIZE TR_DOUBLE_WORK_SIZE
 #endif
@@ -72,12 +80,14 @@ typedef enum tr_status {
   TR_CONTROL_LIMIT,   /* trimmed, but a control is beyond its stop */
   TR_FLAP_LIMIT,      /* trimmed, but a gimbal is beyond its stop */
   TR_ROTOR_STALL,     /* no trim: the rotors stall before the weight is carried */
+  TR_DAMAGED,         /* not the bytes of tr_save, or changed since */
   TR_STATUS_COUNT
 } tr_status;
 
 /* ---- the aircraft ---- */
 
-/* Opaque. Plain memory: may be copied, moved and stored as a whole. */
+/* Opaque. Plain memory without addresses: may be copied, moved and stored as a whole, and read back by
+ * another process of the same program. */
 typedef struct tr_sim {
   uint64_t reserved[TR_SIM_SIZE / 8];
 } tr_sim;
@@ -128,7 +138,7 @@ enum {
   TR_CONING_LEFT = 26,
   TR_NORTH = 28,
   TR_EAST,
-  TR_DOWN, /* position relative to the air mass, m */
+  TR_DOWN, /* position relative to the undisturbed air, m */
   TR_STATES = 31
 };
 
@@ -147,7 +157,7 @@ enum {
   TR_LATERAL_CYCLIC,
   TR_GUST_U,
   TR_GUST_V,
-  TR_GUST_W, /* velocity of the air mass, body axes, m/s, within 50 */
+  TR_GUST_W, /* velocity of the air at the aircraft, body axes, m/s, within 50 */
   TR_CONTROLS = 14
 };
 
@@ -157,6 +167,8 @@ typedef struct tr_state {
   uint64_t steps; /* done so far */
   tr_real x[TR_STATES];
   tr_real u[TR_CONTROLS];
+  /* What adds up, as it is kept: in double precision whatever tr_real is. x holds the same, rounded. */
+  double roll_rad, yaw_rad, position_m[3];
 } tr_state;
 
 /* Fills `setup` with the defaults for a tr_aircraft and a mast angle, 0..90 deg.
@@ -189,10 +201,24 @@ tr_status tr_set_controls(tr_sim* sim, const tr_real* controls, size_t length);
 tr_status tr_step(tr_sim* sim, tr_work* work, tr_real dt);
 
 /* Snapshot and restore. tr_set_state accepts finite states of |velocity| <= 300 m/s, |rates| <= 20 rad/s,
- * |roll| <= 1000 rad, |pitch| <= 89.5 deg, |angles and inflow| <= 2, |their rates| <= 200 rad/s, |controls|
- * <= 100. TR_NOT_FINITE, TR_OUT_OF_RANGE. Cost: a copy. */
+ * |roll| <= 1000 rad, |pitch| <= 89.5 deg, |yaw| <= 1e6 rad, |angles and inflow| <= 2, |their rates| <= 200
+ * rad/s, |position| <= 1e9 m, |controls| <= 100, time 0..1e9 s, steps <= 1e15; no step leads beyond.
+ * roll_rad, yaw_rad and position_m count where they round to their numbers in x; elsewhere x counts.
+ * TR_NOT_FINITE, TR_OUT_OF_RANGE. Cost: a copy. */
 tr_status tr_get_state(const tr_sim* sim, tr_state* state);
 tr_status tr_set_state(tr_sim* sim, const tr_state* state);
+
+/* The whole aircraft in bytes, for files and other machines: no addresses, fixed byte order, format, version
+ * and precision, the tables, a checksum. `used` is the size, at most TR_SAVED_SIZE, and filled with
+ * TR_SHORT_BUFFER too. Cost: a copy. */
+#define TR_SAVED_SIZE 1024 /* bytes */
+tr_status tr_save(const tr_sim* sim, void* bytes, size_t length, size_t* used);
+
+/* Makes the aircraft that was saved; it flies on bit for bit. `sim` need not be initialised, and is untouched
+ * unless TR_OK; `length` may be more than was used. TR_SHORT_BUFFER (cut off), TR_DAMAGED, TR_WRONG_VERSION
+ * (`version`, or bytes of another version, precision, library or aircraft's tables), TR_BAD_ARGUMENT,
+ * TR_NOT_FINITE and TR_OUT_OF_RANGE (numbers that tr_init or tr_set_state refuse). Cost: 1 derivative. */
+tr_status tr_load_saved(tr_sim* sim, uint32_t version, const void* bytes, size_t length);
 
 /* Time derivative of the state, for integrators of your own: rates[i] belongs to x[i]; `length` >= TR_STATES.
  * TR_SHORT_BUFFER; TR_NOT_FINITE (rates are then as computed). Cost: 1 derivative. */
@@ -200,12 +226,12 @@ tr_status tr_derivative(const tr_sim* sim, tr_real* rates, size_t length);
 
 typedef struct tr_outputs {
   double time_s;
-  tr_real airspeed_mps;
-  tr_real angle_of_attack_rad, sideslip_rad; /* of the body; 0 at rest */
+  tr_real airspeed_mps;                      /* relative to the air at the aircraft, gust included */
+  tr_real angle_of_attack_rad, sideslip_rad; /* the same; of the body; 0 at rest */
   tr_real specific_force_mps2[3]; /* at the centre of gravity, body axes: what an accelerometer reads */
   tr_real load_factor;            /* -specific force z over gravity */
-  tr_real climb_rate_mps;
-  tr_real thrust_n[2]; /* resultant force of a rotor on its hub */
+  tr_real climb_rate_mps;         /* relative to the undisturbed air */
+  tr_real thrust_n[2];            /* resultant force of a rotor on its hub */
   tr_real torque_nm[2];
   tr_real power_w[2];        /* shaft power */
   tr_real collective_rad[2]; /* blade pitch at 0.75 radius */
@@ -219,6 +245,7 @@ tr_status tr_get_outputs(const tr_sim* sim, tr_outputs* outputs);
 
 /* ---- trim ---- */
 
+/* Relative to the air at the aircraft. */
 typedef struct tr_flight {
   tr_real speed_mps;       /* 0..150 */
   tr_real climb_rad;       /* of the flight path, + up, within 60 deg */
@@ -233,7 +260,9 @@ typedef struct tr_trim_result {
   char text[160];     /* how it ended; counts the longitudinal stick 0..9.6 in, neutral 4.8 */
 } tr_trim_result;
 
-/* Puts the aircraft in steady flight: state, controls and time 0. With TR_WING_STALL, TR_CONTROL_LIMIT and
+/* Puts the aircraft in steady flight: state and inceptors. Heading, position and gust stay; the other
+ * controls, time and steps become 0. The gust is held in body axes: in straight flight the loads are those of
+ * still air, in a turn the air turns with the aircraft. With TR_WING_STALL, TR_CONTROL_LIMIT and
  * TR_FLAP_LIMIT too: the equations are fulfilled, a limit is exceeded. Otherwise (TR_ROTOR_STALL,
  * TR_NOT_CONVERGED, TR_SINGULAR, TR_NOT_FINITE, TR_OUT_OF_RANGE) the aircraft stays as it was. `result` may
  * be NULL; it is filled whenever the aircraft is initialised. Cost: 3 to 9 Jacobians as a rule, at most about

@@ -12,7 +12,11 @@ constexpr const char* text =
     R"(Units       SI and radians inside; files and command line in SI with angles in degrees. Every column name ends
             in its unit (speed_mps, pitch_deg, power_kw, long_stick_in). State files are SI with radians.
 Body axes   x forward, y right, z down (ISO 1151, AIAA R-004), origin at the CG of the given mast angle. Attitude:
-            Euler angles in the order yaw, pitch, roll. Velocity is relative to the air mass.
+            Euler angles in the order yaw, pitch, roll.
+Air         u, v, w, speed along the heading, climb rate and position: relative to the undisturbed air, which may drift
+            over the ground steadily. gust_u, gust_v, gust_w (body axes): velocity of the air at the aircraft relative
+            to that. Loads, airspeed (speed_mps), angle of attack and sideslip: relative to the air at the aircraft,
+            velocity - gust.
 Mast angle  mast_deg: 0 helicopter, 90 airplane. (NASA's nacelle angle is 90 - mast_deg.)
 Rotors      right counter-clockwise seen from above, left clockwise. Each has a frame of its own, mirrored for the
             left rotor: x aft, y to the advancing side, z up the shaft. In symmetric flight both read the same.

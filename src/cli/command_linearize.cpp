@@ -60,7 +60,7 @@ int at_given_states(const Arguments& arguments, const SetupOptions& setup) {
   int exit_status = exit_success;
   const auto visit = [&](const StateRow& row) {
     const Configuration<double> configuration = given.configuration(row);
-    const Vec3<double>& v = row.state.velocity;
+    const Vec3<double> v = row.state.velocity - row.controls.gust;
     const LinearCase which{row.name, configuration.setup.mast_deg, std::sqrt(dot(v, v)), "ok", true};
     const int done = linearizer.add(which, configuration, row.state, row.controls);
     if (done != exit_success) exit_status = done;

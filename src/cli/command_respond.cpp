@@ -97,8 +97,8 @@ class Companions {
     const bool wants_modes = modes_every_ > 0 && step <= whole_steps_ && step % modes_every_ == 0;
     Status status = Status::ok;
     if (wants_modes || matrices_) {
-      status =
-          linearize(c, s.state, current_controls(s), controls_, analyses, *model_, current_azimuth(c, s));
+      status = linearize(c, current_state(s), current_controls(s), controls_, analyses, *model_,
+                         current_azimuth(c, s));
     }
     if (status == Status::ok && matrices_) matrices_->add(current_time(s), *model_);
     if (status == Status::ok && wants_modes) status = modes_.find(*model_, true);

@@ -25,7 +25,11 @@ struct Column {
   double (*value)(Now);
 };
 
-double speed(Now m) { return std::sqrt(dot(m.x.velocity, m.x.velocity)); }
+// Relative to the air, gust included.
+double airspeed(Now m) {
+  const Vec3<double> v = m.x.velocity - m.u.gust;
+  return std::sqrt(dot(v, v));
+}
 
 // Along the heading, level with the ground.
 double forward_speed(Now m) {
@@ -50,7 +54,7 @@ const Column columns[] = {
     {"roll_deg", [](Now m) { return m.x.roll / radian; }},
     {"pitch_deg", [](Now m) { return m.x.pitch / radian; }},
     {"yaw_deg", [](Now m) { return m.x.yaw / radian; }},
-    {"speed_mps", speed},
+    {"speed_mps", airspeed},
     {"forward_speed_mps", forward_speed},
     {"climb_rate_mps", climb_rate},
     {"collective75_deg", [](Now m) { return m.u.collective / radian; }},

@@ -121,10 +121,23 @@ static void write_state(text_sink write, const tr_state *state) {
   write_number(write, "down_m", (double)state->x[TR_DOWN]);
 }
 
+/* Into bytes and back; the hash of the bytes, which are the same on every machine. */
+static int save_and_load(text_sink write, uint64_t *hash) {
+  unsigned char *const bytes = (unsigned char *)a;
+  size_t used, k;
+  if (failed(write, "tr_save", tr_save(&sim, bytes, sizeof a, &used))) return 1;
+  for (k = 0; k < used; ++k) {
+    const tr_real byte = bytes[k];
+    tr_hash(&byte, 1, hash);
+  }
+  return failed(write, "tr_load_saved", tr_load_saved(&sim, TR_API_VERSION, bytes, used));
+}
+
 int reference_flight(text_sink write, int frames) {
   uint64_t state_hash = TR_HASH_START;
   uint64_t model_hash = TR_HASH_START;
   uint64_t eigenvalue_hash = TR_HASH_START;
+  uint64_t saved_hash = TR_HASH_START;
   const size_t room = sizeof a / sizeof a[0];
   tr_real fastest = 0;
   tr_real least_stable = -1000;
@@ -151,6 +164,7 @@ int reference_flight(text_sink write, int frames) {
     tr_hash(eigenvalue_real, n, &eigenvalue_hash);
     tr_hash(eigenvalue_imag, n, &eigenvalue_hash);
     if ((frame + 1) % 100 == 0) write_state(write, &state);
+    if (frame + 1 == frames / 2 && save_and_load(write, &saved_hash)) return 1;
   }
   for (i = 0; i < n; ++i) {
     if (eigenvalue_imag[i] > fastest) fastest = eigenvalue_imag[i];
@@ -162,5 +176,6 @@ int reference_flight(text_sink write, int frames) {
   write_hash(write, "hash_states", state_hash);
   write_hash(write, "hash_a_b", model_hash);
   write_hash(write, "hash_eigenvalues", eigenvalue_hash);
+  write_hash(write, "hash_saved", saved_hash);
   return 0;
 }

@@ -19,5 +19,6 @@ template <>
 const Aircraft<float>& aircraft_data<float>() {
   return kAircraftFloat;
 }
+std::uint64_t aircraft_fingerprint() { return kAircraftFingerprint; }
 
 }  // namespace tiltrotor

@@ -1,16 +1,13 @@
 // The C interface: the aircraft, its controls, its state and what follows from them.
 #include <cmath>
 
-#include "library/c_memory.hpp"
+#include "library/c_state.hpp"
 #include "library/c_words.hpp"
-#include "tiltrotor/model/aircraft_data.hpp"
 #include "tiltrotor/model/control_range.hpp"
 
 namespace tiltrotor::c_interface {
 
 namespace {
-
-using Setup = FlightSetup<R>;
 
 static_assert(int{TR_STATES} == state_count && int{TR_CONTROLS} == control_count);
 static_assert(int{TR_ROLL} == ix_roll && int{TR_ROTOR_RIGHT} == ix_rotor_right &&
@@ -18,12 +15,16 @@ static_assert(int{TR_ROLL} == ix_roll && int{TR_ROTOR_RIGHT} == ix_rotor_right &
               int{TR_CONING_LEFT} == ix_coning_left && int{TR_NORTH} == ix_position);
 static_assert(int{TR_PEDAL} == iu_pedal && int{TR_ELEVATOR} == iu_elevator && int{TR_GUST_U} == iu_gust);
 
+TILTROTOR_NOINLINE bool in_bound(int state, R x) {
+  return std::fabs(x) <= response_detail::state_bound<R>(state);
+}
+
 bool in_bounds(const tr_state& state) {
   for (int i = 0; i < TR_STATES; ++i)
-    if (!(std::fabs(state.x[i]) <= response_detail::state_bound<R>(i))) return false;
+    if (!in_bound(i, state.x[i])) return false;
   for (const R u : state.u)
     if (!(std::fabs(u) <= kLargestControl<R>)) return false;
-  return state.time_s >= 0;
+  return state.time_s >= 0 && state.time_s <= kLongestFlight && state.steps <= kMostSteps;
 }
 
 bool choice(Options& options, const tr_setup& setup) {
@@ -39,6 +40,77 @@ bool choice(Options& options, const tr_setup& setup) {
 
 }  // namespace
 
+tr_status wanted_setup(const tr_setup& setup, FlightSetup<R>& wanted) {
+  if (setup.aircraft != TR_XV15) return TR_BAD_ARGUMENT;
+  if (!detail::within(setup.mast_deg, R(0), R(90))) return TR_OUT_OF_RANGE;
+  wanted = flight_setup(aircraft_data<R>(), setup.mast_deg);
+  wanted.flap_deg = setup.flap_deg;
+  wanted.altitude = setup.altitude_m;
+  wanted.mass = setup.mass_kg;
+  wanted.rotor_speed = setup.rotor_radps;
+  wanted.sl_cg = setup.cg_station_m;
+  return choice(wanted.options, setup) ? TR_OK : TR_BAD_ARGUMENT;
+}
+
+tr_setup setup_of(const FlightSetup<R>& setup) {
+  const Options& o = setup.options;
+  tr_setup found;
+  found.aircraft = TR_XV15;
+  found.grid = o.grid == BladeGrid::realtime ? TR_GRID_REALTIME : TR_GRID_SPECIFICATION;
+  found.tables = o.tables == Interpolation::c1 ? TR_TABLES_SMOOTH : TR_TABLES_LINEAR;
+  found.coning_states = o.coning_states ? 1 : 0;
+  found.mast_deg = setup.mast_deg;
+  found.flap_deg = setup.flap_deg;
+  found.altitude_m = setup.altitude;
+  found.mass_kg = setup.mass;
+  found.rotor_radps = setup.rotor_speed;
+  found.cg_station_m = setup.sl_cg;
+  return found;
+}
+
+tr_status make(const FlightSetup<R>& setup, tr_sim* sim) {
+  Configuration<R> configuration;
+  const Status status = prepare(aircraft_data<R>(), setup, configuration);
+  if (status != Status::ok) return translated(status);
+  Sim& s = *::new (static_cast<void*>(sim->reserved)) Sim;
+  s.configuration = configuration;
+  s.configuration.aircraft = nullptr;
+  s.x = State<R>{};
+  s.travel = Travel{};
+  s.u = Controls<R>{};
+  s.time = 0;
+  s.steps = 0;
+  s.mark = kMark;
+  return TR_OK;
+}
+
+tr_status check_state(const tr_state& state) {
+  if (!is_finite(state.time_s) || !all_finite(state.x, TR_STATES) || !all_finite(state.u, TR_CONTROLS))
+    return TR_NOT_FINITE;
+  return in_bounds(state) ? TR_OK : TR_OUT_OF_RANGE;
+}
+
+void get_state(const Sim& s, tr_state& state) {
+  state.time_s = s.time;
+  state.steps = s.steps;
+  pack(s.x, state.x);
+  pack(s.u, state.u);
+  const double* sum = s.travel.sum;
+  state.roll_rad = *sum++;
+  state.yaw_rad = *sum++;
+  for (double& position : state.position_m) position = *sum++;
+}
+
+void put_state(const tr_state& state, Sim& s) {
+  s.time = state.time_s;
+  s.steps = state.steps;
+  unpack(state.x, s.x);
+  unpack(state.u, s.u);
+  const double* north = state.position_m;
+  s.travel = {{state.roll_rad, state.yaw_rad, north[0], north[1], north[2]}};
+  follow(s.x, s.travel);
+}
+
 }  // namespace tiltrotor::c_interface
 
 using namespace tiltrotor;
@@ -48,7 +120,7 @@ tr_status tr_default_setup(tr_setup* setup, uint32_t version, int32_t aircraft, 
   if (version != TR_API_VERSION) return TR_WRONG_VERSION;
   if (setup == nullptr || aircraft != TR_XV15) return TR_BAD_ARGUMENT;
   if (!detail::within(mast_deg, R(0), R(90))) return TR_OUT_OF_RANGE;
-  const Setup defaults = flight_setup(aircraft_data<R>(), mast_deg);
+  const FlightSetup<R> defaults = flight_setup(aircraft_data<R>(), mast_deg);
   setup->aircraft = aircraft;
   setup->grid = TR_GRID_REALTIME;
   setup->tables = TR_TABLES_SMOOTH;
@@ -66,26 +138,11 @@ tr_status tr_init(tr_sim* sim, uint32_t version, const tr_setup* setup) {
   if (sim == nullptr) return TR_BAD_ARGUMENT;
   // The size of what lies behind the pointer depends on the version: nothing is touched before it is known.
   if (version != TR_API_VERSION) return TR_WRONG_VERSION;
-  Sim& s = *::new (static_cast<void*>(sim->reserved)) Sim;
-  s.mark = 0;
-  if (setup == nullptr || setup->aircraft != TR_XV15) return TR_BAD_ARGUMENT;
-  const Aircraft<R>& aircraft = aircraft_data<R>();
-  if (!detail::within(setup->mast_deg, R(0), R(90))) return TR_OUT_OF_RANGE;
-  Setup wanted = flight_setup(aircraft, setup->mast_deg);
-  wanted.flap_deg = setup->flap_deg;
-  wanted.altitude = setup->altitude_m;
-  wanted.mass = setup->mass_kg;
-  wanted.rotor_speed = setup->rotor_radps;
-  wanted.sl_cg = setup->cg_station_m;
-  if (!choice(wanted.options, *setup)) return TR_BAD_ARGUMENT;
-  const Status status = prepare(aircraft, wanted, s.configuration);
-  if (status != Status::ok) return translated(status);
-  s.x = State<R>{};
-  s.u = Controls<R>{};
-  s.time = 0;
-  s.steps = 0;
-  s.mark = kMark;
-  return TR_OK;
+  (::new (static_cast<void*>(sim->reserved)) Sim)->mark = 0;
+  if (setup == nullptr) return TR_BAD_ARGUMENT;
+  FlightSetup<R> wanted;
+  const tr_status status = wanted_setup(*setup, wanted);
+  return status == TR_OK ? make(wanted, sim) : status;
 }
 
 size_t tr_sim_size(void) { return sizeof(Sim); }
@@ -112,11 +169,7 @@ tr_status tr_get_state(const tr_sim* sim, tr_state* state) {
   const tr_status ready = check(sim);
   if (ready != TR_OK) return ready;
   if (state == nullptr) return TR_BAD_ARGUMENT;
-  const Sim& s = *opened(sim);
-  state->time_s = s.time;
-  state->steps = s.steps;
-  pack(s.x, state->x);
-  pack(s.u, state->u);
+  get_state(*opened(sim), *state);
   return TR_OK;
 }
 
@@ -124,15 +177,9 @@ tr_status tr_set_state(tr_sim* sim, const tr_state* state) {
   const tr_status ready = check(sim);
   if (ready != TR_OK) return ready;
   if (state == nullptr) return TR_BAD_ARGUMENT;
-  if (!is_finite(state->time_s) || !all_finite(state->x, TR_STATES) || !all_finite(state->u, TR_CONTROLS))
-    return TR_NOT_FINITE;
-  if (!in_bounds(*state)) return TR_OUT_OF_RANGE;
-  Sim& s = *opened(sim);
-  s.time = state->time_s;
-  s.steps = state->steps;
-  unpack(state->x, s.x);
-  unpack(state->u, s.u);
-  return TR_OK;
+  const tr_status status = check_state(*state);
+  if (status == TR_OK) put_state(*state, *opened(sim));
+  return status;
 }
 
 tr_status tr_derivative(const tr_sim* sim, tr_real* rates, size_t length) {
@@ -141,8 +188,9 @@ tr_status tr_derivative(const tr_sim* sim, tr_real* rates, size_t length) {
   if (rates == nullptr) return TR_BAD_ARGUMENT;
   if (length < TR_STATES) return TR_SHORT_BUFFER;
   const Sim& s = *opened(sim);
+  Configuration<R> room;
   State<R> xdot;
-  derivative(s.configuration, s.x, s.u, xdot);
+  derivative(equipped(s, room), evaluated_state(s), s.u, xdot);
   pack(xdot, rates);
   return all_finite(rates, TR_STATES) ? TR_OK : TR_NOT_FINITE;
 }
@@ -152,13 +200,14 @@ tr_status tr_get_outputs(const tr_sim* sim, tr_outputs* outputs) {
   if (ready != TR_OK) return ready;
   if (outputs == nullptr) return TR_BAD_ARGUMENT;
   const Sim& s = *opened(sim);
-  const Configuration<R>& c = s.configuration;
+  Configuration<R> room;
+  const Configuration<R>& c = equipped(s, room);
   Evaluation<R> e;
-  evaluate(c, s.x, s.u, e);
-  const BladeControls<R> blades = mix_controls(c, s.u, s.x.velocity - s.u.gust);
+  evaluate(c, evaluated_state(s), s.u, e);
+  const Vec3<R> v = s.x.velocity - s.u.gust;  // relative to the air
+  const BladeControls<R> blades = mix_controls(c, s.u, v);
 
   tr_outputs& o = *outputs;
-  const Vec3<R>& v = s.x.velocity;
   const R airspeed = std::sqrt(dot(v, v));
   o.time_s = s.time;
   o.airspeed_mps = airspeed;

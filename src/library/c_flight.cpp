@@ -1,5 +1,6 @@
 // The C interface: trim and steps of time.
 #include "library/c_linear.hpp"
+#include "library/c_state.hpp"
 #include "library/c_words.hpp"
 
 namespace tiltrotor::c_interface {
@@ -18,14 +19,19 @@ tr_status check_step(const tr_work* work, R dt) {
 // One step; `xdot`: the rates at its beginning, or nullptr.
 tr_status step(Sim& s, tr_work* work, R dt, const R* xdot) {
   StepRoom& room = place<StepRoom>(work);
+  const Configuration<R>& c = equipped(s, room.configuration);
   const Integrator integrator = dt <= kLongestOfRk3 ? Integrator::rk3 : Integrator::rk4;
+  const double time = s.time + static_cast<double>(dt);
+  if (time > kLongestFlight || s.steps >= kMostSteps) return TR_OUT_OF_RANGE;
   // The model does not depend on time: every step begins a simulation of its own, and time is counted here.
-  const Status started = start(s.configuration, s.x, s.u, dt, integrator, room.simulation);
+  const Status started = start(c, s.x, s.u, dt, integrator, room.simulation);
   if (started != Status::ok) return translated(started);
-  const Status advanced = advance(s.configuration, room.workspace, room.simulation, xdot);
+  room.simulation.travel = s.travel;
+  const Status advanced = advance(c, room.workspace, room.simulation, xdot);
   if (advanced != Status::ok) return translated(advanced);
   s.x = room.simulation.state;
-  s.time += static_cast<double>(dt);
+  s.travel = room.simulation.travel;
+  s.time = time;
   ++s.steps;
   return TR_OK;
 }
@@ -44,8 +50,8 @@ tr_status tr_trim(tr_sim* sim, tr_work* work, const tr_flight* flight, tr_trim_r
   Sim& s = *opened(sim);
   TrimRoom& room = place<TrimRoom>(work);
   const SteadyFlight<R> wanted = {flight->speed_mps, flight->climb_rad, flight->turn_rate_radps,
-                                  flight->sideslip_rad};
-  const TrimStatus status = trim(s.configuration, wanted, room.workspace, room.result);
+                                  flight->sideslip_rad, s.u.gust};
+  const TrimStatus status = trim(equipped(s, room.configuration), wanted, room.workspace, room.result);
   if (result != nullptr) {
     result->iterations = room.result.iterations;
     result->attempts = room.result.attempts;
@@ -53,8 +59,13 @@ tr_status tr_trim(tr_sim* sim, tr_work* work, const tr_flight* flight, tr_trim_r
     explain(room.result, result->text, static_cast<int>(sizeof result->text));
   }
   if (is_trimmed(status)) {
+    const R heading = s.x.yaw;
+    const Vec3<R> position = s.x.position;
     s.x = room.result.state;
+    s.x.yaw = heading;
+    s.x.position = position;
     s.u = room.result.controls;
+    follow(s.x, s.travel);
     s.time = 0;
     s.steps = 0;
   }

@@ -62,7 +62,8 @@ tr_status linearize_here(const Sim& s, tr_work* work, std::int32_t columns, tr_l
   if (to.a_length < entries(model.states, model.states) || !b_fits) return TR_SHORT_BUFFER;
   if (to.a == nullptr || (wants_b && to.b == nullptr)) return TR_BAD_ARGUMENT;
 
-  const Status status = linearize(s.configuration, s.x, s.u, *set, room.workspace, model);
+  const Configuration<R>& c = equipped(s, room.configuration);
+  const Status status = linearize(c, evaluated_state(s), s.u, *set, room.workspace, model);
   if (status != Status::ok && status != Status::not_finite) return translated(status);
   R* a = to.a;
   R* b = to.b;

@@ -7,6 +7,7 @@
 #include <type_traits>
 
 #include "tiltrotor/analysis/instances.hpp"
+#include "tiltrotor/model/aircraft_data.hpp"
 #include "tiltrotor/tiltrotor.h"
 
 namespace tiltrotor::c_interface {
@@ -16,9 +17,10 @@ using R = tr_real;
 inline constexpr std::uint32_t kMark = 0x54520000u + TR_API_VERSION;  // "TR"
 
 struct Sim {
-  std::uint32_t mark;  // kMark once initialised
-  Configuration<R> configuration;
+  std::uint32_t mark;              // kMark once initialised
+  Configuration<R> configuration;  // without its aircraft: stored bytes hold no address
   State<R> x;
+  Travel travel;
   Controls<R> u;
   double time;
   std::uint64_t steps;
@@ -26,17 +28,30 @@ struct Sim {
 static_assert(sizeof(Sim) <= sizeof(tr_sim) && alignof(Sim) <= alignof(tr_sim));
 static_assert(std::is_trivially_copyable_v<Sim>, "a snapshot is a copy of the bytes");
 
+// The configuration with its aircraft, for the time of a call.
+inline const Configuration<R>& equipped(const Sim& s, Configuration<R>& room) {
+  room = s.configuration;
+  room.aircraft = &aircraft_data<R>();
+  return room;
+}
+
+// The state as the equations of motion see it: bank and heading within half a turn.
+inline State<R> evaluated_state(const Sim& s) { return without_turns(s.x, s.travel); }
+
 // One group of members at a time. The explicit integrator needs no Jacobian, hence the small workspace of
 // NumDiff.
 struct StepRoom {
+  Configuration<R> configuration;
   SimulationWorkspace<R, NumDiff> workspace;
   Simulation<R> simulation;
 };
 struct TrimRoom {
+  Configuration<R> configuration;
   TrimWorkspace<R> workspace;
   TrimResult<R> result;
 };
 struct LinearRoom {
+  Configuration<R> configuration;
   LinearizationWorkspace<R> workspace;
   LinearModel<R> model;
 };

@@ -75,6 +75,7 @@ constexpr StatusWords kWords[] = {
     {"control_limit", "trimmed, but a control is beyond its stop"},
     {"flap_limit", "trimmed, but a gimbal is beyond its stop"},
     {"rotor_stall", "no trim: the rotors stall before the weight is carried"},
+    {"damaged", "not the bytes of a saved aircraft, or changed since they were saved"},
 };
 static_assert(sizeof(kWords) / sizeof(kWords[0]) == TR_STATUS_COUNT, "one row per status");
 
@@ -110,12 +111,11 @@ const char* tr_version(void) { return TILTROTOR_VERSION; }
 tr_status tr_hash(const tr_real* numbers, size_t length, uint64_t* hash) {
   if (hash == nullptr || (numbers == nullptr && length > 0)) return TR_BAD_ARGUMENT;
   using Bits = std::conditional_t<sizeof(R) == 8, std::uint64_t, std::uint32_t>;
-  constexpr std::uint64_t prime = 1099511628211u;
   std::uint64_t h = *hash;
   for (std::size_t i = 0; i < length; ++i) {
     Bits bits;
     std::memcpy(&bits, &numbers[i], sizeof bits);
-    for (unsigned k = 0; k < sizeof bits; ++k) h = (h ^ ((bits >> (8 * k)) & 0xffu)) * prime;
+    h = hashed(h, bits);
   }
   *hash = h;
   return TR_OK;

@@ -193,6 +193,7 @@ const std::vector<Field> kFields = {
     {"smooth.spinner_sine", "smooth_spinner_sine", "ND"},
     {"smooth.side_plate_speed", "smooth_side_plate_speed", "m/s"},
     {"smooth.side_plate_axial", "smooth_side_plate_axial", "m/s"},
+    {"smooth.rear_flow_start", "smooth_rear_flow_start", "rad"},
 };
 
 }  // namespace tablegen

@@ -394,6 +394,35 @@ void Composer::by_mast(const std::string& field, const std::vector<MastFile>& fi
   put_stack(field, std::string(files.front().name) + " and the other mast angles", {mast}, stack);
 }
 
+// What the smooth axes measure: all but these an angle.
+struct AxisQuantity {
+  const char* field;  // without its index
+  std::size_t axis;
+  const char* end_width;  // choice, and its unit
+  const char* unit;
+};
+constexpr const char* kRatioWidth = "smooth_table_end_ratio";
+constexpr const char* kSpeedWidth = "smooth_table_end_speed";
+constexpr AxisQuantity kQuantities[] = {
+    {"rotor.section_lift", 1, kRatioWidth, "ND"},    {"rotor.section_drag", 1, kRatioWidth, "ND"},
+    {"rotor.side_by_side", 0, kRatioWidth, "ND"},    {"rotor.sideward", 0, kRatioWidth, "ND"},
+    {"wing.lift_90", 1, kRatioWidth, "ND"},          {"wing.drag_90", 1, kRatioWidth, "ND"},
+    {"htail.lift_mach", 1, kRatioWidth, "ND"},       {"htail.drag", 1, kRatioWidth, "ND"},
+    {"fin.side_mach", 1, kRatioWidth, "ND"},         {"fin.drag", 1, kRatioWidth, "ND"},
+    {"tail.control_mach", 0, kRatioWidth, "ND"},     {"htail.rotor_wash", 1, kSpeedWidth, "kt"},
+    {"htail.pressure_ratio", 1, kSpeedWidth, "kt"},  {"fin.rotor_sidewash", 0, kSpeedWidth, "kt"},
+    {"controls.pedal_cyclic", 0, kSpeedWidth, "kt"}, {"controls.lateral_cyclic", 0, kSpeedWidth, "kt"},
+};
+
+// Radial stations and what a mast or flap angle fixes for a run need no width: their arguments never leave
+// the grid.
+double end_width(const Entries& entries, const std::string& field, std::size_t axis) {
+  const std::string name = field.substr(0, field.find('['));
+  for (const AxisQuantity& q : kQuantities)
+    if (name == q.field && axis == q.axis) return entries.in(q.end_width, q.unit);
+  return entries.in("smooth_table_end_angle", "deg");
+}
+
 }  // namespace
 
 std::vector<TableArray> compose_tables(const std::string& folder, const Entries& entries) {
@@ -405,6 +434,9 @@ std::vector<TableArray> compose_tables(const std::string& folder, const Entries&
   composer.fins();
   composer.controls();
   composer.check_the_rest();
+  for (TableArray& table : composer.tables)
+    for (std::size_t a = 0; a < table.smooth.size(); ++a)
+      table.end_width.push_back(end_width(entries, table.field, a));
   return std::move(composer.tables);
 }
 

@@ -16,6 +16,7 @@ struct TableArray {
   std::vector<std::vector<double>> smooth;
   std::vector<std::vector<double>> linear;
   std::vector<double> value;
+  std::vector<double> end_width = {};  // of each smooth axis: tiltrotor::Axis::end_width
 };
 
 // Reads every table of the folder, also those the product does not use yet.

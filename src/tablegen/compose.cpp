@@ -17,8 +17,12 @@ double at(const Curve& curve, double x) {
 Curve resampled(const Curve& curve, const std::vector<double>& knots) {
   Curve result{knots, {}};
   for (const double x : knots) result.value.push_back(at(curve, x));
+  if (around_circle(knots) && curve.knot.front() > knots.front() && curve.knot.back() < knots.back())
+    result.value.front() = result.value.back() = 0.5 * (result.value.front() + result.value.back());
   return result;
 }
+
+bool around_circle(const std::vector<double>& knots) { return knots.front() == -180 && knots.back() == 180; }
 
 std::vector<double> union_of(const std::vector<double>& a, const std::vector<double>& b) {
   std::vector<double> result;

@@ -10,8 +10,12 @@ namespace tablegen {
 
 double at(const Curve& curve, double x);
 
-// The same curve on other knots.
+// The same curve on other knots. Where these go once around the circle, -180..180 deg, and the curve does
+// not, its two held values meet at the ends, which are one place: each becomes their mean there.
 Curve resampled(const Curve& curve, const std::vector<double>& knots);
+
+// Knots that go once around the circle, in degrees.
+bool around_circle(const std::vector<double>& knots);
 
 // All knots of both, increasing.
 std::vector<double> union_of(const std::vector<double>& a, const std::vector<double>& b);

@@ -3,7 +3,7 @@
 # Call graphs for the widest vectors, whose stack is the largest; nothing of this runs. Clang writes none.
 STACK_OBJECTS := $(if $(CROSS_COMPILE),,$(if $(findstring x86_64,$(shell $(CXX) -dumpmachine 2>/dev/null)),\
                    $(if $(call accepts,-fcallgraph-info=su),\
-                     $(addprefix $(BUILD)/stack/,library/c_aircraft.o library/c_flight.o library/c_linear.o library/c_words.o library/analysis_double.o isolated_rotor.o))))
+                     $(addprefix $(BUILD)/stack/,library/c_aircraft.o library/c_flight.o library/c_linear.o library/c_saved.o library/c_words.o library/analysis_double.o isolated_rotor.o))))
 STACK_FLAGS   := $(CORE_FLAGS) -march=x86-64-v4 -fcallgraph-info=su
 
 $(STACK_OBJECTS): $(BUILD)/flags.stamp

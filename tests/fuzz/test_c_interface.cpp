@@ -51,10 +51,12 @@ tr_state any_state(const tr_sim& sim, fuzz::Bytes& in) {
   tr_state state{};
   if (tr_get_state(&sim, &state) != TR_OK) state = tr_state{};
   for (int changes = in.below(8); changes > 0; --changes) {
-    const int place = in.below(TR_STATES + TR_CONTROLS + 1);
+    const int place = in.below(TR_STATES + TR_CONTROLS + 6);
+    double* const sum[] = {&state.time_s,        &state.roll_rad,      &state.yaw_rad,
+                           &state.position_m[0], &state.position_m[1], &state.position_m[2]};
     double* const number = place < TR_STATES                 ? &state.x[place]
                            : place < TR_STATES + TR_CONTROLS ? &state.u[place - TR_STATES]
-                                                             : &state.time_s;
+                                                             : sum[place - TR_STATES - TR_CONTROLS];
     *number = in.number();
   }
   return state;
@@ -74,6 +76,31 @@ void fly(tr_sim& sim, Room& room, fuzz::Bytes& in) {
   if (status == TR_OK)
     REQUIRE(tr_get_state(&sim, &after) == TR_OK && all_finite(after.x, TR_STATES) &&
             after.steps == before.steps + 1);
+}
+
+// Saves one aircraft, perhaps changes the bytes, and loads them into another. A change is found.
+void save_and_load(const tr_sim& from, tr_sim& to, fuzz::Bytes& in) {
+  unsigned char bytes[TR_SAVED_SIZE + 1];
+  std::memset(bytes, 0x5a, sizeof bytes);
+  std::size_t used = 0;
+  const std::size_t room = in.below(4) == 0 ? 4 * in.byte() : std::size_t{TR_SAVED_SIZE};
+  const tr_status status = tr_save(&from, bytes, room, &used);
+  REQUIRE(known(status) && bytes[room] == 0x5a && used <= TR_SAVED_SIZE);
+  if (status == TR_SHORT_BUFFER) REQUIRE(used > room && bytes[0] == 0x5a);
+  unsigned char good[sizeof bytes];
+  std::memcpy(good, bytes, sizeof bytes);
+  for (int changes = in.below(4); changes > 0; --changes) bytes[4 * in.byte() + in.below(4)] = in.byte();
+  const std::size_t length = in.below(4) == 0 ? 4 * in.byte() : std::size_t{TR_SAVED_SIZE};
+  const tr_sim before = to;
+  const tr_status loaded = tr_load_saved(&to, TR_API_VERSION, bytes, length);
+  REQUIRE(known(loaded));
+  if (loaded != TR_OK) REQUIRE(std::memcmp(&to, &before, sizeof to) == 0);
+  const bool whole = status == TR_OK && length >= used && std::memcmp(bytes, good, used) == 0;
+  REQUIRE((loaded == TR_OK) == whole);
+  if (!whole) return;
+  std::size_t again = 0;
+  REQUIRE(tr_save(&to, bytes, sizeof bytes, &again) == TR_OK && again == used &&
+          std::memcmp(bytes, good, used) == 0);
 }
 
 void read(const tr_sim& sim, fuzz::Bytes& in) {
@@ -161,6 +188,8 @@ void call_with_nothing(Room& room, fuzz::Bytes& in) {
   REQUIRE(tr_init(nullptr, in.raw<std::uint32_t>(), nullptr) != TR_OK);
   REQUIRE(tr_set_controls(sim, nullptr, in.byte()) != TR_OK && tr_step(sim, nullptr, 0.01) != TR_OK);
   REQUIRE(tr_get_state(sim, nullptr) != TR_OK && tr_set_state(sim, nullptr) != TR_OK);
+  REQUIRE(tr_save(sim, nullptr, in.byte(), nullptr) != TR_OK);
+  REQUIRE(tr_load_saved(sim, TR_API_VERSION, nullptr, in.byte()) != TR_OK);
   REQUIRE(tr_derivative(sim, nullptr, in.byte()) != TR_OK && tr_get_outputs(sim, nullptr) != TR_OK);
   REQUIRE(tr_trim(sim, nullptr, nullptr, nullptr) != TR_OK);
   REQUIRE(tr_linearize(sim, nullptr, 1, nullptr, nullptr, 0, nullptr, 0) != TR_OK);
@@ -190,7 +219,7 @@ FUZZ_TARGET(c_interface) {
     tr_sim& sim = room.sim[in.below(2)];
     const tr_sim other = room.sim[&sim == room.sim ? 1 : 0];
     const tr_sim before = sim;
-    switch (in.below(10)) {
+    switch (in.below(11)) {
       case 0: {
         setup = any_setup(in);
         const std::uint32_t version = in.below(8) == 0 ? in.raw<std::uint32_t>() : TR_API_VERSION;
@@ -207,7 +236,10 @@ FUZZ_TARGET(c_interface) {
         break;
       case 3: {
         const tr_state state = any_state(sim, in);
-        if (tr_set_state(&sim, &state) != TR_OK) REQUIRE(std::memcmp(&sim, &before, sizeof sim) == 0);
+        const tr_status status = tr_set_state(&sim, &state);
+        if (status != TR_OK) REQUIRE(std::memcmp(&sim, &before, sizeof sim) == 0);
+        tr_state set{};
+        if (status == TR_OK) REQUIRE(tr_get_state(&sim, &set) == TR_OK && tr_set_state(&sim, &set) == TR_OK);
         break;
       }
       case 4:
@@ -224,6 +256,9 @@ FUZZ_TARGET(c_interface) {
         break;
       case 8:
         find_eigenvalues(room, in);
+        break;
+      case 9:
+        save_and_load(other, sim, in);
         break;
       default:
         call_with_nothing(room, in);

@@ -75,6 +75,7 @@ class ScaledAircraft {
       for (double& x : knot) x *= width;
       axis.knot = knot.data();
       axis.per_width /= width;
+      axis.end_width *= width;
     }
   }
   template <class... Tables>

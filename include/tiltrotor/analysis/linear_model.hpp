@@ -57,7 +57,7 @@ struct LinearizationWorkspace {
   static constexpr int kInputs = kMaxLinearStates + kMaxLinearControls;
   using Seeded = typename Policy::template Scalar<R, kModelDirections>;
   typename Policy::template Workspace<R, kModelDirections, kInputs, state_count> differentiation;
-  ModelRooms<R, Seeded> rooms;
+  ModelRoom<Seeded> room;
   R base_x[state_count];
   R base_u[control_count];
   R input[kInputs];
@@ -127,7 +127,7 @@ Status linearize(const Configuration<R>& c, const State<R>& x, const Controls<R>
 
   const auto rates_of = [&](const auto* input, auto* rates) {
     using T = std::remove_reference_t<decltype(*rates)>;
-    ModelRoom<T>& room = work.rooms.template of<T>();
+    ModelRoom<T>& room = work.room;
     for (int i = 0; i < state_count; ++i) room.x[i] = T(work.base_x[i]);
     for (int j = 0; j < control_count; ++j) room.u[j] = T(work.base_u[j]);
     for (int i = 0; i < n; ++i) room.x[model.state[i]] = input[i];

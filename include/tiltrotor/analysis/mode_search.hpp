@@ -29,7 +29,7 @@ Mode<R> describe_root(const SplitModel<R>& split, const Eigensystem<R, kMaxLinea
   Mode<R> m{};
   m.real = system.values.real[k];
   m.imag = system.values.imag[k];
-  m.frequency = std::sqrt(m.real * m.real + m.imag * m.imag);
+  m.frequency = length_of(m.real, m.imag);
   m.damping_ratio = m.frequency > R(0) ? -m.real / m.frequency : R(0);
   const R ln2 = static_cast<R>(0.693147180559945309417232121458176568L);
   m.time_to_half = m.real != R(0) ? -ln2 / m.real : std::numeric_limits<R>::infinity();
@@ -302,6 +302,11 @@ Status modes(const LinearModel<R>& model, ModesWorkspace<R>& work, ModeSet<R>& s
   for (int k = 0; k < model.states; ++k) {
     if (set.system.values.imag[k] >= R(0))
       set.mode[set.count++] = d::describe_root(work.split, set.system, k);
+  }
+  for (int i = 0; i < set.count; ++i) {
+    if (is_finite(set.mode[i].frequency)) continue;
+    set.count = 0;
+    return Status::not_finite;
   }
   d::Selection rigid, others, longitudinal, lateral;
   d::divide(set, rigid, others, kRigidStates);

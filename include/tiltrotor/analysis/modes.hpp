@@ -15,7 +15,7 @@ struct Mode {
   R real, imag;     // eigenvalue, 1/s; imag >= 0, a pair is one mode
   R frequency;      // |eigenvalue|, rad/s
   R damping_ratio;  // -real / frequency; 1 or -1 for real roots, 0 for a root at zero
-  R time_to_half;   // s; negative: time to double; infinite for real = 0
+  R time_to_half;   // s; negative: time to double; infinite for real = 0 and beyond the range of numbers
   ModeAxis axis;
   ModeLabel label;
   char name[kModeNameLength];
@@ -42,8 +42,8 @@ struct ModesWorkspace {
   EigenWorkspace<R, kMaxLinearStates> eigen;
 };
 
-// Status: ok; not_finite or not_converged (the set is empty); bad_argument (empty model).
-// Cost: eigensystem of order n, about 25 n^3 multiplications.
+// Status: ok; not_finite (also a frequency beyond the range) or not_converged (the set is empty);
+// bad_argument (empty model). Cost: eigensystem of order n, about 25 n^3 multiplications.
 template <class R>
 Status modes(const LinearModel<R>& model, ModesWorkspace<R>& work, ModeSet<R>& set);
 

@@ -10,8 +10,9 @@
 // one, so that a flight may end at any time.
 //
 // Simulation is plain: a snapshot is a copy, and a replay is exact. Heading, and position when it is a state,
-// are integrated with the rest. A and B at any moment: linearize(c, flight.state, current_controls(flight),
-// ..., current_azimuth(c, flight)); the rates it finds are the first evaluation of the step that follows:
+// are integrated with the rest. A and B at any moment: linearize(c, current_state(flight),
+// current_controls(flight), ..., current_azimuth(c, flight)); the rates it finds are the first evaluation of
+// the step that follows:
 // advance(c, work, flight, model.xdot) takes them over and finds the same bits for one derivative less.
 #pragma once
 
@@ -20,6 +21,7 @@
 #include "tiltrotor/analysis/differentiation.hpp"
 #include "tiltrotor/analysis/input_signal.hpp"
 #include "tiltrotor/analysis/stable_step.hpp"
+#include "tiltrotor/analysis/travel.hpp"
 #include "tiltrotor/math/integrate.hpp"
 
 namespace tiltrotor {
@@ -36,6 +38,7 @@ inline constexpr R kLongestStep = R(1);  // s
 template <class R>
 struct Simulation {
   State<R> state;
+  Travel travel;         // its sums, more exactly
   Controls<R> controls;  // what the inputs add to; may be changed between steps
   InputSignal<R> input[kMaxInputs];
   int inputs;
@@ -59,7 +62,7 @@ struct SimulationWorkspace {
     RosenbrockWorkspace<R, state_count> rosenbrock;
   } method;
   ActiveStates active;
-  R x[state_count];  // active states
+  R x[state_count];  // active states; of the sums what the step adds
   R rates[state_count];
   R ahead[state_count], behind[state_count];
   R scale[state_count];
@@ -75,6 +78,14 @@ R current_time(const Simulation<R>& s) {
 template <class R>
 R current_azimuth(const Configuration<R>& c, const Simulation<R>& s) {
   return c.setup.rotor_speed * current_time(s);
+}
+
+// The state with bank and heading within half a turn: what the next step begins with.
+template <class R>
+State<R> current_state(const Simulation<R>& s) {
+  Travel travel = s.travel;
+  follow(s.state, travel);
+  return without_turns(s.state, travel);
 }
 
 // Controls at a time: the simulation's own and every input.
@@ -122,6 +133,7 @@ template <class R>
 Status start(const Configuration<R>& c, const State<R>& x, const Controls<R>& u, R dt, Integrator integrator,
              Simulation<R>& s) {
   s.state = x;
+  s.travel = Travel{};
   s.controls = u;
   s.inputs = 0;
   s.integrator = integrator;
@@ -167,7 +179,8 @@ constexpr R state_bound(int index) {
   if (index <= ix_r) return R(20);                     // rad/s
   if (index == ix_roll) return R(1000);                // rolls may add up
   if (index == ix_pitch) return R(89.5) * kRadian<R>;  // Euler angles end there
-  if (index == ix_yaw || index >= ix_position) return std::numeric_limits<R>::max();
+  if (index == ix_yaw) return R(1e6);                  // and turns
+  if (index >= ix_position) return R(1e9);             // m
   if (index == ix_downwash) return R(2);
   const bool rate = index > ix_downwash
                         ? (index - ix_coning_right) % 2 == 1
@@ -190,7 +203,10 @@ struct RightSide {
     pack(controls, u);
     for (int i = 0; i < state_count; ++i) room.x[i] = T(work.whole[i]);
     for (int j = 0; j < control_count; ++j) room.u[j] = T(u[j]);
-    for (int k = 0; k < work.active.count; ++k) room.x[work.active.index[k]] = x[k];
+    for (int k = 0; k < work.active.count; ++k) {
+      const int i = work.active.index[k];
+      room.x[i] = sum_of(i) < 0 ? x[k] : room.x[i] + x[k];
+    }
     model_rates(c, azimuth, room);
     for (int k = 0; k < work.active.count; ++k) rates[k] = room.x[work.active.index[k]];
   }
@@ -289,8 +305,12 @@ Status advance(const Configuration<R>& c, SimulationWorkspace<R, Policy>& work, 
   if (s.status != Status::ok) return s.status;
   work.active = active_states(c.setup.options, true);
   const int n = work.active.count;
-  pack(s.state, work.whole);
-  for (int k = 0; k < n; ++k) work.x[k] = work.whole[work.active.index[k]];
+  Travel travel = s.travel;
+  follow(s.state, travel);
+  pack(without_turns(s.state, travel), work.whole);
+  // Sums begin at zero: what a step adds is not rounded to the size of the sum.
+  for (int k = 0; k < n; ++k)
+    work.x[k] = sum_of(work.active.index[k]) < 0 ? work.whole[work.active.index[k]] : R(0);
   s.fault_state = -1;
 
   const R* known = nullptr;
@@ -310,12 +330,24 @@ Status advance(const Configuration<R>& c, SimulationWorkspace<R, Policy>& work, 
     known = nullptr;
     since = until;
   }
+  for (int k = 0; k < n && s.status == Status::ok; ++k) {
+    const int index = work.active.index[k];
+    const int sum = sum_of(index);
+    if (sum < 0) continue;
+    travel.sum[sum] += static_cast<double>(work.x[k]);
+    work.x[k] = static_cast<R>(travel.sum[sum]);
+    if (!(std::fabs(travel.sum[sum]) <= static_cast<double>(response_detail::state_bound<R>(index)))) {
+      s.fault_state = index;
+      s.status = Status::out_of_range;
+    }
+  }
   if (s.status != Status::ok) {
     s.fault_time = begin + s.dt;
     return s.status;
   }
   for (int k = 0; k < n; ++k) work.whole[work.active.index[k]] = work.x[k];
   unpack(work.whole, s.state);
+  s.travel = travel;
   ++s.steps;
   return s.status;
 }

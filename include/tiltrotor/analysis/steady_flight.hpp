@@ -6,17 +6,19 @@
 
 namespace tiltrotor {
 
-// Straight or turning, level or climbing, with or without sideslip. Relative to the air mass.
+// Straight or turning, level or climbing, with or without sideslip. Relative to the air at the aircraft.
 template <class R>
 struct SteadyFlight {
   R speed;      // m/s, 0..150
   R climb;      // angle of the flight path, rad, + up, within 60 deg
   R turn_rate;  // of the heading, rad/s, + right, within 60 deg/s
   R sideslip;   // beta: v = speed sin beta, rad, + wind from the right, within 60 deg
+  // Held velocity of the air, Controls::gust, each within 100 m/s. In a turn it turns with the aircraft.
+  Vec3<R> gust = {};
 };
 
 // Fields of SteadyFlight, for a message about a bad one.
-enum class SteadyFlightField : unsigned char { none, speed, climb, turn_rate, sideslip };
+enum class SteadyFlightField : unsigned char { none, speed, climb, turn_rate, sideslip, gust };
 
 template <class R>
 SteadyFlightField first_invalid(const SteadyFlight<R>& flight) {
@@ -25,10 +27,14 @@ SteadyFlightField first_invalid(const SteadyFlight<R>& flight) {
   if (!detail::within(flight.climb, -angle, angle)) return SteadyFlightField::climb;
   if (!detail::within(flight.turn_rate, -angle, angle)) return SteadyFlightField::turn_rate;
   if (!detail::within(flight.sideslip, -angle, angle)) return SteadyFlightField::sideslip;
-  return SteadyFlightField::none;
+  const R gust = R(100);
+  const Vec3<R>& g = flight.gust;
+  const bool held = detail::within(g.x, -gust, gust) && detail::within(g.y, -gust, gust) &&
+                    detail::within(g.z, -gust, gust);
+  return held ? SteadyFlightField::none : SteadyFlightField::gust;
 }
 
-// Body velocity of steady flight at a roll and pitch angle.
+// Body velocity of steady flight relative to the air at a roll and pitch angle.
 //
 // In axes level with the ground and turned with the heading the velocity is V (cos g cos k, cos g sin k, -sin
 // g), with g the climb angle and k the track minus the heading. Its component along the body's y axis shall

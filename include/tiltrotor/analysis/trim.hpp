@@ -26,7 +26,7 @@ struct TrimResult {
   SteadyFlightField invalid;  // with out_of_range: the first bad input
 
   State<R> state;           // yaw and position 0
-  Controls<R> controls;     // the four inceptors; increments and gust 0
+  Controls<R> controls;     // the four inceptors, and the gust asked for; increments 0
   BladeControls<R> blades;  // what blades and surfaces see
 
   R angle_of_attack;       // atan2(w, u), 0 in hover, rad
@@ -80,7 +80,8 @@ void unpack_unknowns(const SteadyFlight<R>& flight, const TrimWorkspace<R, Polic
   }
   unpack(x, state);
   unpack(u, controls);
-  state.velocity = steady_velocity(flight, state.roll, state.pitch);
+  controls.gust = flight.gust;
+  state.velocity = steady_velocity(flight, state.roll, state.pitch) + flight.gust;
   state.rates = steady_rates(flight, state.roll, state.pitch);
 }
 
@@ -109,7 +110,7 @@ template <class R, class Policy>
 void describe(const Configuration<R>& c, const SteadyFlight<R>& flight, TrimWorkspace<R, Policy>& work,
               TrimResult<R>& result) {
   unpack_unknowns(flight, work, result.state, result.controls);
-  const Vec3<R>& v = result.state.velocity;
+  const Vec3<R> v = result.state.velocity - flight.gust;
   result.blades = mix_controls(c, result.controls, v);
   Evaluation<R>& e = work.evaluation;
   evaluate(c, result.state, result.controls, e);

@@ -17,12 +17,12 @@ inline constexpr int kTopSteps = 10;         // of a golden section: to 0.02 deg
 template <class R, class Policy>
 NewtonOutcome<R> from_level_flight(const Configuration<R>& c, const SteadyFlight<R>& flight,
                                    TrimWorkspace<R, Policy>& work, int& iterations) {
-  SteadyFlight<R> stage{flight.speed, R(0), R(0), R(0)};
+  SteadyFlight<R> stage{flight.speed, R(0), R(0), R(0), flight.gust};
   trim_first_guess(c, stage, work.equations, work.z);
   NewtonOutcome<R> outcome = newton(c, stage, work, kStageIterations, iterations);
   for (int k = 1; k <= kFlightStages && outcome.status == TrimStatus::ok; ++k) {
     const R part = static_cast<R>(k) / R(kFlightStages);
-    stage = {flight.speed, part * flight.climb, part * flight.turn_rate, part * flight.sideslip};
+    stage = {flight.speed, part * flight.climb, part * flight.turn_rate, part * flight.sideslip, flight.gust};
     outcome = newton(c, stage, work, kStageIterations, iterations);
   }
   return outcome;

@@ -105,17 +105,21 @@ void set_collective(TrimEquations<R>& equations, R collective) {
   row.scale = R(1);
 }
 
-// Velocity and rates of the steady flight at the attitude in room.x.
+// Velocity, rates and gust of the steady flight at the attitude in room.x.
 template <class T>
 TILTROTOR_NOINLINE void set_steady_motion(const SteadyFlight<Real<T>>& flight, ModelRoom<T>& room) {
   const Vec3<T> velocity = steady_velocity(flight, room.x[ix_roll], room.x[ix_pitch]);
+  const Vec3<Real<T>>& gust = flight.gust;
   const Vec3<T> rates = steady_rates(flight, room.x[ix_roll], room.x[ix_pitch]);
-  room.x[ix_u] = velocity.x;
-  room.x[ix_v] = velocity.y;
-  room.x[ix_w] = velocity.z;
+  room.x[ix_u] = velocity.x + gust.x;
+  room.x[ix_v] = velocity.y + gust.y;
+  room.x[ix_w] = velocity.z + gust.z;
   room.x[ix_p] = rates.x;
   room.x[ix_q] = rates.y;
   room.x[ix_r] = rates.z;
+  room.u[iu_gust] = T(gust.x);
+  room.u[iu_gust + 1] = T(gust.y);
+  room.u[iu_gust + 2] = T(gust.z);
 }
 
 // A force of `part` of the weight, upwards, added to the rates in room.x (m/s^2). Roll and pitch in rad.

@@ -7,9 +7,12 @@ namespace tiltrotor {
 
 namespace trim_detail {
 
-inline constexpr const char* kFieldWords[] = {
-    "", "speed must be 0..150 m/s", "climb angle must be within 60 deg", "turn rate must be within 60 deg/s",
-    "sideslip must be within 60 deg"};
+inline constexpr const char* kFieldWords[] = {"",
+                                              "speed must be 0..150 m/s",
+                                              "climb angle must be within 60 deg",
+                                              "turn rate must be within 60 deg/s",
+                                              "sideslip must be within 60 deg",
+                                              "gust must be within 100 m/s"};
 
 // Appends to a buffer and always leaves it terminated; what does not fit is cut.
 class Sentence {

@@ -114,19 +114,31 @@ inline bool scale_once(PaddedSquare<R, N>& a, int n, Balance<R, N>& b) {
 
 }  // namespace balance_detail
 
-// Balances the leading n x n part of `a` in place. Bounded: n permutation passes, kBalanceSweeps scaling
-// sweeps; a matrix still unbalanced then is only less well scaled.
-inline constexpr int kBalanceSweeps = 24;
-
+// The permutation alone: exact, whatever the size of the entries.
 template <class R, int N>
-inline void balance(Matrix<R, N, lane_ceil<R>(N)>& a, int n, Balance<R, N>& b) {
+inline void isolate(Matrix<R, N, lane_ceil<R>(N)>& a, int n, Balance<R, N>& b) {
   for (int i = 0; i < N; ++i) {
     b.scale[i] = R(1);
     b.swap[i] = i;
   }
   balance_detail::permute<R, N>(a, n, b);
+}
+
+inline constexpr int kBalanceSweeps = 24;
+
+// Powers of two on the active block of an isolated matrix.
+template <class R, int N>
+inline void equalise(Matrix<R, N, lane_ceil<R>(N)>& a, int n, Balance<R, N>& b) {
   for (int sweep = 0; sweep < kBalanceSweeps && balance_detail::scale_once<R, N>(a, n, b); ++sweep) {
   }
+}
+
+// Balances the leading n x n part of `a` in place. Bounded: n permutation passes, kBalanceSweeps scaling
+// sweeps; a matrix still unbalanced then is only less well scaled.
+template <class R, int N>
+inline void balance(Matrix<R, N, lane_ceil<R>(N)>& a, int n, Balance<R, N>& b) {
+  isolate(a, n, b);
+  equalise(a, n, b);
 }
 
 // Takes the rows of a matrix of eigenvectors back to the states of A: right vectors are multiplied by P D,

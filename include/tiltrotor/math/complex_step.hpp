@@ -20,8 +20,8 @@ struct ScalarTraits<std::complex<R>> {
   static T cos(const T& x) { return std::cos(x); }
   // First-order extension of the real function: exact for the infinitesimal steps this scalar is used with.
   static T atan2(const T& y, const T& x) {
-    const R square = x.real() * x.real() + y.real() * y.real();
-    return {std::atan2(y.real(), x.real()), (x.real() * y.imag() - y.real() * x.imag()) / square};
+    const AngleSlopes<R> slope = arctangent2_slopes(y.real(), x.real());
+    return {std::atan2(y.real(), x.real()), slope.along_y * y.imag() + slope.along_x * x.imag()};
   }
 };
 

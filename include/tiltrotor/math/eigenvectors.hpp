@@ -62,6 +62,16 @@ inline void shrink(PaddedSquare<R, N>& x, int n, int top, int column, int count,
     for (int e = column; e < column + count; ++e) x(i, e) *= factor;
 }
 
+// Factor, a power of two, that keeps products of these numbers from vanishing; nearly always 1.
+template <class R>
+inline R unit_of_pair(R half, R b, R c) {
+  const R size = larger_of(std::fabs(half), larger_of(std::fabs(b), std::fabs(c)));
+  if (size > R(1) / large<R>() || size < std::numeric_limits<R>::min()) return R(1);
+  int exponent = 0;
+  std::frexp(size, &exponent);
+  return std::ldexp(R(1), -exponent);
+}
+
 // x(row, e) = - sum over j > block of t(row, j) x(j, e), all columns from `begin` on.
 template <class R, int N>
 inline void accumulate(const PaddedSquare<R, N>& t, int row, int block_end, int n, PaddedSquare<R, N>& x) {
@@ -101,9 +111,10 @@ inline void solve_triangular_eigenvectors(const Matrix<R, N, lane_ceil<R>(N)>& t
   for (int i = 0; i + 1 < n; ++i)
     if (t(i + 1, i) != R(0)) {
       const R half = R(0.5) * (t(i, i) - t(i + 1, i + 1));
-      const R discriminant = -(half * half + t(i, i + 1) * t(i + 1, i));
+      const R unit = unit_of_pair(half, t(i, i + 1), t(i + 1, i));
+      const R discriminant = -((half * unit) * (half * unit) + (t(i, i + 1) * unit) * (t(i + 1, i) * unit));
       real[i] = real[i + 1] = t(i + 1, i + 1) + half;
-      imag[i] = discriminant > R(0) ? tiltrotor::sqrt(discriminant) : R(0);
+      imag[i] = discriminant > R(0) ? tiltrotor::sqrt(discriminant) / unit : R(0);
       imag[i + 1] = -imag[i];
     }
   set_zero(x);

@@ -25,8 +25,9 @@ namespace francis_detail {
 template <class R>
 inline constexpr R kEps = std::numeric_limits<R>::epsilon();
 
-// A subdiagonal entry this small counts as zero: 2^-484 in double precision. Squares of larger ones neither
-// vanish nor lose digits; the matrix is scaled so that this is far below eps |H|.
+// A subdiagonal entry this small counts as zero where its neighbours are not small too: 2^-484 in double
+// precision. Squares of larger ones neither vanish nor lose digits; the matrix is scaled so that this is far
+// below eps |H|.
 template <class R>
 constexpr R negligible_size() {
   R size = R(1);
@@ -120,10 +121,10 @@ template <class R, int N>
 inline bool negligible(const PaddedSquare<R, N>& h, int k) {
   const R below = std::fabs(h(k, k - 1));
   const R a = h(k - 1, k - 1), d = h(k, k);
-  constexpr R kZero = negligible_size<R>();
-  if (below <= kZero) return true;
-  if (below > kEps<R> * (std::fabs(a) + std::fabs(d))) return false;
   const R above = std::fabs(h(k - 1, k));
+  constexpr R kZero = negligible_size<R>();
+  if (below <= kZero && below <= kEps<R> * (std::fabs(a) + std::fabs(d) + above)) return true;
+  if (below > kEps<R> * (std::fabs(a) + std::fabs(d))) return false;
   const R larger = larger_of(below, above), smaller = smaller_of(below, above);
   const R large_diagonal = larger_of(std::fabs(d), std::fabs(a - d));
   const R small_diagonal = smaller_of(std::fabs(d), std::fabs(a - d));
@@ -138,10 +139,26 @@ struct Shifts {
   R sum, product;
 };
 
+// The factor that brings a block which has been split off back to numbers whose squares do not vanish; nearly
+// always 1.
+template <class R, int N>
+inline R unit_of(const PaddedSquare<R, N>& h, int low, int high) {
+  R largest = std::fabs(h(low, low));
+  for (int k = low + 1; k <= high; ++k)
+    largest = larger_of(larger_of(largest, std::fabs(h(k, k))),
+                        larger_of(std::fabs(h(k - 1, k)), std::fabs(h(k, k - 1))));
+  constexpr R kSmall = negligible_size<R>() / kEps<R>;
+  if (!(largest < kSmall) || largest < std::numeric_limits<R>::min()) return R(1);
+  int exponent = 0;
+  std::frexp(largest, &exponent);
+  return std::ldexp(R(1), -exponent);
+}
+
 // Eigenvalues of the last 2x2 block; of two real ones the nearer to the last entry twice. Now and then
 // arbitrary ones, which break the rare cycles.
 template <class R, int N>
-inline Shifts<R> shifts(const PaddedSquare<R, N>& h, int low, int high, int since_split) {
+inline Shifts<R> shifts(const PaddedSquare<R, N>& block, int low, int high, int since_split, R unit) {
+  const auto h = [&](int i, int j) { return block(i, j) * unit; };
   constexpr int kExceptionalEvery = 10;
   R a, b, c, d;
   if (since_split % kExceptionalEvery == kExceptionalEvery - 1) {
@@ -169,7 +186,9 @@ inline Shifts<R> shifts(const PaddedSquare<R, N>& h, int low, int high, int sinc
 // Where the sweep may start, and the first column of (H - s1)(H - s2) there: below two small subdiagonal
 // entries in succession a start disturbs the entry above it by less than rounding.
 template <class R, int N>
-inline int start(const PaddedSquare<R, N>& h, int low, int high, const Shifts<R>& s, R& x, R& y, R& z) {
+inline int start(const PaddedSquare<R, N>& block, int low, int high, const Shifts<R>& s, R unit, R& x, R& y,
+                 R& z) {
+  const auto h = [&](int i, int j) { return block(i, j) * unit; };
   const auto set_column = [&](int m) {
     const R a = h(m, m), c = h(m + 1, m);
     x = a * (a - s.sum) + s.product + h(m, m + 1) * c;
@@ -188,11 +207,11 @@ inline int start(const PaddedSquare<R, N>& h, int low, int high, const Shifts<R>
 
 // One sweep over the active block. Without the basis only the block itself is kept up to date.
 template <bool kWithBasis, class R, int N>
-inline void sweep(PaddedSquare<R, N>& h, int n, int low, int high, int since_split,
+inline void sweep(PaddedSquare<R, N>& h, int n, int low, int high, int since_split, R unit,
                   PaddedSquare<R, N>& basis) {
-  const Shifts<R> s = shifts<R, N>(h, low, high, since_split);
+  const Shifts<R> s = shifts<R, N>(h, low, high, since_split, unit);  // and the start in units of the block
   R x = R(0), y = R(0), z = R(0);
-  const int first = start<R, N>(h, low, high, s, x, y, z);
+  const int first = start<R, N>(h, low, high, s, unit, x, y, z);
   const int row_end = lane_ceil<R>(kWithBasis ? n : high + 1);
   const int column_begin = kWithBasis ? 0 : low;
   const int basis_end = lane_ceil<R>(n);
@@ -227,7 +246,7 @@ template <bool kWithBasis, class R, int N>
 inline void split_pair(PaddedSquare<R, N>& h, int n, int k, PaddedSquare<R, N>& basis, R* real, R* imag) {
   const R a = h(k, k), b = h(k, k + 1), c = h(k + 1, k), d = h(k + 1, k + 1);
   const R size = larger_of(larger_of(std::fabs(a), std::fabs(b)), larger_of(std::fabs(c), std::fabs(d)));
-  const R unit = size > R(0) ? R(1) / size : R(1);
+  const R unit = size >= std::numeric_limits<R>::min() ? R(1) / size : R(1);
   const R half = R(0.5) * (a - d) * unit;
   const R product = (b * unit) * (c * unit);
   const R discriminant = half * half + product;
@@ -286,10 +305,18 @@ inline FrancisResult francis(Matrix<R, N, lane_ceil<R>(N)>& h, int n, int low, i
       imag[k] = R(0);
     }
   const int allowed = kSweepsPerEigenvalue * n;
-  int sweeps = 0, since_split = 0;
+  int sweeps = 0, since_split = 0, last_top = -1;
+  R unit = R(1);
   while (high >= low) {  // each pass splits off an eigenvalue or counts a sweep
     int top = high;
-    while (top > low && !francis_detail::negligible<R, N>(h, top)) --top;
+    int vanishing =
+        low;  // below it an entry as small as its neighbours: zero unless the whole block is small
+    while (top > low && !francis_detail::negligible<R, N>(h, top)) {
+      const bool tiny = std::fabs(h(top, top - 1)) <= francis_detail::negligible_size<R>();
+      vanishing = tiny && top > vanishing ? top : vanishing;
+      --top;
+    }
+    if (vanishing > top && francis_detail::unit_of<R, N>(h, top, high) == R(1)) top = vanishing;
     if (top > low) h(top, top - 1) = R(0);
     if (top == high) {
       real[high] = h(high, high);
@@ -302,7 +329,9 @@ inline FrancisResult francis(Matrix<R, N, lane_ceil<R>(N)>& h, int n, int low, i
       since_split = 0;
     } else {
       if (sweeps == allowed) break;
-      francis_detail::sweep<kWithBasis, R, N>(h, n, top, high, since_split, basis);
+      if (since_split == 0 || top != last_top) unit = francis_detail::unit_of<R, N>(h, top, high);
+      last_top = top;
+      francis_detail::sweep<kWithBasis, R, N>(h, n, top, high, since_split, unit, basis);
       ++sweeps;
       ++since_split;
     }

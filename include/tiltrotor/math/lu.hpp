@@ -232,8 +232,9 @@ inline constexpr int kConditionSteps = 5;
 
 // Estimates 1 / (|A|_1 |A^-1|_1) by Hager's gradient ascent on |A^-1 x|_1 over the unit 1-ball, with Higham's
 // alternating vector as a second lower bound. The estimate of |A^-1|_1 is never too large and seldom more
-// than three times too small. 0 when there are no valid factors or the inverse overflows. Cost: at most 11
-// solutions.
+// than three times too small. Right sides are as large as A, by a power of two, so that the size of A does
+// not matter. 0 when there are no valid factors or the condition number exceeds about 1e288 (1e35 in float).
+// Cost: at most 11 solutions.
 template <class R, int N>
 inline R lu_reciprocal_condition(const LU<R, N>& lu) {
   const int n = lu.size;
@@ -241,13 +242,18 @@ inline R lu_reciprocal_condition(const LU<R, N>& lu) {
   R x[N], sign[N];
   R estimate = R(0);
   int unit = -1;
-  for (int i = 0; i < n; ++i) x[i] = R(1) / static_cast<R>(n);
+  int exponent = 0;
+  std::frexp(lu.norm1, &exponent);
+  constexpr int kSafe = std::numeric_limits<R>::max_exponent / 16;  // above the subnormal numbers
+  const int least = std::numeric_limits<R>::min_exponent + kSafe;
+  const R one = std::ldexp(R(1), exponent > least ? exponent - 1 : least);
+  for (int i = 0; i < n; ++i) x[i] = one / static_cast<R>(n);
   for (int step = 0; step < kConditionSteps; ++step) {
     lu_detail::substitute(lu, x);
     R sum = R(0);
     for (int i = 0; i < n; ++i) {
       sum += std::fabs(x[i]);
-      sign[i] = x[i] < R(0) ? R(-1) : R(1);
+      sign[i] = x[i] < R(0) ? -one : one;
     }
     if (!is_finite(sum)) return R(0);
     if (sum <= estimate) break;
@@ -258,17 +264,17 @@ inline R lu_reciprocal_condition(const LU<R, N>& lu) {
       if (std::fabs(sign[i]) > std::fabs(sign[steepest])) steepest = i;
     if (steepest == unit) break;
     unit = steepest;
-    for (int i = 0; i < n; ++i) x[i] = i == unit ? R(1) : R(0);
+    for (int i = 0; i < n; ++i) x[i] = i == unit ? one : R(0);
   }
   for (int i = 0; i < n; ++i) {
-    const R size = R(1) + (n > 1 ? static_cast<R>(i) / static_cast<R>(n - 1) : R(0));
+    const R size = one * (R(1) + (n > 1 ? static_cast<R>(i) / static_cast<R>(n - 1) : R(0)));
     x[i] = i % 2 == 0 ? size : -size;
   }
   lu_detail::substitute(lu, x);
   R sum = R(0);
   for (int i = 0; i < n; ++i) sum += std::fabs(x[i]);
   estimate = larger_of(estimate, R(2) * sum / (R(3) * static_cast<R>(n)));  // NaN stays
-  const R condition = estimate * lu.norm1;
+  const R condition = estimate * (lu.norm1 / one);
   return is_finite(condition) && condition > R(0) ? R(1) / condition : R(0);
 }
 

@@ -56,6 +56,16 @@ T square(const T& x) {
   return x * x;
 }
 
+// sqrt(x^2 + y^2) of plain numbers, also where the squares overflow or vanish; infinite beyond the range.
+template <class R>
+R length_of(R x, R y) {
+  const R square = x * x + y * y;
+  const bool huge = !(square <= Elementary<R>::kLargestSquare);
+  if (!huge && square >= Elementary<R>::kSmallestSquare) return std::sqrt(square);
+  const R unit = huge ? Elementary<R>::kShrink : Elementary<R>::kEnlarge;
+  return std::sqrt((x * unit) * (x * unit) + (y * unit) * (y * unit)) / unit;
+}
+
 template <class R>
 inline constexpr R kPi = static_cast<R>(3.14159265358979323846264338327950288L);
 template <class R>

@@ -1,5 +1,8 @@
 // Smooth stand-ins for |x|, max, min, clip and switches: C1 or better, exact derivatives.
 // Every width e is an absolute physical scale with a name in tables/<aircraft>/choices.csv.
+// Range: |x| up to 1e150 (1e18 in float), e from 1e-150 (1e-18); beyond, the square under the root overflows
+// or vanishes. Errors are a few units in the last place of the larger of |x| and e: where smooth_positive is
+// nearly zero it keeps no digits of its own.
 #pragma once
 
 #include "tiltrotor/math/scalar.hpp"
@@ -46,6 +49,13 @@ T smooth_step(const T& t) {
   return select(v > R(0), select(v < R(1), quintic, T(R(1))), T(R(0) * t));
 }
 
+// x brought to -pi..pi by any number of whole turns: the derivative is that of x.
+template <class T>
+T wrapped(const T& x) {
+  using R = Real<T>;
+  const R turn = R(2) * kPi<R>;
+  return x - turn * std::floor(value(x) / turn + R(0.5));
+}
 // a - b brought to -pi..pi by whole turns: the derivative is that of the plain difference.
 template <class T>
 T wrapped_difference(const T& a, const T& b) {

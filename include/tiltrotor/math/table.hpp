@@ -1,10 +1,17 @@
-// Interpolation tables on a rectangular grid, 1 to 4 dimensions, linear or C1 monotone cubic.
+// Interpolation tables on a rectangular grid, 1 to 4 dimensions, linear or C1
+// monotone cubic.
 //
-// A table has Smooth axes, which take any scalar and may be interpolated with C1 cubics, and Linear axes,
-// which take plain numbers fixed within a run (mast angle, flap) and are always linear. Each node stores the
-// value and the mixed slopes along the smooth axes (2^Smooth numbers: f, f_x, f_y, f_xy for two), computed
-// beforehand by table_slopes.hpp, so that a look-up evaluates one local polynomial. Outside the grid the end
-// value holds with zero slope; on the end node itself the last interval counts.
+// A table has Smooth axes, which take any scalar and may be interpolated with
+// C1 cubics, and Linear axes, which take plain numbers fixed within a run (mast
+// angle, flap) and are always linear. Each node stores the value and the mixed
+// slopes along the smooth axes (2^Smooth numbers: f, f_x, f_y, f_xy for two),
+// computed beforehand by table_slopes.hpp, so that a look-up evaluates one
+// local polynomial. Outside the grid the end value holds with zero slope; on
+// the end node itself the last interval counts. A C1 axis with an end_width
+// goes there in two steps: at distance d beyond an end of slope m it adds m d
+// (1 - d/w)^2 until d = w, so that the slope has no jump, nothing inside the
+// grid changes, and from w on the end value holds. The most it adds is 4/27 m
+// w.
 #pragma once
 
 #include <type_traits>
@@ -22,16 +29,19 @@ template <class R>
 struct Axis {
   int count;      // knots, 1..kMaxKnots
   const R* knot;  // strictly increasing
-  // Optional index, written by the table generator: equal buckets narrower than the narrowest interval, each
-  // with the interval just before its left end. A search is then one multiplication and one comparison,
-  // whatever the argument.
+  // Optional index, written by the table generator: equal buckets narrower than
+  // the narrowest interval, each with the interval just before its left end. A
+  // search is then one multiplication and one comparison, whatever the
+  // argument.
   const unsigned char* bucket = nullptr;
   int buckets = 0;
   R per_width = 0;  // buckets per unit of the argument
+  R end_width = 0;  // C1: beyond its ends the slope fades over this distance; 0: at once
 };
 
-// Nodes are stored with the linear axes outermost, then the smooth axes in order, then the 2^Smooth numbers
-// of a node: bit a of the index set means derivative along smooth axis a.
+// Nodes are stored with the linear axes outermost, then the smooth axes in
+// order, then the 2^Smooth numbers of a node: bit a of the index set means
+// derivative along smooth axis a.
 template <class R, int Smooth, int Linear = 0>
 struct Table {
   static_assert(Smooth >= 1 && Smooth + Linear <= 4, "tables have 1 to 4 axes");
@@ -47,8 +57,8 @@ struct Place {
   R fraction;
 };
 
-// Largest i <= count - 2 with knot[i] <= x; 0 when x lies before the grid or is NaN. x lies on the grid when
-// the axis has an index.
+// Largest i <= count - 2 with knot[i] <= x; 0 when x lies before the grid or is
+// NaN. x lies on the grid when the axis has an index.
 template <class R>
 int find_interval(const Axis<R>& axis, R x) {
   if (axis.bucket != nullptr) {
@@ -107,11 +117,13 @@ void pick_four(const R* array, int index, R* out) {
   for (int k = 0; k < 4; ++k) out[k] = array[index + k];
 }
 
-// An argument found on a smooth axis, with the weights of the four numbers that interpolate there: value at
-// the left and right knot, slope at the left and right knot. Tables over the same axis share it.
+// An argument found on a smooth axis, with the weights of the four numbers that
+// interpolate there: value at the left and right knot, slope at the left and
+// right knot. Tables over the same axis share it.
 //   T  scalar of the argument: plain number, pack, dual number, complex
 //   V  plain number or pack: what decisions and indices are made from
-//   W  scalar of the weights: dual numbers take plain weights and their slopes, the others weigh themselves
+//   W  scalar of the weights: dual numbers take plain weights and their slopes,
+//   the others weigh themselves
 template <class T>
 struct Located {
   using V = decltype(value(std::declval<T>()));
@@ -119,10 +131,47 @@ struct Located {
   using Index = decltype(find_interval(std::declval<Axis<Real<T>>>(), std::declval<V>()));
   Index interval;
   W weight[4];
-  V slope[ScalarTraits<T>::kTakesSlopes ? 4 : 1];           // d weight / d argument
-  decltype(std::declval<V>() < std::declval<V>()) outside;  // held at the end, no slope
-  const T* argument;                                        // must outlive this
+  V slope[ScalarTraits<T>::kTakesSlopes ? 4 : 1];  // d weight / d argument
+  bool any_outside;                                // in any lane: beyond the end knots
+  const T* argument;                               // must outlive this
 };
+
+namespace detail {
+
+// Weights outside the grid: those of the end knot, with the fading end slope of
+// a C1 axis. `before` and `beyond`: which lanes lie there; `held`: the end in
+// these lanes.
+template <class T, class V, class Mask>
+TILTROTOR_NOINLINE void locate_outside(const Axis<Real<T>>& axis, Interpolation mode, const V& held,
+                                       const Mask& before, const Mask& beyond, Located<T>& at) {
+  using R = Real<T>;
+  using W = typename Located<T>::W;
+  const V zero = R(0);
+  if constexpr (ScalarTraits<T>::kTakesSlopes)
+    for (V& slope : at.slope) slope = select(before | beyond, zero, slope);
+  if (mode == Interpolation::linear || !(axis.end_width > R(0))) return;
+  const W d = [&at] {
+    if constexpr (ScalarTraits<T>::kTakesSlopes) {
+      return value(*at.argument);
+    } else {
+      return *at.argument;
+    }
+  }() - held;
+  const V size = select(before, -value(d), value(d));
+  const auto fading = (before | beyond) & (size < V(axis.end_width));
+  if (!any(fading)) return;
+  const W left = R(1) - select(before, W(-d), d) * (R(1) / axis.end_width);
+  const W added = d * left * left;
+  at.weight[2] = select(before & fading, added, at.weight[2]);
+  at.weight[3] = select(beyond & fading, added, at.weight[3]);
+  if constexpr (ScalarTraits<T>::kTakesSlopes) {
+    const V slope = left * (R(3) * left - R(2));
+    at.slope[2] = select(before & fading, slope, at.slope[2]);
+    at.slope[3] = select(beyond & fading, slope, at.slope[3]);
+  }
+}
+
+}  // namespace detail
 
 template <class T>
 TILTROTOR_INLINE Located<T> locate(const Axis<Real<T>>& axis, Interpolation mode, const T& x) {
@@ -132,10 +181,11 @@ TILTROTOR_INLINE Located<T> locate(const Axis<Real<T>>& axis, Interpolation mode
   const V low = axis.knot[0];
   const V high = axis.knot[axis.count - 1];
   const V plain = value(x);
-  const V held = select(plain < low, low, select(plain > high, high, plain));
+  const auto before = plain < low;
+  const auto beyond = plain > high;
+  const V held = select(before, low, select(beyond, high, plain));
   Located<T> at;
   at.argument = &x;
-  at.outside = (plain < low) | (plain > high);
   V left = low;
   V width = R(1);
   if (axis.count > 1) {
@@ -144,11 +194,10 @@ TILTROTOR_INLINE Located<T> locate(const Axis<Real<T>>& axis, Interpolation mode
     width = pick(axis.knot + 1, at.interval) - left;
   } else {  // a constant
     at.interval = typename Located<T>::Index();
-    at.outside = low == low;
   }
   W t = (held - left) / width;
   if constexpr (!std::is_same_v<V, W>) {
-    if (!at.outside) t = (x - left) / width;
+    if (!(before | beyond)) t = (x - left) / width;
   }
   const W s = R(1) - t;
   if (mode == Interpolation::linear) {
@@ -174,6 +223,8 @@ TILTROTOR_INLINE Located<T> locate(const Axis<Real<T>>& axis, Interpolation mode
       at.slope[3] = t * (t - R(2) * s);
     }
   }
+  at.any_outside = axis.count > 1 && any(before | beyond);
+  if (at.any_outside) detail::locate_outside(axis, mode, held, before, beyond, at);
   return at;
 }
 
@@ -191,8 +242,9 @@ TILTROTOR_INLINE void unrolled(Function&& f) {
 
 constexpr int power_of_4(int n) { return n == 0 ? 1 : 4 * power_of_4(n - 1); }
 
-// The local polynomial of a cell has 4^Smooth coefficients: base-4 digit a of a coefficient's number selects,
-// on smooth axis a, {left value, right value, left slope, right slope}.
+// The local polynomial of a cell has 4^Smooth coefficients: base-4 digit a of a
+// coefficient's number selects, on smooth axis a, {left value, right value,
+// left slope, right slope}.
 template <class T, int Smooth>
 struct CellCoefficients {
   using V = typename Located<T>::V;
@@ -210,7 +262,8 @@ struct CellCoefficients {
       stride *= axis[a].count;
     }
   }
-  // Numbers of all corners, in order: bit a of a corner's number is its end of axis a.
+  // Numbers of all corners, in order: bit a of a corner's number is its end of
+  // axis a.
   TILTROTOR_INLINE void load(V (&number)[1 << Smooth][1 << Smooth]) const {
     unrolled<(1 << Smooth)>([&](auto k) {
       const Real<T>* corner = node;
@@ -264,8 +317,7 @@ TILTROTOR_INLINE typename Located<T>::V polynomial_with_slopes(const typename Lo
       out[k] = weighed<V>(at[Axes - 1]->weight, c[k], c[k + rest], c[k + 2 * rest], c[k + 3 * rest]);
       steep[k] = weighed<V>(at[Axes - 1]->slope, c[k], c[k + rest], c[k + 2 * rest], c[k + 3 * rest]);
     });
-    slope[Axes - 1] = select(at[Axes - 1]->outside, V(Real<T>(0)),
-                             polynomial<Axes - 1, T>(static_cast<const V*>(steep), at));
+    slope[Axes - 1] = polynomial<Axes - 1, T>(static_cast<const V*>(steep), at);
     return polynomial_with_slopes<Axes - 1, T>(out, at, slope);
   }
 }
@@ -280,7 +332,8 @@ TILTROTOR_INLINE T evaluate(const Axis<Real<T>>* axis, const Real<T>* block, con
   V c[power_of_4(Smooth)];
   unrolled<power_of_4(Smooth)>([&](auto k) { c[k] = number[even_bits(k)][even_bits(k >> 1)]; });
   if constexpr (ScalarTraits<T>::kTakesSlopes) {
-    // Value and slopes in plain numbers; the partials of the arguments are touched once.
+    // Value and slopes in plain numbers; the partials of the arguments are
+    // touched once.
     V slope[Smooth];
     const V f = polynomial_with_slopes<Smooth, T>(c, at, slope);
     const T* argument[Smooth];
@@ -293,7 +346,8 @@ TILTROTOR_INLINE T evaluate(const Axis<Real<T>>* axis, const Real<T>* block, con
 
 }  // namespace detail
 
-// Look-up at located arguments; the axes they were located on must be those of the table.
+// Look-up at located arguments; the axes they were located on must be those of
+// the table.
 template <class T>
 T lookup(const Table<Real<T>, 1>& table, const Located<T>& x) {
   const Located<T>* const at[1] = {&x};
@@ -315,8 +369,9 @@ T lookup(const Table<Real<T>, 2>& table, Interpolation mode, const T& x, const T
   return lookup(table, locate(table.smooth[0], mode, x), locate(table.smooth[1], mode, y));
 }
 
-// Look-up with linear axes at fixed places: the blend of the smooth blocks at the corners around the places.
-// Corners of weight zero are skipped, so a place on a knot costs one block.
+// Look-up with linear axes at fixed places: the blend of the smooth blocks at
+// the corners around the places. Corners of weight zero are skipped, so a place
+// on a knot costs one block.
 template <class T, class R, int Smooth, int Linear>
 T lookup(const Table<R, Smooth, Linear>& table, Interpolation mode, const Place<R> (&place)[Linear],
          const T (&x)[Smooth]) {

@@ -3,7 +3,8 @@
 //
 // Along one axis the inner slopes are the weighted harmonic mean of the neighbouring secants (zero where they
 // change sign), the end slopes one-sided and limited: no overshoot, nodes reproduced, first derivative
-// continuous. Mixed slopes are the mean over the orders of the axes, so that the interpolant does not depend
+// continuous. On an axis that goes once around a circle the two ends are one place with the slope of an inner
+// knot. Mixed slopes are the mean over the orders of the axes, so that the interpolant does not depend
 // on the order.
 #pragma once
 
@@ -28,8 +29,9 @@ R end_slope(R h0, R h1, R d0, R d1) {
 }  // namespace detail
 
 // Slopes m[k * stride] at `count` knots of values f[k * stride]. One knot: zero. Two: the straight line.
+// `around`: the last knot is the first one again, and so is its value.
 template <class R>
-void monotone_slopes(int count, const R* knot, const R* f, R* m, std::ptrdiff_t stride) {
+void monotone_slopes(int count, const R* knot, const R* f, R* m, std::ptrdiff_t stride, bool around = false) {
   if (count == 1) {
     m[0] = R(0);
     return;
@@ -41,27 +43,29 @@ void monotone_slopes(int count, const R* knot, const R* f, R* m, std::ptrdiff_t 
     m[stride] = d(0);
     return;
   }
-  for (int i = 1; i < count - 1; ++i) {
-    const R before = d(i - 1);
-    const R after = d(i);
-    if (before * after <= R(0)) {
-      m[i * stride] = R(0);
-    } else {
-      const R w1 = R(2) * h(i) + h(i - 1);
-      const R w2 = h(i) + R(2) * h(i - 1);
-      m[i * stride] = (w1 + w2) / (w1 / before + w2 / after);
-    }
-  }
+  const auto inner_slope = [&](int last, int next) {  // between the intervals `last` and `next`
+    const R before = d(last);
+    const R after = d(next);
+    if (before * after <= R(0)) return R(0);
+    const R w1 = R(2) * h(next) + h(last);
+    const R w2 = h(next) + R(2) * h(last);
+    return (w1 + w2) / (w1 / before + w2 / after);
+  };
+  for (int i = 1; i < count - 1; ++i) m[i * stride] = inner_slope(i - 1, i);
   const int n = count - 1;
+  if (around) {
+    m[0] = m[n * stride] = inner_slope(n - 1, 0);
+    return;
+  }
   m[0] = detail::end_slope(h(0), h(1), d(0), d(1));
   m[n * stride] = detail::end_slope(h(n - 1), h(n - 2), d(n - 1), d(n - 2));
 }
 
 // Fill the slopes of one smooth block whose values stand at node[i * 2^Smooth]. `scratch` is as large as
-// `node`. Slopes of a set of axes are the mean, over the axes of the set taken last, of the slopes along that
-// axis of the slopes of the others.
+// `node`. `around`: the first axis goes once around a circle. Slopes of a set of axes are the mean, over the
+// axes of the set taken last, of the slopes along that axis of the slopes of the others.
 template <class R, int Smooth>
-void fill_slopes(const Axis<R> (&axis)[Smooth], R* node, R* scratch) {
+void fill_slopes(const Axis<R> (&axis)[Smooth], R* node, R* scratch, bool around = false) {
   constexpr std::ptrdiff_t per_node = 1 << Smooth;
   int nodes = 1;
   for (int a = 0; a < Smooth; ++a) nodes *= axis[a].count;
@@ -77,7 +81,8 @@ void fill_slopes(const Axis<R> (&axis)[Smooth], R* node, R* scratch) {
       for (int i = 0; i < nodes; ++i) {
         if (i / step % axis[a].count != 0) continue;  // first node of a line along axis a
         R* line = node + i * per_node;
-        monotone_slopes(axis[a].count, axis[a].knot, line + others, scratch, step * per_node);
+        monotone_slopes(axis[a].count, axis[a].knot, line + others, scratch, step * per_node,
+                        around && a == 0);
         for (int k = 0; k < axis[a].count; ++k)
           line[k * step * per_node + set] += scratch[k * step * per_node];
       }

@@ -261,6 +261,7 @@ struct SmoothingWidths {
   R spinner_sine;         // - : sin^2 under its square root
   R side_plate_speed;     // m/s: |v| of the side plate angle
   R side_plate_axial;     // m/s: axial speed of the side plate angle
+  R rear_flow_start;      // rad: |alpha| from which laws without a rear side go over to their mean there
 };
 
 template <class R>

@@ -2,6 +2,8 @@
 // time.
 #pragma once
 
+#include <cstdint>
+
 #include "tiltrotor/model/aircraft.hpp"
 
 namespace tiltrotor {
@@ -13,5 +15,8 @@ template <>
 const Aircraft<double>& aircraft_data<double>();
 template <>
 const Aircraft<float>& aircraft_data<float>();
+
+// Hash of its numbers: libraries of equal tables have the same.
+std::uint64_t aircraft_fingerprint();
 
 }  // namespace tiltrotor

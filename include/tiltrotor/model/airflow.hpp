@@ -35,7 +35,10 @@ struct AirframeInput {
   }
 };
 
-// atan2(w, u + e): e keeps exact hover regular; its bias is below 0.1 deg at 30 m/s.
+// atan2(w, u + e): e keeps exact hover regular; its bias is below 0.1 deg at 30 m/s. The angle of air at rest
+// stands at u = -e, w = 0 instead: there it has no derivative, and next to it loads of some hundredths of a
+// newton change their direction. In flow from behind it jumps from 180 to -180 deg, as w passes zero;
+// whatever depends on it has one value and one slope there.
 template <class T>
 T angle_of_attack(const Vec3<T>& v, const SmoothingWidths<Real<T>>& e) {
   return atan2(v.z, v.x + e.forward_speed);
@@ -78,6 +81,16 @@ TILTROTOR_NOINLINE FreeStream<T> free_stream(const Configuration<Real<T>>& c, co
   f.alpha_deg = f.alpha * kDegree<R>;
   f.abs_beta_deg = smooth_abs_zero(f.beta, e.angle) * kDegree<R>;
   return f;
+}
+
+// 1 in flow from ahead, |alpha| up to 90 deg, falling to 0 in flow from straight behind: C2, also where alpha
+// jumps from 180 to -180 deg. For laws that end somewhere before. The plain |alpha| is safe because the
+// weight is constant around zero.
+template <class T>
+T flow_from_ahead(const T& alpha, const SmoothingWidths<Real<T>>& e) {
+  using R = Real<T>;
+  const T size = value(alpha) < R(0) ? T(-alpha) : alpha;
+  return R(1) - smooth_step(T((size - e.rear_flow_start) * (R(1) / (kPi<R> - e.rear_flow_start))));
 }
 
 // Force of lift, drag and side force Y' (wind axes at alpha, beta) in body axes.

@@ -21,7 +21,7 @@ struct Controls {
   T aileron;           // increment, rad, + rolls right
   T rudder;            // increment, rad, + nose right
   T lateral_cyclic;    // A1 increment of both rotors in their own frames, rad
-  Vec3<T> gust;        // velocity of the air mass, body axes, m/s
+  Vec3<T> gust;        // velocity of the air at the aircraft relative to the undisturbed air, body axes, m/s
 
   static constexpr int kCount = 14;
 

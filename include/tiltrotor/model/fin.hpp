@@ -6,6 +6,20 @@
 
 namespace tiltrotor {
 
+// 1 - dsigma/dbeta of the body. The tables know no flow from behind: the two ends meet in the middle there.
+template <class T>
+T body_sidewash(const Configuration<Real<T>>& c, const FreeStream<T>& stream) {
+  using R = Real<T>;
+  const auto at = [&](const T& alpha_deg) {
+    const T arguments[2] = {alpha_deg, stream.abs_beta_deg};
+    return lookup(c.aircraft->fin.sidewash, c.setup.options.tables, c.sidewash_mast_flap, arguments);
+  };
+  const T ahead = flow_from_ahead(stream.alpha, c.aircraft->smooth);
+  if (value(ahead) >= R(1)) return at(stream.alpha_deg);
+  const T mean = R(0.5) * (at(stream.alpha_deg) + at(T(-stream.alpha_deg)));
+  return mean + ahead * (at(stream.alpha_deg) - mean);
+}
+
 template <class T>
 TILTROTOR_NOINLINE Loads<T> fin_loads(const Configuration<Real<T>>& c, const AirframeInput<T>& in,
                                       const FreeStream<T>& stream, const T& wash_ratio, int side) {
@@ -20,8 +34,7 @@ TILTROTOR_NOINLINE Loads<T> fin_loads(const Configuration<Real<T>>& c, const Air
 
   // Local sideslip: geometric, reduced by the rotors' and the body's sidewash, plus the roll-rate sidewash.
   const T geometric = sideslip_angle(v, f.speed_floor) - f.surface.incidence;
-  const T arguments[2] = {stream.alpha_deg, stream.abs_beta_deg};
-  const T body = lookup(f.sidewash, o.tables, c.sidewash_mast_flap, arguments);
+  const T body = body_sidewash(c, stream);
   const T rotors = lookup(f.rotor_sidewash, o.tables, stream.speed_kt, stream.abs_beta_deg);
   const T half_span_over_speed = (c.aircraft->wing.span / R(2)) / total_speed(in.velocity, e.rate_speed);
   const T beta = rotors * body * geometric +

@@ -24,8 +24,8 @@ TILTROTOR_NOINLINE Loads<T> horizontal_tail_loads(const Configuration<Real<T>>& 
   const T lift_alpha = alpha + h.surface.incidence - downwash;
   const T effectiveness = control_effectiveness(c, h.surface, stream.mach, in.elevator);
   const T drag_alpha = lift_alpha + effectiveness * h.surface.control_tau * in.elevator;
-  const T lift_deg = lift_alpha * kDegree<R>;
-  const T drag_deg = drag_alpha * kDegree<R>;
+  const T lift_deg = wrapped(lift_alpha) * kDegree<R>;
+  const T drag_deg = wrapped(drag_alpha) * kDegree<R>;
   const T slow = lookup(h.lift_elevator, o.tables, lift_deg, T(in.elevator * kDegree<R>));
   const T fast = lookup(h.lift_mach, o.tables, drag_deg, stream.mach);
   const T fast_weight = tail_mach_weight(c, stream.mach);

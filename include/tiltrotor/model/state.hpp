@@ -1,6 +1,7 @@
 // State of the aircraft and its time derivative: one plain struct, trivially copyable.
 //
-// Body axes x forward, y right, z down, origin at the CG; velocity relative to the air mass. Flapping and
+// Body axes x forward, y right, z down, origin at the CG; velocity relative to the undisturbed air. Relative
+// to the air at the aircraft, which all air loads follow, it is velocity - Controls::gust. Flapping and
 // inflow of each rotor stand in its own mirrored frame (frames.hpp), so that symmetric flight has equal
 // rotors.
 #pragma once
@@ -32,7 +33,8 @@ struct State {
   RotorState<T> rotor[2];    // right, left
   T downwash;                // wing downwash at the tail, lagged, rad
   ConingState<T> coning[2];  // only with Options::coning_states
-  Vec3<T> position;  // north, east, down relative to the air mass, m; only with Options::position_states
+  Vec3<T>
+      position;  // north, east, down relative to the undisturbed air, m; only with Options::position_states
 
   static constexpr int kCount = 31;
 

@@ -17,7 +17,7 @@ struct LateralCoefficients {
 // The result, and what leads to it: kept here rather than on the stack, where with partials it takes 8 kB.
 template <class T>
 struct FreeWing {
-  T alpha;       // alpha_WFS: free-stream angle less the deflection by the rotors' wakes, rad
+  T alpha;       // alpha_WFS: free-stream angle less the deflection by the rotors' wakes, rad, -pi..pi
   T beta;        // sideslip at the wing, rad
   T pressure;    // dynamic pressure in the plane of symmetry, Pa
   T rotor_wash;  // rotor force over the square of the advance ratio, with the table's factor
@@ -100,7 +100,7 @@ TILTROTOR_NOINLINE void free_wing_flow(const Configuration<Real<T>>& c, const Ai
       c.setup.options.wing_rate_velocity ? in.velocity + rate_cross_arm(in.rates, arm) : in.velocity;
   const T advance = smooth_max(in.advance_ratio, w.advance_floor, e.advance_floor);
   out.rotor_wash = c.wing.rotor_wash * in.rotor_force / (advance * advance);
-  out.alpha = angle_of_attack(v, e) - w.rotor_wash_angle * out.rotor_wash;
+  out.alpha = wrapped(T(angle_of_attack(v, e) - w.rotor_wash_angle * out.rotor_wash));
   out.beta = sideslip_angle(v, e.lateral_plane_speed);
   out.pressure = R(0.5) * c.air.density * (v.x * v.x + v.z * v.z);
 }

@@ -35,7 +35,8 @@ T upright_pylon_weight(const Configuration<Real<T>>& c, const T& alpha) {
     return T(linear);
   const SmoothingWidths<R>& e = c.aircraft->smooth;
   const R limit = c.aircraft->wing.crossflow_alpha_limit;
-  const T a = smooth_clip(T(alpha * kDegree<R>), -limit, limit, e.crossflow_clip) * kRadian<R>;
+  const T clipped = smooth_clip(T(alpha * kDegree<R>), -limit, limit, e.crossflow_clip) * kRadian<R>;
+  const T a = clipped * flow_from_ahead(alpha, e);
   const auto sine_cubed = [](const T& y) {
     const T s = sin(y);
     return s * s * s;

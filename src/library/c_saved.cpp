@@ -1,0 +1,199 @@
+// The C interface: an aircraft in bytes.
+//
+// The image holds the setup and the state; what a configuration computes from the setup is computed again,
+// and is the same bits on every machine. Numbers lie in a fixed order, little-endian:
+//
+//   magic 8 | format 4 | TR_API_VERSION 4 | tables and library 8 | setup | state | FNV-1a of all before it 8
+#include <cstring>
+#include <type_traits>
+
+#include "library/c_state.hpp"
+#include "library/c_words.hpp"
+
+namespace tiltrotor::c_interface {
+
+namespace {
+
+constexpr unsigned char kMagic[8] = {'t', 'r', 's', 'a', 'v', 'e', 'd', 0x1a};
+constexpr std::uint32_t kFormat = 1;
+
+// Least significant byte first. Out of line: there are many numbers, and little memory for code on a target.
+TILTROTOR_NOINLINE void put(std::uint64_t bits, std::size_t bytes, unsigned char* to) {
+  for (std::size_t k = 0; k < bytes; ++k) to[k] = static_cast<unsigned char>(bits >> (8 * k));
+}
+TILTROTOR_NOINLINE std::uint64_t taken(std::size_t bytes, const unsigned char* from) {
+  std::uint64_t bits = 0;
+  for (std::size_t k = 0; k < bytes; ++k) bits |= std::uint64_t{from[k]} << (8 * k);
+  return bits;
+}
+
+template <class T>
+using Bits = std::conditional_t<sizeof(T) == 8, std::uint64_t,
+                                std::conditional_t<sizeof(T) == 4, std::uint32_t, unsigned char>>;
+
+class Writer {
+ public:
+  explicit Writer(unsigned char* to) : to_(to) {}
+  template <class T>
+  void operator()(const T& number) {
+    Bits<T> bits;
+    std::memcpy(&bits, &number, sizeof number);
+    put(bits, sizeof number, to_);
+    to_ += sizeof number;
+  }
+
+ private:
+  unsigned char* to_;
+};
+
+class Reader {
+ public:
+  explicit Reader(const unsigned char* from) : from_(from) {}
+  template <class T>
+  void operator()(T& number) {
+    const auto bits = static_cast<Bits<T>>(taken(sizeof number, from_));
+    std::memcpy(&number, &bits, sizeof number);
+    from_ += sizeof number;
+  }
+
+ private:
+  const unsigned char* from_;
+};
+
+class Counter {
+ public:
+  template <class T>
+  constexpr void operator()(const T&) {
+    bytes += sizeof(T);
+  }
+  std::size_t bytes = 0;
+};
+
+struct Header {
+  unsigned char magic[8];
+  std::uint32_t format, version;
+  std::uint64_t identity;
+};
+
+template <class H, class Visit>
+constexpr void each_of_header(H& header, Visit&& visit) {
+  for (auto& c : header.magic) visit(c);
+  visit(header.format);
+  visit(header.version);
+  visit(header.identity);
+}
+
+template <class Setup, class State, class Visit>
+constexpr void each_of_flight(Setup& setup, State& state, Visit&& visit) {
+  visit(setup.aircraft);
+  visit(setup.grid);
+  visit(setup.tables);
+  visit(setup.coning_states);
+  visit(setup.mast_deg);
+  visit(setup.flap_deg);
+  visit(setup.altitude_m);
+  visit(setup.mass_kg);
+  visit(setup.rotor_radps);
+  visit(setup.cg_station_m);
+  visit(state.time_s);
+  visit(state.steps);
+  for (auto& x : state.x) visit(x);
+  for (auto& u : state.u) visit(u);
+  visit(state.roll_rad);
+  visit(state.yaw_rad);
+  for (auto& position : state.position_m) visit(position);
+}
+
+constexpr std::size_t bytes_of_header() {
+  Counter counter;
+  const Header header{};
+  each_of_header(header, counter);
+  return counter.bytes;
+}
+constexpr std::size_t bytes_of_flight() {
+  Counter counter;
+  const tr_setup setup{};
+  const tr_state state{};
+  each_of_flight(setup, state, counter);
+  return counter.bytes;
+}
+constexpr std::size_t kHeaderBytes = bytes_of_header();
+constexpr std::size_t kChecked = kHeaderBytes + bytes_of_flight();
+constexpr std::size_t kSavedBytes = kChecked + sizeof(std::uint64_t);
+static_assert(kSavedBytes <= TR_SAVED_SIZE);
+
+std::uint64_t hash_of(const unsigned char* bytes, std::size_t length) {
+  std::uint64_t hash = TR_HASH_START;
+  for (std::size_t k = 0; k < length; ++k) hash = hashed(hash, bytes[k]);
+  return hash;
+}
+
+// What the same setup and state would fly on otherwise: other tables, another library.
+std::uint64_t identity() {
+  const char* const version = TILTROTOR_VERSION;
+  return hashed(hash_of(reinterpret_cast<const unsigned char*>(version), std::strlen(version)),
+                aircraft_fingerprint());
+}
+
+// The sums are those of the rounded numbers that the state shows.
+bool adds_up(const tr_state& state) {
+  const double sum[] = {state.roll_rad, state.yaw_rad, state.position_m[0], state.position_m[1],
+                        state.position_m[2]};
+  for (int k = 0; k < kSums; ++k)
+    if (!(static_cast<R>(sum[k]) == state.x[kSumIndex[k]])) return false;
+  return true;
+}
+
+}  // namespace
+
+}  // namespace tiltrotor::c_interface
+
+using namespace tiltrotor;
+using namespace tiltrotor::c_interface;
+
+tr_status tr_save(const tr_sim* sim, void* bytes, size_t length, size_t* used) {
+  const tr_status ready = check(sim);
+  if (ready != TR_OK) return ready;
+  if (used == nullptr) return TR_BAD_ARGUMENT;
+  *used = kSavedBytes;
+  if (length < kSavedBytes) return TR_SHORT_BUFFER;
+  if (bytes == nullptr) return TR_BAD_ARGUMENT;
+  const Sim& s = *opened(sim);
+  Header header = {{}, kFormat, TR_API_VERSION, identity()};
+  std::memcpy(header.magic, kMagic, sizeof kMagic);
+  auto* const to = static_cast<unsigned char*>(bytes);
+  each_of_header(header, Writer(to));
+  const tr_setup setup = setup_of(s.configuration.setup);
+  tr_state state;
+  get_state(s, state);
+  each_of_flight(setup, state, Writer(to + kHeaderBytes));
+  put(hash_of(to, kChecked), sizeof(std::uint64_t), to + kChecked);
+  return TR_OK;
+}
+
+tr_status tr_load_saved(tr_sim* sim, uint32_t version, const void* bytes, size_t length) {
+  if (sim == nullptr || bytes == nullptr) return TR_BAD_ARGUMENT;
+  if (version != TR_API_VERSION) return TR_WRONG_VERSION;
+  if (length < kHeaderBytes) return TR_SHORT_BUFFER;
+  const auto* const from = static_cast<const unsigned char*>(bytes);
+  Header header;
+  each_of_header(header, Reader(from));
+  if (std::memcmp(header.magic, kMagic, sizeof kMagic) != 0) return TR_DAMAGED;
+  if (header.format != kFormat || header.version != TR_API_VERSION) return TR_WRONG_VERSION;
+  if (length < kSavedBytes) return TR_SHORT_BUFFER;
+  if (taken(sizeof(std::uint64_t), from + kChecked) != hash_of(from, kChecked)) return TR_DAMAGED;
+  if (header.identity != identity()) return TR_WRONG_VERSION;
+
+  tr_setup setup;
+  tr_state state;
+  each_of_flight(setup, state, Reader(from + kHeaderBytes));
+  const tr_status in_range = check_state(state);
+  if (in_range != TR_OK) return in_range;
+  if (!adds_up(state)) return TR_OUT_OF_RANGE;
+  FlightSetup<R> wanted;
+  const tr_status possible = wanted_setup(setup, wanted);
+  if (possible != TR_OK) return possible;
+  const tr_status made = make(wanted, sim);
+  if (made == TR_OK) put_state(state, *opened(sim));
+  return made;
+}
