@@ -1,11 +1,11 @@
 # tiltrotor: everything is built below $(BUILD); `make help` lists the goals.
 #
 # Variables:  CXX, CXXFLAGS, LDFLAGS   the usual ones                     (CXXFLAGS=-O3)
-#             ARCH=native              value of -march; empty: portable code
+#             ARCH=native              value of -march; empty: portable code, which `make install` copies unless ARCH is given
 #             CROSS_COMPILE=           tool prefix, for example aarch64-linux-gnu-
-#             TARGET=                  cortex-m7 or cortex-m4f: no operating system, libraries only
+#             TARGET=                  cortex-m7 or cortex-m4f: no operating system, libraries only, in build/TARGET
 #             RUNNER=                  starts a program of another machine; found for the usual CROSS_COMPILE
-#             PRECISION=single         tr_real of the C interface is float
+#             PRECISION=double         or single: tr_real of the C interface is float
 #             HOST_CXX, HOST_CXXFLAGS  compiler of the table generator, which runs on this machine
 #             AIRCRAFT=xv15            folder below tables/ that is compiled in
 #             BUILD=build              give each variant (sanitizers, clang, cross) its own
@@ -16,12 +16,24 @@
 
 VERSION  := 0.1.0
 AIRCRAFT ?= xv15
-BUILD    ?= build
+TARGET   ?=
+BUILD    ?= build$(TARGET:%=/%)
 PREFIX   ?= /usr/local
+DESTDIR  ?=
+PRECISION ?= double
+TESTS    ?=
+WERROR   ?=
+V        ?=
+
+# $(call one_of,NAME,VALUES): what is no value of the list is refused
+one_of = $(if $(and $(filter 1,$(words $($(1)))),$(filter $(2),$($(1)))),,$(error $(1)=$($(1)) is none of: $(2)))
+$(call one_of,PRECISION,double single)
+$(if $(TARGET),$(call one_of,TARGET,cortex-m7 cortex-m4f))
+$(call one_of,AIRCRAFT,$(notdir $(wildcard tables/*)))
 
 # ---- tools and flags ----
 
-CROSS_COMPILE ?=
+CROSS_COMPILE ?= $(if $(TARGET),arm-none-eabi-)
 # Make's built-in values would win over ?=, hence the question where they come from.
 ifeq ($(origin CXX),default)
 CXX := $(CROSS_COMPILE)g++
@@ -36,6 +48,7 @@ HOST_CXX     ?= $(if $(CROSS_COMPILE),g++,$(CXX))
 CLANG_FORMAT ?= clang-format
 
 # "native" means this machine: wrong for a cross compiler, and some compilers do not know the word.
+PORTABLE_INSTALL := $(if $(filter undefined,$(origin ARCH)),$(if $(CROSS_COMPILE),,yes))
 ARCH       ?= $(if $(CROSS_COMPILE),,native)
 accepts     = $(shell $(CXX) $(1) -E -x c++ /dev/null >/dev/null 2>&1 && echo $(1))
 ARCH_FLAGS := $(if $(filter native,$(ARCH)),$(call accepts,-march=native),$(ARCH:%=-march=%))
@@ -56,17 +69,22 @@ WARNINGS      := -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wdouble-promoti
 # -fno-tree-slp-vectorize: g++ 12 forms fused multiply-adds there in spite of the flag above.
 # -Wno-psabi: on 32-bit ARM g++ notes at every std::vector that its ABI changed with version 7.
 # -fno-math-errno: nobody reads errno after sqrt(); setting it costs a branch per call and stops vectorisation.
-FLAGS      := -std=c++17 $(CXXFLAGS) $(ARCH_FLAGS) -ffp-contract=off -fno-tree-slp-vectorize -fno-math-errno \
+FLAGS       = -std=c++17 $(CPPFLAGS) $(CXXFLAGS) $(ARCH_FLAGS) -ffp-contract=off -fno-tree-slp-vectorize -fno-math-errno \
               $(WARNINGS) -Iinclude
 HOST_FLAGS := -std=c++17 $(HOST_CXXFLAGS) $(WARNINGS) -Iinclude -Isrc
 FLAGS      += $(if $(filter single,$(PRECISION)),-DTR_SINGLE_PRECISION)
 CORE_FLAGS := -fno-exceptions -fno-rtti
+# The functions behind the C interface live in a namespace of their own and are hidden: the linker keeps one of several
+# equal inline functions, and that of a program that includes the headers may be compiled with any flags.
+# One set of objects for the archive and the shared library.
+LIBRARY_FLAGS = $(CORE_FLAGS) -Dtiltrotor=tiltrotor_library_$(PRECISION) -fvisibility=hidden $(if $(TARGET),,-fPIC)
 # The numbers are made in the library; the program around it need not be fast, but quick to build.
 PROGRAM_FLAGS := $(if $(filter -O3,$(CXXFLAGS)),-O1)
 ND_FLAGS   := -DTILTROTOR_NUMERICAL_DIFFERENCES=1
+EXTERN     := -DTILTROTOR_EXTERN_INSTANCES
 PRIVATE    := -Isrc -I$(BUILD)/generated -DTILTROTOR_VERSION=\"$(VERSION)\"
 TEST_FLAGS := -Itests '-DTILTROTOR_SOURCE_DIR="$(CURDIR)"' '-DTILTROTOR_BINARY_DIR="$(abspath $(BUILD))"' \
-              '-DTILTROTOR_RUNNER="$(strip $(RUNNER))"'
+              '-DTILTROTOR_RUNNER="$(strip $(RUNNER))"' '-DTILTROTOR_CXX="$(CXX)"' '-DTILTROTOR_CROSS="$(CROSS_COMPILE)"'
 DEPENDENCIES := -MMD -MP
 
 # ---- what there is ----
@@ -83,15 +101,21 @@ TEST_SOURCE     := $(wildcard tests/check.cpp) $(call find,tests,test_*.cpp)
 BENCH_SOURCE    := $(wildcard bench/*.cpp)
 
 TABLEGEN_OBJECTS   := $(TABLEGEN_SOURCE:src/%.cpp=$(BUILD)/host/%.o)
-LIBRARY_OBJECTS    := $(LIBRARY_SOURCE:src/%.cpp=$(BUILD)/ad/%.o)
-# The instances name their policy and the tables have none: these are compiled once, for both libraries.
-COMMON_SOURCE      := $(filter %/aircraft_data.cpp %/analysis_double.cpp %/analysis_float.cpp,$(LIBRARY_SOURCE))
-COMMON_OBJECTS     := $(COMMON_SOURCE:src/%.cpp=$(BUILD)/ad/%.o)
-LIBRARY_ND_OBJECTS := $(COMMON_OBJECTS) $(patsubst src/%.cpp,$(BUILD)/nd/%.o,$(filter-out $(COMMON_SOURCE),$(LIBRARY_SOURCE)))
+# Behind the C interface, and what the program and the tests compile of the headers. The tables have no policy of
+# differentiation and the instances name theirs: these are compiled once for both.
+C_SOURCE           := $(filter %/aircraft_data.cpp,$(LIBRARY_SOURCE)) $(filter src/library/c_%.cpp,$(LIBRARY_SOURCE))
+AIRCRAFT_OBJECT    := $(BUILD)/cpp/library/headers_aircraft.o
+COMMON_OBJECTS     := $(patsubst %,$(BUILD)/cpp/library/%.o,analysis_double analysis_float c_processor) $(AIRCRAFT_OBJECT)
+C_OBJECTS          := $(C_SOURCE:src/%.cpp=$(BUILD)/ad/%.o)
+LIBRARY_OBJECTS    := $(C_OBJECTS) $(AIRCRAFT_OBJECT)
+LIBRARY_ND_OBJECTS := $(BUILD)/ad/library/aircraft_data.o $(AIRCRAFT_OBJECT) \
+                      $(patsubst src/%.cpp,$(BUILD)/nd/%.o,$(filter src/library/c_%.cpp,$(C_SOURCE)))
+ANALYSES           := $(BUILD)/libanalyses.a $(BUILD)/libanalyses-nd.a
+ANALYSES_OBJECTS   := $(COMMON_OBJECTS) $(BUILD)/cpp/library/analyses.o $(BUILD)/cpp-nd/library/analyses.o
 PROGRAM_OBJECTS    := $(PROGRAM_SOURCE:src/%.cpp=$(BUILD)/program/%.o)
 TEST_OBJECTS       := $(TEST_SOURCE:tests/%.cpp=$(BUILD)/tests/%.o)
 BENCH_OBJECTS      := $(BENCH_SOURCE:bench/%.cpp=$(BUILD)/bench/%.o)
-OBJECTS            := $(TABLEGEN_OBJECTS) $(sort $(LIBRARY_OBJECTS) $(LIBRARY_ND_OBJECTS)) $(PROGRAM_OBJECTS) \
+OBJECTS            := $(TABLEGEN_OBJECTS) $(sort $(LIBRARY_OBJECTS) $(LIBRARY_ND_OBJECTS) $(ANALYSES_OBJECTS)) $(PROGRAM_OBJECTS) \
                       $(TEST_OBJECTS) $(BENCH_OBJECTS)
 
 GENERATED  := $(if $(TABLEGEN_SOURCE),$(BUILD)/generated/aircraft_tables.inc) $(BUILD)/generated/reference_points.inc \
@@ -99,6 +123,9 @@ GENERATED  := $(if $(TABLEGEN_SOURCE),$(BUILD)/generated/aircraft_tables.inc) $(
 # Everything of the program but main(): tests look into it.
 PROGRAM_PARTS := $(filter-out %/main.o,$(PROGRAM_OBJECTS))
 LIBRARIES  := $(BUILD)/libtiltrotor.a $(BUILD)/libtiltrotor-nd.a
+# The upper half of TR_API_VERSION.
+INTERFACE  := $(shell sed -n 's/^.define TR_API_VERSION 0x0*\([0-9]*\)0008u/\1/p' include/tiltrotor/tiltrotor.h)
+SHARED     := $(if $(TARGET),,$(BUILD)/libtiltrotor.so.$(INTERFACE))
 PROGRAMS   := $(if $(TARGET),,$(if $(PROGRAM_SOURCE),$(BUILD)/tiltrotor $(BUILD)/tiltrotor-nd))
 BENCHMARKS := $(BENCH_SOURCE:bench/%.cpp=$(BUILD)/bench_%)
 
@@ -108,14 +135,14 @@ BENCHMARKS := $(BENCH_SOURCE:bench/%.cpp=$(BUILD)/bench_%)
 .DELETE_ON_ERROR:
 Q := $(if $(V),,@)
 
-all: $(LIBRARIES) $(PROGRAMS) ## build both libraries and both programs (the default)
+all: $(LIBRARIES) $(SHARED) $(PROGRAMS) ## build the libraries, static and shared, and both programs (the default)
 
 run: all ## run the whole study; figures and numbers go to build/report
-	$(Q)$(BUILD)/tiltrotor report
-	@echo "$(CURDIR)/build/report/index.html"
+	$(Q)$(RUNNER) $(BUILD)/tiltrotor report --output $(BUILD)/report
+	@echo "$(abspath $(BUILD))/report/index.html"
 
 validate: all ## every number against its published one, the worst first; fails where the list of known exceedances is not true
-	$(Q)$(BUILD)/tiltrotor report --validate
+	$(Q)$(RUNNER) $(BUILD)/tiltrotor report --validate
 
 test: all $(BUILD)/run_tests ## build and run every test, or TESTS="name ..."
 	$(Q)$(RUNNER) $(BUILD)/run_tests $(TESTS)
@@ -136,17 +163,26 @@ format: ## lay out every source with clang-format
 	  find include src tests bench -name '*.[ch]pp' -o -name '*.h' | xargs $(CLANG_FORMAT) $(FORMAT_FLAGS); fi
 FORMAT_FLAGS ?= -i
 
-install: all ## copy headers, libraries, program and pkg-config file to DESTDIR/PREFIX
-	$(Q)set -e; to='$(DESTDIR)$(PREFIX)'; \
-	install -d "$$to/bin" "$$to/lib/pkgconfig"; \
+ifdef PORTABLE_INSTALL
+install: ## copy headers, libraries, program and pkg-config file to DESTDIR/PREFIX; portable code unless ARCH is given
+	+$(Q)$(MAKE) --no-print-directory ARCH= BUILD='$(BUILD)/portable' install
+else
+install: all $(BUILD)/libtiltrotor-aircraft.a
+	$(Q)set -e; prefix='$(PREFIX)'; case "$$prefix" in /*) ;; *) prefix="$(CURDIR)/$$prefix" ;; esac; \
+	to='$(DESTDIR)'"$$prefix"; install -d "$$to/lib/pkgconfig"; \
 	for header in $(HEADERS); do \
 	  install -d "$$to/$$(dirname $$header)"; install -m 644 $$header "$$to/$$header"; done; \
-	install -m 644 $(LIBRARIES) "$$to/lib"; \
-	install -m 755 $(BUILD)/tiltrotor "$$to/bin"; \
-	printf '%s\n' 'prefix=$(abspath $(PREFIX))' 'includedir=$${prefix}/include' 'libdir=$${prefix}/lib' '' \
-	  'Name: tiltrotor' 'Description: Tilt-rotor flight mechanics with exact derivatives' \
-	  'Version: $(VERSION)' 'Cflags: -I$${includedir} $(strip $(ARCH_FLAGS) $(if $(filter single,$(PRECISION)),-DTR_SINGLE_PRECISION))' 'Libs: -L$${libdir} -ltiltrotor -lm' \
+	install -m 644 $(LIBRARIES) $(BUILD)/libtiltrotor-aircraft.a "$$to/lib"; \
+	$(if $(SHARED),install -m 755 $(SHARED) "$$to/lib"; ln -sf $(notdir $(SHARED)) "$$to/lib/libtiltrotor.so";) \
+	$(if $(PROGRAMS),install -d "$$to/bin"; install -m 755 $(BUILD)/tiltrotor "$$to/bin";) \
+	printf '%s\n' "prefix=$$prefix" 'includedir=$${prefix}/include' 'libdir=$${prefix}/lib' '' \
+	  'Name: tiltrotor' 'Description: Tilt-rotor flight mechanics with exact derivatives' 'Version: $(VERSION)' \
+	  'Cflags: -I"$${includedir}" $(strip -ffp-contract=off $(TARGET_$(TARGET)) \
+	    $(if $(filter single,$(PRECISION)),-DTR_SINGLE_PRECISION))' \
+	  'Libs: -L"$${libdir}" $(if $(SHARED),-Wl$(comma)-rpath$(comma)"$${libdir}" )-ltiltrotor -ltiltrotor-aircraft -lm' \
 	  > "$$to/lib/pkgconfig/tiltrotor.pc"
+endif
+comma := ,
 
 clean: ## remove the build directory
 	rm -rf '$(BUILD)'
@@ -170,14 +206,21 @@ include bench/bench.mk
 
 # ---- stamps: files that change when what they record changes, so that a new flag or a removed source rebuilds ----
 
-STAMP_flags   := $(CXX) $(shell $(CXX) --version 2>/dev/null | head -n 1) $(FLAGS) $(CORE_FLAGS) $(PRIVATE)
-STAMP_host    := $(HOST_CXX) $(HOST_FLAGS)
+# Flags that only a few objects see have a stamp of their own; in tests.stamp stands the place of the tree as well.
+COMPILER       = $(1) $(shell $(1) --version 2>/dev/null | head -n 1)
+STAMP_flags   := $(call COMPILER,$(CXX)) $(FLAGS) $(PRIVATE) $(PROGRAM_FLAGS) $(LIBRARY_FLAGS) $(ND_FLAGS) $(EXTERN)
+STAMP_tests   := $(TEST_FLAGS)
+STAMP_host    := $(call COMPILER,$(HOST_CXX)) $(HOST_FLAGS)
 STAMP_tables  := $(TABLES) $(PUBLISHED)
 STAMP_sources := $(AR) $(LDFLAGS) $(LDLIBS) $(OBJECTS)
+STAMP_c        = $(call COMPILER,$(CC)) $(C_FLAGS)
+STAMP_bench    = $(BENCH_FLAGS) $(foreach peer,$(PEERS),$(PEER_FLAGS_$(peer)))
+STAMP_stack    = $(STACK_FLAGS)
+STAMPS        := $(foreach kind,flags tests host tables sources c bench stack,$(BUILD)/$(kind).stamp)
 
-$(BUILD)/flags.stamp $(BUILD)/host.stamp $(BUILD)/tables.stamp $(BUILD)/sources.stamp: $(BUILD)/%.stamp: FORCE
+$(STAMPS): $(BUILD)/%.stamp: FORCE
 	@mkdir -p $(@D)
-	@printf '%s\n' '$(STAMP_$*)' | cmp -s - $@ || printf '%s\n' '$(STAMP_$*)' > $@
+	@printf '%s\n' '$(subst ','\'',$(STAMP_$*))' | cmp -s - $@ || printf '%s\n' '$(subst ','\'',$(STAMP_$*))' > $@
 
 # What every output names: aircraft and commit, the latter empty outside a git tree and with a + where files differ from
 # it. One small source includes it, so that a commit rebuilds nothing else.
@@ -212,14 +255,22 @@ $(BUILD)/generated/reference_points.inc: $(PUBLISHED) $(BUILD)/tables.stamp
 
 $(BUILD)/libtiltrotor.a: $(LIBRARY_OBJECTS)
 $(BUILD)/libtiltrotor-nd.a: $(LIBRARY_ND_OBJECTS)
-$(LIBRARIES): $(BUILD)/sources.stamp
+$(BUILD)/libtiltrotor-aircraft.a: $(AIRCRAFT_OBJECT)
+$(BUILD)/libanalyses.a: $(COMMON_OBJECTS) $(BUILD)/cpp/library/analyses.o
+$(BUILD)/libanalyses-nd.a: $(COMMON_OBJECTS) $(BUILD)/cpp-nd/library/analyses.o
+$(LIBRARIES) $(ANALYSES) $(BUILD)/libtiltrotor-aircraft.a: $(BUILD)/sources.stamp
 	@echo "  archive $@"; rm -f $@
 	$(Q)$(AR) rcs $@ $(filter %.o,$^)
 
-$(BUILD)/tiltrotor: $(PROGRAM_OBJECTS) $(BUILD)/libtiltrotor.a
-$(BUILD)/tiltrotor-nd: $(PROGRAM_OBJECTS) $(BUILD)/libtiltrotor-nd.a
-$(BUILD)/run_tests: $(TEST_OBJECTS) $(PROGRAM_PARTS) $(BUILD)/libtiltrotor.a
-$(BENCHMARKS): $(BUILD)/bench_%: $(BUILD)/bench/%.o $(BUILD)/libtiltrotor.a
+$(BUILD)/libtiltrotor.so.$(INTERFACE): $(C_OBJECTS) src/library/exported.map $(BUILD)/sources.stamp
+	$(link)
+	$(Q)$(CXX) $(FLAGS) -shared -Wl,-soname,$(@F) -Wl,--version-script=src/library/exported.map $(LDFLAGS) \
+	  $(filter %.o,$^) $(LDLIBS) -o $@
+
+$(BUILD)/tiltrotor: $(PROGRAM_OBJECTS) $(BUILD)/libanalyses.a
+$(BUILD)/tiltrotor-nd: $(PROGRAM_OBJECTS) $(BUILD)/libanalyses-nd.a
+$(BUILD)/run_tests: $(TEST_OBJECTS) $(PROGRAM_PARTS) $(BUILD)/libanalyses.a $(BUILD)/libtiltrotor.a
+$(BENCHMARKS): $(BUILD)/bench_%: $(BUILD)/bench/%.o $(BUILD)/libanalyses.a $(BUILD)/libtiltrotor.a
 $(BUILD)/tiltrotor $(BUILD)/tiltrotor-nd $(BUILD)/run_tests $(BENCHMARKS): $(BUILD)/sources.stamp
 	$(link)
 	$(Q)$(CXX) $(FLAGS) $(LDFLAGS) $(filter %.o %.a,$^) $(LDLIBS) -o $@
@@ -233,23 +284,33 @@ define compile
 endef
 
 # The generated tables must exist before the first compilation; from then on the dependency files know who reads them.
-$(sort $(LIBRARY_OBJECTS) $(LIBRARY_ND_OBJECTS)) $(PROGRAM_OBJECTS) $(TEST_OBJECTS) $(BENCH_OBJECTS): \
+$(sort $(LIBRARY_OBJECTS) $(LIBRARY_ND_OBJECTS) $(ANALYSES_OBJECTS)) $(PROGRAM_OBJECTS) $(TEST_OBJECTS) $(BENCH_OBJECTS): \
   $(BUILD)/flags.stamp | $(GENERATED)
+$(TEST_OBJECTS): $(BUILD)/tests.stamp
+$(BENCH_OBJECTS): $(BUILD)/bench.stamp
+# Asks what the processor can do: must itself run on every one.
+%/c_processor.o: ARCH_FLAGS := $(TARGET_$(TARGET))
 
 $(BUILD)/ad/%.o: src/%.cpp
-	$(call compile,$(CORE_FLAGS))
+	$(call compile,$(LIBRARY_FLAGS))
 
 $(BUILD)/nd/%.o: src/%.cpp
-	$(call compile,$(CORE_FLAGS) $(ND_FLAGS),numerical differences)
+	$(call compile,$(LIBRARY_FLAGS) $(ND_FLAGS),numerical differences)
+
+$(BUILD)/cpp/%.o: src/%.cpp
+	$(call compile,$(CORE_FLAGS) $(EXTERN),for the program)
+
+$(BUILD)/cpp-nd/%.o: src/%.cpp
+	$(call compile,$(CORE_FLAGS) $(EXTERN) $(ND_FLAGS),for the program; numerical differences)
 
 $(BUILD)/program/%.o: src/%.cpp
-	$(call compile,$(PROGRAM_FLAGS))
+	$(call compile,$(PROGRAM_FLAGS) $(EXTERN))
 
 $(BUILD)/tests/%.o: tests/%.cpp
-	$(call compile,$(TEST_FLAGS))
+	$(call compile,$(TEST_FLAGS) $(EXTERN))
 
 $(BUILD)/bench/%.o: bench/%.cpp
-	$(call compile,$(BENCH_FLAGS))
+	$(call compile,$(BENCH_FLAGS) $(EXTERN))
 
 $(BUILD)/host/%.o: src/%.cpp $(BUILD)/host.stamp
 	@echo "  compile $< (host)"; mkdir -p $(@D)
@@ -266,3 +327,12 @@ $(HEADERS:%=alone/%): alone/include/%:
 	  $(CC) -std=c99 -Wall -Wextra -Wpedantic -Werror -Iinclude -fsyntax-only -x c -)
 
 -include $(OBJECTS:.o=.d)
+
+# ---- a misspelt variable on the command line would change nothing, silently ----
+
+# Those that ?= gives a value above and in what is included, and the usual ones.
+VARIABLES := $(sort CXX CC AR CXXFLAGS CFLAGS CPPFLAGS LDFLAGS LDLIBS LINTED SHELL \
+               $(shell sed -n 's/^\([A-Z_]*\) *?=.*/\1/p' $(filter-out %.d,$(MAKEFILE_LIST))))
+UNKNOWN   := $(sort $(foreach name,$(.VARIABLES),$(if $(filter command,$(origin $(name))),$(name))))
+UNKNOWN   := $(filter-out $(VARIABLES) MAKEFLAGS MFLAGS MAKEOVERRIDES,$(UNKNOWN))
+$(if $(UNKNOWN),$(error unknown variable $(UNKNOWN); there are $(VARIABLES)))

@@ -4,7 +4,7 @@
 TABLEGEN_PARTS   := $(filter-out %/main.o,$(TABLEGEN_SOURCE:src/%.cpp=$(BUILD)/program/%.o))
 ENVELOPE_OBJECTS := $(BUILD)/tests/properties/envelope.o
 OBJECTS          += $(TABLEGEN_PARTS) $(ENVELOPE_OBJECTS)
-$(TABLEGEN_PARTS) $(ENVELOPE_OBJECTS): $(BUILD)/flags.stamp | $(GENERATED)
+$(TABLEGEN_PARTS) $(ENVELOPE_OBJECTS): $(BUILD)/flags.stamp $(BUILD)/tests.stamp | $(GENERATED)
 $(BUILD)/run_tests: $(TABLEGEN_PARTS)
 
 .PHONY: envelope fuzz fuzzers coverage coverage-measured trace lint mutate
@@ -21,7 +21,7 @@ SHARD   ?= 1/1
 envelope: $(BUILD)/envelope ## STATES=1000000 random states, FLIGHTS=10000 random flights of 60 s; SHARD=k/n does a part
 	$(Q)$(RUNNER) $(BUILD)/envelope $(STATES) $(FLIGHTS) $(SHARD)
 
-$(BUILD)/envelope: $(ENVELOPE_OBJECTS) $(BUILD)/libtiltrotor.a
+$(BUILD)/envelope: $(ENVELOPE_OBJECTS) $(BUILD)/libanalyses.a $(BUILD)/libtiltrotor.a
 	$(link)
 	$(Q)$(CXX) $(FLAGS) $(LDFLAGS) $(filter %.o %.a,$^) $(LDLIBS) -o $@
 
@@ -55,7 +55,7 @@ fuzz: ## SECONDS=60 of mutated input for every reader, solver and the C interfac
 fuzzers: $(FUZZ_TARGETS:%=$(BUILD)/fuzz_%)
 $(BUILD)/fuzz_tables: $(TABLEGEN_PARTS)
 $(BUILD)/fuzz_command_line $(BUILD)/fuzz_state_file: $(PROGRAM_PARTS)
-$(FUZZ_TARGETS:%=$(BUILD)/fuzz_%): $(BUILD)/fuzz_%: $(BUILD)/tests/fuzz/test_%.o $(BUILD)/libtiltrotor.a
+$(FUZZ_TARGETS:%=$(BUILD)/fuzz_%): $(BUILD)/fuzz_%: $(BUILD)/tests/fuzz/test_%.o $(BUILD)/libanalyses.a $(BUILD)/libtiltrotor.a
 	$(link)
 	$(Q)$(CXX) $(FLAGS) $(LDFLAGS) -fsanitize=fuzzer $(filter %.o,$^) $(filter %.a,$^) $(LDLIBS) -o $@
 

@@ -17,7 +17,9 @@
  * Errors: every function that can fail returns a tr_status. When it is not TR_OK, outputs are untouched
  * unless the function says otherwise, and the aircraft is as it was. Null pointers, NaN, infinities, short
  * arrays, numbers out of range, a wrong version and an aircraft that is not initialised are all found and
- * reported. The content of a tr_sim that a call of tr_init has filled must not be written by anything else.
+ * reported; so is a processor set to another rounding mode than to nearest, by every call that computes
+ * (TR_BAD_ARITHMETIC). The content of a tr_sim that a call of tr_init has filled must not be written by
+ * anything else.
  *
  * Units: SI and radians unless the name says otherwise. Body axes x forward, y right, z down; attitude 3-2-1
  * Euler. Right rotor first.
@@ -41,6 +43,9 @@
 
 #ifdef __cplusplus
 extern "C" {
+#endif
+#ifdef __GNUC__
+#pragma GCC visibility push(default)
 #endif
 
 /* Vectors of other processors are padded: less is enough on a microcontroller. */
@@ -66,6 +71,40 @@ typedef double tr_real;
 #define TR_WORK_SIZE TR_DOUBLE_WORK_SIZE
 #endif
 
+/* Names for the linker: a program of one precision finds nothing in a library of the other, and the functions
+ * that are not told the version find it in their name. dlsym() finds the plain names, in a library of single
+ * precision with _single behind them. */
+#define TR_PASTED(name, version) name##_##version
+#define TR_WITH(name, version) TR_PASTED(name, version)
+#define TR_OF_VERSION(name) TR_WITH(name, TR_API_VERSION)
+#define tr_eigenvalues TR_OF_VERSION(tr_eigenvalues)
+#define tr_modes TR_OF_VERSION(tr_modes)
+#define tr_hash TR_OF_VERSION(tr_hash)
+#ifdef TR_SINGLE_PRECISION
+#define tr_default_setup tr_default_setup_single
+#define tr_init tr_init_single
+#define tr_trim tr_trim_single
+#define tr_step tr_step_single
+#define tr_sim_size tr_sim_size_single
+#define tr_work_size tr_work_size_single
+#define tr_set_controls tr_set_controls_single
+#define tr_get_state tr_get_state_single
+#define tr_set_state tr_set_state_single
+#define tr_derivative tr_derivative_single
+#define tr_get_outputs tr_get_outputs_single
+#define tr_linearize tr_linearize_single
+#define tr_linearize_and_step tr_linearize_and_step_single
+#define tr_status_word tr_status_word_single
+#define tr_status_text tr_status_text_single
+#define tr_state_name tr_state_name_single
+#define tr_state_unit tr_state_unit_single
+#define tr_control_name tr_control_name_single
+#define tr_control_unit tr_control_unit_single
+#define tr_version tr_version_single
+#define tr_save tr_save_single
+#define tr_load_saved tr_load_saved_single
+#endif
+
 typedef enum tr_status {
   TR_OK,
   TR_NOT_CONVERGED,   /* the iteration reached its limit before its tolerance */
@@ -81,6 +120,7 @@ typedef enum tr_status {
   TR_FLAP_LIMIT,      /* trimmed, but a gimbal is beyond its stop */
   TR_ROTOR_STALL,     /* no trim: the rotors stall before the weight is carried */
   TR_DAMAGED,         /* not the bytes of tr_save, or changed since */
+  TR_BAD_ARITHMETIC,  /* the processor does not round to nearest, or lacks instructions of the library */
   TR_STATUS_COUNT
 } tr_status;
 
@@ -341,6 +381,9 @@ const char* tr_version(void); /* of the library, "0.1.0" */
  * number. */
 tr_status tr_hash(const tr_real* numbers, size_t length, uint64_t* hash);
 
+#ifdef __GNUC__
+#pragma GCC visibility pop
+#endif
 #ifdef __cplusplus
 }
 #endif

@@ -5,13 +5,13 @@ FIRMWARE_FRAMES ?= 600
 MEASURED_STATES ?= 1000
 FIRMWARE_RAM    ?= 128K
 FIRMWARE_STACK  ?= 14K
-C_FLAGS := -std=c99 -O2 $(ARCH_FLAGS) -ffp-contract=off -Wall -Wextra -Wpedantic $(if $(WERROR),-Werror) \
+C_FLAGS := -std=c99 -O2 $(CPPFLAGS) $(CFLAGS) $(ARCH_FLAGS) -ffp-contract=off -Wall -Wextra -Wpedantic $(if $(WERROR),-Werror) \
            $(if $(filter single,$(PRECISION)),-DTR_SINGLE_PRECISION) -Iinclude -Isrc
 FIRMWARE_HEADERS := $(wildcard src/firmware/*.h) include/tiltrotor/tiltrotor.h
 
 .PHONY: hash firmware test-firmware
 
-$(BUILD)/firmware/%.o: src/firmware/%.c $(FIRMWARE_HEADERS) $(BUILD)/flags.stamp
+$(BUILD)/firmware/%.o: src/firmware/%.c $(FIRMWARE_HEADERS) $(BUILD)/c.stamp
 	@echo "  compile $<"; mkdir -p $(@D)
 	$(Q)$(CC) $(C_FLAGS) -c $< -o $@
 
@@ -20,8 +20,8 @@ $(BUILD)/reference_flight: $(addprefix $(BUILD)/firmware/,flight_on_host.o refer
 	$(Q)$(CXX) $(FLAGS) $(LDFLAGS) $^ $(LDLIBS) -o $@
 
 hash: $(BUILD)/reference_flight ## hash of the reference flight, the same on every machine
-	$(Q)$(RUNNER) $(BUILD)/reference_flight | \
-	  awk -v machine="$$($(CC) -dumpmachine)" '/^hash|^precision/ { printf "%s %s\n", machine, $$0 }'
+	$(Q)$(RUNNER) $(BUILD)/reference_flight >$(BUILD)/hash.txt || { cat $(BUILD)/hash.txt; echo "hash: the flight failed"; exit 1; }
+	$(Q)awk -v machine="$$($(CC) -dumpmachine)" '/^hash|^precision/ { printf "%s %s\n", machine, $$0 }' $(BUILD)/hash.txt
 
 ifdef TARGET
 BOARD_OBJECTS := $(addprefix $(BUILD)/firmware/,board.o reference_flight.o)

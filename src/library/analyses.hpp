@@ -1,8 +1,8 @@
 // The analyses as compiled functions in double precision.
 //
-// Whether they differentiate automatically or numerically is settled when the library is compiled; a program
-// that calls them here is linked with either library and compiled once. The work areas lie in memory of the
-// caller:
+// Whether they differentiate automatically or numerically is settled when these are compiled; a program
+// that calls them here is compiled once and linked with either build/libanalyses.a or build/libanalyses-nd.a.
+// The work areas lie in memory of the caller:
 //
 //   void* memory = ...;                                // analyses_size() bytes, aligned to
 //   analyses_alignment() Analyses& work = *place_analyses(memory); trim(configuration, flight, work, result);

@@ -1,10 +1,8 @@
-#define TILTROTOR_DEFINES_INSTANCES
+// For the program and the tests; the C interface has instances of its own.
+#undef TILTROTOR_EXTERN_INSTANCES
 #include "tiltrotor/analysis/instances.hpp"
 
 namespace tiltrotor {
-
-template <>
-void library_has_these_lanes<kVectorBytes>() {}
 
 TILTROTOR_INSTANCES(, double)
 

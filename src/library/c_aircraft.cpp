@@ -3,6 +3,7 @@
 
 #include "library/c_state.hpp"
 #include "library/c_words.hpp"
+#include "library/processor.hpp"
 #include "tiltrotor/model/control_range.hpp"
 
 namespace tiltrotor::c_interface {
@@ -118,6 +119,7 @@ using namespace tiltrotor::c_interface;
 
 tr_status tr_default_setup(tr_setup* setup, uint32_t version, int32_t aircraft, tr_real mast_deg) {
   if (version != TR_API_VERSION) return TR_WRONG_VERSION;
+  if (!processor_runs(kInstructions) || !rounds_once_to_nearest<R>()) return TR_BAD_ARITHMETIC;
   if (setup == nullptr || aircraft != TR_XV15) return TR_BAD_ARGUMENT;
   if (!detail::within(mast_deg, R(0), R(90))) return TR_OUT_OF_RANGE;
   const FlightSetup<R> defaults = flight_setup(aircraft_data<R>(), mast_deg);
@@ -138,6 +140,7 @@ tr_status tr_init(tr_sim* sim, uint32_t version, const tr_setup* setup) {
   if (sim == nullptr) return TR_BAD_ARGUMENT;
   // The size of what lies behind the pointer depends on the version: nothing is touched before it is known.
   if (version != TR_API_VERSION) return TR_WRONG_VERSION;
+  if (!processor_runs(kInstructions)) return TR_BAD_ARITHMETIC;
   (::new (static_cast<void*>(sim->reserved)) Sim)->mark = 0;
   if (setup == nullptr) return TR_BAD_ARGUMENT;
   FlightSetup<R> wanted;

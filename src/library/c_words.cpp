@@ -21,6 +21,8 @@ tr_status translated(Status status) {
       return TR_NOT_FINITE;
     case Status::out_of_range:
       return TR_OUT_OF_RANGE;
+    case Status::bad_arithmetic:
+      return TR_BAD_ARITHMETIC;
     case Status::bad_argument:
     case Status::count:
       break;
@@ -76,6 +78,8 @@ constexpr StatusWords kWords[] = {
     {"flap_limit", "trimmed, but a gimbal is beyond its stop"},
     {"rotor_stall", "no trim: the rotors stall before the weight is carried"},
     {"damaged", "not the bytes of a saved aircraft, or changed since they were saved"},
+    {"bad_arithmetic",
+     "the processor does not round to nearest, or lacks instructions of the compiled library"},
 };
 static_assert(sizeof(kWords) / sizeof(kWords[0]) == TR_STATUS_COUNT, "one row per status");
 

@@ -3,10 +3,10 @@
 # Call graphs for the widest vectors, whose stack is the largest; nothing of this runs. Clang writes none.
 STACK_OBJECTS := $(if $(CROSS_COMPILE),,$(if $(findstring x86_64,$(shell $(CXX) -dumpmachine 2>/dev/null)),\
                    $(if $(call accepts,-fcallgraph-info=su),\
-                     $(addprefix $(BUILD)/stack/,library/c_aircraft.o library/c_flight.o library/c_linear.o library/c_saved.o library/c_words.o library/analysis_double.o isolated_rotor.o))))
-STACK_FLAGS   := $(CORE_FLAGS) -march=x86-64-v4 -fcallgraph-info=su
+                     $(addprefix $(BUILD)/stack/,library/c_aircraft.o library/c_flight.o library/c_linear.o library/c_saved.o library/c_words.o library/c_analyses.o library/c_plain_names.o isolated_rotor.o))))
+STACK_FLAGS   := $(LIBRARY_FLAGS) -march=x86-64-v4 -fcallgraph-info=su
 
-$(STACK_OBJECTS): $(BUILD)/flags.stamp
+$(STACK_OBJECTS): $(BUILD)/flags.stamp $(BUILD)/stack.stamp
 $(BUILD)/stack/library/%.o: src/library/%.cpp
 	$(call compile,$(STACK_FLAGS),call graph)
 $(BUILD)/stack/%.o: tests/budget/%.cpp

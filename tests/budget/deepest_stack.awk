@@ -58,7 +58,9 @@ function depth(f,    k, below, deepest) {
 END {
     for (f in bytes) if (f ~ /^tr_/) {
         ++entries
-        print "stack_" f, depth(f)
+        name = f
+        sub(/_0x[0-9a-f]+u$/, "", name)  # some carry the version of the interface
+        print "stack_" name, depth(f)
         if (paths) for (g = f; g != ""; g = via[g]) print "    " bytes[g] + 0, g >"/dev/stderr"
     }
     if (entries == 0) { print "no entry point in the call graphs" >"/dev/stderr"; exit 1 }

@@ -1,5 +1,7 @@
-// The analyses as compiled into the library, for double and float and both differentiation policies:
-// including this header instead of the single ones keeps a program from compiling them again.
+// All analyses. Every program compiles instances of its own, with its own flags and vector width: those
+// behind the C interface belong to the library alone and are never shared. A program of several files can
+// compile them once: it defines TILTROTOR_EXTERN_INSTANCES in every file but one, which says
+// TILTROTOR_INSTANCES(, double).
 #pragma once
 
 #include "tiltrotor/analysis/modes.hpp"
@@ -36,18 +38,10 @@
   TILTROTOR_POLICY_INSTANCES(PREFIX, R, NumDiff)  \
   TILTROTOR_COMMON_INSTANCES(PREFIX, R)
 
+// Only for a program whose objects are all compiled alike: the instances of an object compiled with other
+// flags would take the place of these.
+#ifdef TILTROTOR_EXTERN_INSTANCES
 namespace tiltrotor {
-// The layout of work areas depends on the lanes of the instruction set. The library defines this function for
-// its own lanes alone: a program compiled for others cannot be linked with it.
-template <int VectorBytes>
-void library_has_these_lanes();
-}  // namespace tiltrotor
-
-#ifndef TILTROTOR_DEFINES_INSTANCES
-namespace tiltrotor {
-namespace {
-[[gnu::used]] void (*const lanes_of_the_library)() = &library_has_these_lanes<kVectorBytes>;
-}  // namespace
 TILTROTOR_INSTANCES(extern, double)
 TILTROTOR_INSTANCES(extern, float)
 }  // namespace tiltrotor

@@ -17,6 +17,8 @@
 #include <limits>
 #include <type_traits>
 
+#include "tiltrotor/math/arithmetic.hpp"
+
 namespace tiltrotor {
 
 template <class T>

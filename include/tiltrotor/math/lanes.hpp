@@ -7,6 +7,8 @@
 // same order in both forms, so the results are the same. Padding lanes start at zero and stay unread.
 #pragma once
 
+#include "tiltrotor/math/arithmetic.hpp"
+
 // Inlining decides here: small functions on vectors must not pass them through memory; large ones must not
 // add their stack to that of their caller.
 #if defined(__GNUC__)

@@ -8,6 +8,8 @@
 #include <cmath>
 #include <limits>
 
+#include "tiltrotor/math/arithmetic.hpp"
+
 namespace tiltrotor {
 
 // Numbers per 64-byte group: 8 doubles, 16 floats.

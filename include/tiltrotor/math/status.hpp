@@ -5,10 +5,12 @@
 // length.
 #pragma once
 
+#include "tiltrotor/math/arithmetic.hpp"
+
 namespace tiltrotor {
 
 enum class [[nodiscard]] Status : unsigned char{
-    ok,   not_converged, singular, not_finite, out_of_range, bad_argument,
+    ok,   not_converged, singular, not_finite, out_of_range, bad_argument, bad_arithmetic,
     count  // number of words above; never returned
 };
 
@@ -26,6 +28,7 @@ inline constexpr Row kStatusTable[] = {
     {"not_finite", "a NaN or an infinity was met in the input or arose in the computation"},
     {"out_of_range", "an input lies outside the range for which the model is defined"},
     {"bad_argument", "an argument contradicts the function's contract, for example a size"},
+    {"bad_arithmetic", "the processor or the compiled code does not round every operation once, to nearest"},
 };
 
 static_assert(sizeof(kStatusTable) / sizeof(kStatusTable[0]) == static_cast<unsigned>(Status::count),

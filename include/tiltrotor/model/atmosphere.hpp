@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "tiltrotor/math/arithmetic.hpp"
+
 namespace tiltrotor {
 
 template <class R>

@@ -4,6 +4,7 @@
 // air, gearing, blade stations, and the places on the tables' mast and flap axes. Plain numbers only.
 #pragma once
 
+#include "tiltrotor/math/arithmetic.hpp"
 #include "tiltrotor/math/status.hpp"
 #include "tiltrotor/model/atmosphere.hpp"
 #include "tiltrotor/model/blade_grid.hpp"
@@ -170,10 +171,12 @@ Vec3<R> station_arm(const MassProperties<R>& mass, R sl, R bl, R wl) {
 }
 
 // Prepare a configuration. Status out_of_range (and `c` unusable) when a setting lies outside the ranges
-// given at FlightSetup. Cost: about one derivative.
+// given at FlightSetup, bad_arithmetic when this code or the processor does not round as arithmetic.hpp says.
+// Cost: about one derivative.
 template <class R>
 Status prepare(const Aircraft<R>& aircraft, const FlightSetup<R>& setup, Configuration<R>& c) {
   c = Configuration<R>{};
+  if (!rounds_once_to_nearest<R>()) return Status::bad_arithmetic;
   if (!detail::valid(setup)) return Status::out_of_range;
   const Options& o = setup.options;
   c.aircraft = &aircraft;

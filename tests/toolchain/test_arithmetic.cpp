@@ -1,0 +1,91 @@
+// Arithmetic other than assumed is found when it is met: by the rounding modes of the C library,
+// fesetround().
+#include <cfenv>
+
+#include "check.hpp"
+#include "library/processor.hpp"
+#include "tiltrotor/model/aircraft_data.hpp"
+#include "tiltrotor/model/configuration.hpp"
+#include "tiltrotor/tiltrotor.h"
+
+using namespace tiltrotor;
+
+namespace {
+
+class Rounding {
+ public:
+  explicit Rounding(int mode) : changed_(std::fesetround(mode) == 0) {}
+  ~Rounding() { std::fesetround(FE_TONEAREST); }
+  bool changed() const { return changed_; }
+
+ private:
+  bool changed_;
+};
+
+constexpr int kModes[] = {FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO};
+
+}  // namespace
+
+TEST(arithmetic_to_nearest_is_accepted) {
+  CHECK(rounds_once_to_nearest<double>());
+  CHECK(rounds_once_to_nearest<float>());
+}
+
+TEST(arithmetic_other_rounding_is_found_by_prepare) {
+  static Configuration<double> c;
+  static Configuration<float> f;
+  const FlightSetup<double> setup = flight_setup(aircraft_data<double>(), 30.0);
+  const FlightSetup<float> setup_float = flight_setup(aircraft_data<float>(), 30.0f);
+  for (const int mode : kModes) {
+    Status status, status_float;
+    {
+      const Rounding rounding(mode);
+      if (!rounding.changed()) continue;
+      status = prepare(aircraft_data<double>(), setup, c);
+      status_float = prepare(aircraft_data<float>(), setup_float, f);
+    }
+    CHECK(status == Status::bad_arithmetic);
+    CHECK(status_float == Status::bad_arithmetic);
+  }
+  CHECK(prepare(aircraft_data<double>(), setup, c) == Status::ok);
+}
+
+TEST(arithmetic_other_rounding_is_found_by_every_call_that_computes) {
+  static tr_sim sim, other;
+  static tr_work work;
+  tr_setup setup;
+  tr_flight flight{};
+  flight.speed_mps = 40;
+  CHECK_EQ(tr_default_setup(&setup, TR_API_VERSION, TR_XV15, 0), TR_OK);
+  CHECK_EQ(tr_init(&sim, TR_API_VERSION, &setup), TR_OK);
+  CHECK_EQ(tr_trim(&sim, &work, &flight, nullptr), TR_OK);
+  const tr_real one[1] = {1};
+  tr_real real[1], imag[1], rates[TR_STATES];
+  tr_linear_shape shape;
+  tr_outputs outputs;
+  for (const int mode : kModes) {
+    tr_status found[8];
+    {
+      const Rounding rounding(mode);
+      if (!rounding.changed()) continue;
+      found[0] = tr_default_setup(&setup, TR_API_VERSION, TR_XV15, 0);
+      found[1] = tr_init(&other, TR_API_VERSION, &setup);
+      found[2] = tr_trim(&sim, &work, &flight, nullptr);
+      found[3] = tr_step(&sim, &work, static_cast<tr_real>(0.005));
+      found[4] = tr_derivative(&sim, rates, TR_STATES);
+      found[5] = tr_linearize(&sim, &work, TR_INCEPTORS, &shape, nullptr, 0, nullptr, 0);
+      found[6] = tr_get_outputs(&sim, &outputs);
+      found[7] = tr_eigenvalues(&work, one, 1, real, imag, 1);
+    }
+    for (const tr_status status : found) CHECK_EQ(status, TR_BAD_ARITHMETIC);
+  }
+  CHECK_EQ(tr_step(&sim, &work, static_cast<tr_real>(0.005)), TR_OK);
+}
+
+TEST(arithmetic_missing_instructions_are_named) {
+  CHECK(processor_runs(0));
+  CHECK(processor_runs(kInstructions));
+#ifdef __x86_64__
+  if (!__builtin_cpu_supports("avx512f")) CHECK_EQ(missing_instructions(kAvx512f), "avx512f");
+#endif
+}
