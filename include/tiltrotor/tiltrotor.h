@@ -107,20 +107,23 @@ typedef double tr_real;
 
 typedef enum tr_status {
   TR_OK,
-  TR_NOT_CONVERGED,   /* the iteration reached its limit before its tolerance */
-  TR_SINGULAR,        /* a matrix that must be inverted is singular */
-  TR_NOT_FINITE,      /* NaN or infinity in an input, or arisen in the computation */
-  TR_OUT_OF_RANGE,    /* an input, or the state after a step, is outside the range of the model */
-  TR_BAD_ARGUMENT,    /* a null pointer, an unknown choice or an impossible size */
-  TR_SHORT_BUFFER,    /* an array is too short for the result */
-  TR_WRONG_VERSION,   /* the program was compiled for another version or precision of the library */
-  TR_NOT_INITIALIZED, /* tr_init has not succeeded on this tr_sim */
-  TR_WING_STALL,      /* trimmed, but the wing is past its stall */
-  TR_CONTROL_LIMIT,   /* trimmed, but a control is beyond its stop */
-  TR_FLAP_LIMIT,      /* trimmed, but a gimbal is beyond its stop */
-  TR_ROTOR_STALL,     /* no trim: the rotors stall before the weight is carried */
-  TR_DAMAGED,         /* not the bytes of tr_save, or changed since */
-  TR_BAD_ARITHMETIC,  /* the processor does not round to nearest, or lacks instructions of the library */
+  TR_NOT_CONVERGED,     /* the iteration reached its limit before its tolerance */
+  TR_SINGULAR,          /* a matrix that must be inverted is singular */
+  TR_NOT_FINITE,        /* NaN or infinity in an input, or arisen in the computation */
+  TR_OUT_OF_RANGE,      /* an input, or the state after a step, is outside the range of the model */
+  TR_BAD_ARGUMENT,      /* a null pointer, an unknown choice or an impossible size */
+  TR_SHORT_BUFFER,      /* an array is too short for the result */
+  TR_WRONG_VERSION,     /* the program was compiled for another version or precision of the library */
+  TR_NOT_INITIALIZED,   /* tr_init has not succeeded on this tr_sim */
+  TR_WING_STALL,        /* trimmed, but the wing is past its stall */
+  TR_CONTROL_LIMIT,     /* trimmed, but a control is beyond its stop */
+  TR_FLAP_LIMIT,        /* trimmed, but a gimbal is beyond its stop */
+  TR_ROTOR_STALL,       /* no trim: the rotors stall before the weight is carried */
+  TR_DAMAGED,           /* not the bytes of tr_save, or changed since */
+  TR_BAD_ARITHMETIC,    /* the processor does not round to nearest, or lacks instructions of the library */
+  TR_VORTEX_RING_STATE, /* trimmed, but a rotor descends in its own wake: momentum theory does not hold */
+  TR_POWER_LIMIT,       /* trimmed, but the rotors need more than take-off power */
+  TR_TORQUE_LIMIT,      /* trimmed, but a mast carries more than its largest steady torque */
   TR_STATUS_COUNT
 } tr_status;
 
@@ -288,9 +291,9 @@ tr_status tr_get_outputs(const tr_sim* sim, tr_outputs* outputs);
 /* Relative to the air at the aircraft. */
 typedef struct tr_flight {
   tr_real speed_mps;       /* 0..150 */
-  tr_real climb_rad;       /* of the flight path, + up, within 60 deg */
+  tr_real climb_rad;       /* of the flight path, + up, within 90 deg; 0 at speed 0 */
   tr_real turn_rate_radps; /* of the heading, + right, within 60 deg/s */
-  tr_real sideslip_rad;    /* + wind from the right, within 60 deg */
+  tr_real sideslip_rad;    /* + wind from the right, within 60 deg; 0 at speed 0 and climb +-90 deg */
 } tr_flight;
 
 typedef struct tr_trim_result {
@@ -302,8 +305,9 @@ typedef struct tr_trim_result {
 
 /* Puts the aircraft in steady flight: state and inceptors. Heading, position and gust stay; the other
  * controls, time and steps become 0. The gust is held in body axes: in straight flight the loads are those of
- * still air, in a turn the air turns with the aircraft. With TR_WING_STALL, TR_CONTROL_LIMIT and
- * TR_FLAP_LIMIT too: the equations are fulfilled, a limit is exceeded. Otherwise (TR_ROTOR_STALL,
+ * still air, in a turn the air turns with the aircraft. With TR_WING_STALL, TR_CONTROL_LIMIT, TR_FLAP_LIMIT,
+ * TR_VORTEX_RING_STATE, TR_POWER_LIMIT and TR_TORQUE_LIMIT too: the equations are fulfilled, a limit is
+ * exceeded. NaN and infinity in `flight` are TR_NOT_FINITE. Otherwise (TR_ROTOR_STALL,
  * TR_NOT_CONVERGED, TR_SINGULAR, TR_NOT_FINITE, TR_OUT_OF_RANGE) the aircraft stays as it was. `result` may
  * be NULL; it is filled whenever the aircraft is initialised. Cost: 3 to 9 Jacobians as a rule, at most about
  * 1800 with 12 derivatives each. */

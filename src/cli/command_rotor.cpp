@@ -122,7 +122,8 @@ int run(const Arguments& arguments) {
     const Status status = isolated_rotor(configuration, all[i].flow, work, rotor);
     Row row;
     for (const Column& column : numbers) {
-      row.emplace_back(status == Status::ok || column.always ? column.value(configuration, rotor) : nothing);
+      const bool in_balance = status == Status::ok || status == Status::vortex_ring;
+      row.emplace_back(in_balance || column.always ? column.value(configuration, rotor) : nothing);
     }
     row.emplace_back(status_word(status));
     records.add(row);
@@ -158,7 +159,10 @@ Command rotor_command() {
           "(each a\n"
           "value, a list or a range). figure_of_merit stands where the rotor hovers, efficiency (thrust "
           "times axial\n"
-          "speed over power) where it propels. The mast angle sets coning and the default rotor speed.\n",
+          "speed over power) where it propels. The mast angle sets coning and the default rotor speed. With "
+          "the status\n"
+          "vortex_ring the rotor descends in its own wake: momentum theory does not hold, its numbers mean "
+          "little.\n",
           "tiltrotor rotor --collective75 4:1:14 --rpm 589",
           options() + mast_option() + SetupOptions::rotor_list() + Output::list(),
           run};

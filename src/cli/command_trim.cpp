@@ -94,7 +94,18 @@ std::vector<std::string> column_names() {
   for (const Column& column : columns_before_status) names.emplace_back(column.name);
   names.emplace_back("status");
   for (const Column& column : columns_after_status) names.emplace_back(column.name);
+  names.emplace_back("limits");
   return names;
+}
+
+// Every limit that is exceeded, by its word.
+std::string limit_words(const LimitCheck<double>& limits) {
+  std::string words;
+  for (int k = 0; k < limits.count; ++k) {
+    words += k > 0 ? " " : "";
+    words += trim_detail::kLimitNames[static_cast<unsigned>(limits.exceeded[k].limit)].word;
+  }
+  return words;
 }
 
 Row row(Flight flight, const std::vector<std::string>& completing) {
@@ -106,6 +117,7 @@ Row row(Flight flight, const std::vector<std::string>& completing) {
   for (const Column& column : columns_after_status) {
     cells.emplace_back(trimmed || column.always ? column.value(flight) : nothing);
   }
+  cells.emplace_back(trimmed ? limit_words(flight.trim.limits) : std::string());
   for (const std::string& column : completing) {
     cells.emplace_back(
         trimmed ? completing_value(column, flight.configuration, flight.trim.state, flight.trim.controls)
@@ -142,8 +154,9 @@ Command trim_command() {
           "--altitude,\n"
           "--mass and --cg-sl take a value, a list or a range. A `status` that is not ok is explained on "
           "stderr and\n"
-          "makes the exit status 1: trimmed beyond a limit (wing_stall, control_limit, flap_limit), or no "
-          "trim\n"
+          "makes the exit status 1: trimmed beyond a limit (vortex_ring, wing_stall, control_limit, "
+          "flap_limit,\n"
+          "power_limit, torque_limit: the first that holds; `limits` lists all), or no trim\n"
           "(rotor_stall, not_converged, singular).\n",
           "tiltrotor trim --mast 0,30 --speed 0,40,50 --format csv",
           flight_list() + SetupOptions::list() + Output::list(),

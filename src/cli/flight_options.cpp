@@ -13,6 +13,7 @@ namespace {
 constexpr double radian = kRadian<double>;
 constexpr double rpm = kPi<double> / 30;
 
+constexpr Range climb_range{-90, 90, "deg"};
 constexpr Range turn_rate_range{-60, 60, "deg/s"};
 
 std::optional<double> optional_number(const Arguments& arguments, const char* name, const Range& range,
@@ -153,7 +154,7 @@ OptionList flight_list() {
   return {
       {"--mast", "DEG", "mast angle: 0 helicopter .. 90 airplane (0)"},
       {"--speed", "MPS", "true airspeed, 0..150 (0)"},
-      {"--climb", "DEG", "angle of the flight path, -60..60 (0)"},
+      {"--climb", "DEG", "angle of the flight path, -90..90, at speed 0 it must be 0 (0)"},
       {"--sideslip", "DEG", "wind from the right, -60..60 (0)"},
       {"--turn-rate", "DEGPS", "of the heading, + right, -60..60 (0)"},
   };
@@ -161,7 +162,7 @@ OptionList flight_list() {
 
 std::vector<FlightCase> flight_cases(const Arguments& arguments, std::size_t setups) {
   SteadyFlight<double> flight{};
-  flight.climb = arguments.number("--climb", 0, kAngleRange) * radian;
+  flight.climb = arguments.number("--climb", 0, climb_range) * radian;
   flight.sideslip = arguments.number("--sideslip", 0, kAngleRange) * radian;
   flight.turn_rate = arguments.number("--turn-rate", 0, turn_rate_range) * radian;
   std::vector<FlightCase> cases;

@@ -23,6 +23,8 @@ tr_status translated(Status status) {
       return TR_OUT_OF_RANGE;
     case Status::bad_arithmetic:
       return TR_BAD_ARITHMETIC;
+    case Status::vortex_ring:
+      return TR_VORTEX_RING_STATE;
     case Status::bad_argument:
     case Status::count:
       break;
@@ -40,6 +42,12 @@ tr_status translated(TrimStatus status) {
       return TR_CONTROL_LIMIT;
     case TrimStatus::flap_limit:
       return TR_FLAP_LIMIT;
+    case TrimStatus::vortex_ring:
+      return TR_VORTEX_RING_STATE;
+    case TrimStatus::power_limit:
+      return TR_POWER_LIMIT;
+    case TrimStatus::torque_limit:
+      return TR_TORQUE_LIMIT;
     case TrimStatus::rotor_stall:
       return TR_ROTOR_STALL;
     case TrimStatus::not_converged:
@@ -80,6 +88,9 @@ constexpr StatusWords kWords[] = {
     {"damaged", "not the bytes of a saved aircraft, or changed since they were saved"},
     {"bad_arithmetic",
      "the processor does not round to nearest, or lacks instructions of the compiled library"},
+    {"vortex_ring", "trimmed, but a rotor descends in its own wake, where momentum theory does not hold"},
+    {"power_limit", "trimmed, but the rotors need more than take-off power"},
+    {"torque_limit", "trimmed, but a mast carries more than its largest steady torque"},
 };
 static_assert(sizeof(kWords) / sizeof(kWords[0]) == TR_STATUS_COUNT, "one row per status");
 

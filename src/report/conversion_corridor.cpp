@@ -155,9 +155,10 @@ Plot corridor_plot(const char* id, const char* title, const Table& grid, const T
   const std::vector<double> mast = edges.numbers("mast_deg");
   plot.series = {
       line_of("wing stall", kBlack, Line::solid, Marker::none, edges.numbers("stall_mps"), mast),
-      line_of("power, torque", kBlack, Line::dotted, Marker::none, edges.numbers("power_mps"), mast),
-      published("1975 minimum", "design_minimum", kPurple, Marker::circle),
-      published("1975 Vc", "design_vc", kPurple, Marker::square),
+      line_of("continuous rating", kBlack, Line::dotted, Marker::none, edges.numbers("power_mps"), mast),
+      line_of("take-off rating", kOrange, Line::solid, Marker::none, edges.numbers("takeoff_mps"), mast),
+      published("1975 minimum, Vc", "design_minimum", kPurple, Marker::circle),
+      published("", "design_vc", kPurple, Marker::square),
       published("1980 minimum", "corridor_minimum", kGreen, Marker::triangle),
       published("1980 maximum", "corridor_maximum", kGreen, Marker::diamond)};
   return plot;
@@ -241,7 +242,9 @@ Section conversion_corridor() {
   section.reading =
       "Level flight is possible where the picture is filled: too slow on the left, the wing stalls; too fast "
       "on the right, "
-      "the transmission has no more power (at mast 90, with its lower rotor speed, torque). Blue is stable. "
+      "the transmission has no more power (at mast 90, with its lower rotor speed, torque). That is the "
+      "continuous rating, of engines and transmission alike; the orange line is the take-off rating of the "
+      "engines. Blue is stable. "
       "At low mast "
       "angles flight below the stall of the wing is possible, nose high. Flap and rotor speed change at mast "
       "0 and 90.";

@@ -1,5 +1,6 @@
 #include "report/corridor_edges.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <string>
@@ -19,8 +20,8 @@ struct Edge {
   Trimmed beyond;    // the trim just outside
 };
 
-const char* limit_word(TrimLimit limit) {
-  return trim_detail::kLimitNames[static_cast<unsigned>(limit)].name;
+const char* limit_word(const Trimmed& t) {
+  return trim_detail::kLimitNames[static_cast<unsigned>(t.limits.exceeded[0].limit)].name;
 }
 
 // From a speed at which `flies` holds towards one at which it may not: in coarse steps to the first failure,
@@ -70,16 +71,26 @@ Edge stop_side(const Configured& c, double from) {
 }
 
 Edge power_side(const Configured& c, double from) {
-  const double limit = kWatt * transmission_power(c);
+  const double engines = shaft_power(c, c.aircraft->controls.engine_power_continuous);
+  const double limit = kWatt * std::min(transmission_power(c), engines);
   return edge_towards(c, from, kHighest, [limit](const Trimmed& t) {
     return t.status == TrimStatus::ok && total_power_kw(t) <= limit;
   });
 }
 
+// Power or torque at the take-off rating: NaN where something else ends the flight before.
+double takeoff_side(const Configured& c, double from) {
+  const Edge edge =
+      edge_towards(c, from, kHighest, [](const Trimmed& t) { return t.status == TrimStatus::ok; });
+  const TrimStatus reason = edge.beyond.status;
+  const bool rated = reason == TrimStatus::power_limit || reason == TrimStatus::torque_limit;
+  return rated ? edge.speed_mps : kMissing;
+}
+
 }  // namespace
 
 Table corridor_edges(double mast_step_deg) {
-  Table table({"mast_deg", "stall_mps", "stop_mps", "stop_name", "power_mps", "power_reason"});
+  Table table({"mast_deg", "stall_mps", "stop_mps", "stop_name", "power_mps", "power_reason", "takeoff_mps"});
   for (double mast = 0; mast <= 90; mast += mast_step_deg) {
     const Configured c = configured(mast);
     const double middle = middle_speed(mast);
@@ -90,10 +101,11 @@ Table corridor_edges(double mast_step_deg) {
     const bool is_power = power.beyond.status == TrimStatus::ok;
     const bool is_torque = c.setup.rotor_speed < c.aircraft->rotor.speed_helicopter;
     table.add({mast, stall.speed_mps, is_stop ? stop.speed_mps : kMissing,
-               std::string(is_stop ? limit_word(stop.beyond.limit) : ""), power.speed_mps,
+               std::string(is_stop ? limit_word(stop.beyond) : ""), power.speed_mps,
                std::string(!is_power   ? trim_status_word(power.beyond.status)
                            : is_torque ? "torque"
-                                       : "power")});
+                                       : "power"),
+               takeoff_side(c, middle)});
   }
   return table;
 }

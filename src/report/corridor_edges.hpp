@@ -7,7 +7,8 @@
 namespace tiltrotor::report {
 
 // mast_deg; on the slow side stall_mps (wing) and stop_mps with stop_name (control at its stop), empty where
-// there is none down to hover; on the fast side power_mps and power_reason.
+// there is none down to hover; on the fast side power_mps (continuous rating) and power_reason, and
+// takeoff_mps, where the take-off rating of engines or masts ends level flight.
 Table corridor_edges(double mast_step_deg);
 
 // The stall side in the conditions of the 1975 design (its flap, rotor speed and masses) against the

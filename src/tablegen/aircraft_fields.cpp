@@ -51,6 +51,7 @@ const std::vector<Field> kFields = {
     {"rotor.twist_reference", "twist_reference", "ND"},
     {"rotor.twist_linear", "rotor_twist_linear_A", "rad"},
     {"rotor.stall_blend", "section_stall_blend", "deg"},
+    {"controls.engine_lapse", "engine_lapse", "ND"},
     {"rotor.plate_lift", "plate_lift", "ND"},
     {"rotor.plate_drag_min", "plate_drag_min", "ND"},
     {"rotor.plate_drag", "plate_drag", "ND"},
@@ -168,6 +169,10 @@ const std::vector<Field> kFields = {
     {"controls.rudder_limit", "rudder_limit", "rad"},
     {"controls.flap_limit", "rotor_flap_limit", "rad"},
     {"controls.power_limit", "transmission_limit_helicopter", "W"},
+    {"controls.engine_power", "engine_power_takeoff", "W"},
+    {"controls.engine_power_continuous", "engine_power_continuous", "W"},
+    {"controls.transmission_efficiency", "transmission_efficiency", "ND"},
+    {"controls.mast_torque", "mast_torque_steady", "N m"},
 
     {"smooth.section_speed", "smooth_section_speed", "m/s"},
     {"smooth.inflow_speed", "smooth_inflow_speed", "ND"},

@@ -57,6 +57,8 @@ constexpr Unit kUnits[] = {
     {"m/s2", 1, "m/s2"},
     {"lb/ft2", kPoundForce / (kFoot * kFoot), "Pa"},
     {"Pa", 1, "Pa"},
+    {"in lbf", kInch* kPoundForce, "N m"},
+    {"N m", 1, "N m"},
     {"ft lbf/rad", kFoot* kPoundForce, "N m/rad"},
     {"ft lbf/deg", kFoot* kPoundForce / kDegree, "N m/rad"},
     {"N m/rad", 1, "N m/rad"},

@@ -80,7 +80,7 @@ TEST(cli_bad_usage_is_one_line_and_status_2) {
       {"trim --mass 1", "--mass: 1 lies outside 3000..10000 kg"},
       {"trim --cg-sl 0", "--cg-sl: 0 lies outside"},
       {"trim --rotor-rpm 0", "--rotor-rpm: 0 lies outside"},
-      {"trim --climb 91", "--climb: 91 lies outside -60..60 deg"},
+      {"trim --climb 91", "--climb: 91 lies outside -90..90 deg"},
       {"trim --flap 30", "--flap: '30' is not one of 0, 20, 40 or 75"},
       {"trim --tables cubic", "--tables: 'cubic' is not one of c1 or linear"},
       {"trim --grid fine", "--grid: 'fine' is not one of specification or realtime"},

@@ -35,6 +35,15 @@ TEST(cli_columns_are_as_specified) {
       "collective75_deg,ct,cp,figure_of_merit,ct_sigma,thrust_n,power_kw,b1c_deg,b1s_deg,n0,efficiency");
 }
 
+// The status tells the decisive limit, the last column all of them.
+TEST(cli_trim_lists_every_limit) {
+  const CsvText trim(run_tiltrotor("trim --climb -60 --speed 45 --grid realtime").out);
+  if (!CHECK_EQ(trim.rows.size(), 1u)) return;
+  CHECK_EQ(trim.text(0, "status"), std::string("control_limit"));
+  CHECK_EQ(trim.text(0, "limits").find("long_stick elevator gimbal_right gimbal_left"), 0u);
+  CHECK_EQ(CsvText(run_tiltrotor("trim --speed 40").out).text(0, "limits"), std::string());
+}
+
 TEST(cli_trim_sweeps_every_combination) {
   const CsvText trim(run_tiltrotor("trim --mast 0,30 --speed 40:5:50").out);
   if (!CHECK_EQ(trim.rows.size(), 6u)) return;

@@ -126,8 +126,9 @@ void trim(tr_sim& sim, Room& room, fuzz::Bytes& in) {
   tr_trim_result result{};
   const tr_status status = tr_trim(&sim, &room.work, &flight, in.below(2) == 0 ? &result : nullptr);
   REQUIRE(known(status) && std::memchr(result.text, 0, sizeof result.text) != nullptr);
-  const bool trimmed =
-      status == TR_OK || status == TR_WING_STALL || status == TR_CONTROL_LIMIT || status == TR_FLAP_LIMIT;
+  const bool trimmed = status == TR_OK || status == TR_WING_STALL || status == TR_CONTROL_LIMIT ||
+                       status == TR_FLAP_LIMIT || status == TR_VORTEX_RING_STATE ||
+                       status == TR_POWER_LIMIT || status == TR_TORQUE_LIMIT;
   if (!trimmed) return;
   tr_real rates[TR_STATES];
   REQUIRE(tr_derivative(&sim, rates, TR_STATES) == TR_OK);

@@ -9,6 +9,7 @@
 
 #include <cmath>
 
+#include "tiltrotor/analysis/momentum_range.hpp"
 #include "tiltrotor/math/lu.hpp"
 #include "tiltrotor/model/rotor.hpp"
 
@@ -84,6 +85,12 @@ bool valid(const RotorFlow<R>& flow) {
          detail::within(flow.collective, -pitch, pitch) &&
          detail::within(flow.lateral_cyclic, -cyclic, cyclic) &&
          detail::within(flow.long_cyclic, -cyclic, cyclic);
+}
+
+template <class R>
+bool finite(const RotorFlow<R>& flow) {
+  return is_finite(flow.axial) && is_finite(flow.in_plane) && is_finite(flow.collective) &&
+         is_finite(flow.lateral_cyclic) && is_finite(flow.long_cyclic);
 }
 
 // Which unknowns there are: always the two angles and the mean inflow.
@@ -235,44 +242,16 @@ RotorFigures<R> figures(const Configuration<R>& c, const RotorFlow<R>& flow, con
   return f;
 }
 
-}  // namespace isolated_rotor_detail
-
-// Equilibrium by damped Newton iteration on the exact Jacobian, from a start by momentum theory. Residuals
-// are scaled with the rotor speed; the tolerance is 1e-11 in double. Status: ok; out_of_range (flow outside
-// the ranges given at RotorFlow, nothing computed); not_converged (the rotor is in the state closest to
-// equilibrium); singular, not_finite. `rotor` is defined whatever is returned. Cost: typically 4 to 8 rotor
-// Jacobians, at most 60 and 780 plain evaluations.
+// Damped Newton iteration from z, which ends where the rotor is.
 template <class R>
-Status isolated_rotor(const Configuration<R>& c, const RotorFlow<R>& flow, IsolatedRotorWorkspace<R>& work,
-                      IsolatedRotor<R>& rotor) {
-  using namespace isolated_rotor_detail;
-  rotor = IsolatedRotor<R>{};
-  if (!valid(flow)) return Status::out_of_range;
-  const RotorTables<R>& tables = c.aircraft->rotor;
-  const R chord = blade_chord(tables, c.setup.options.chord, tables.twist_reference);
-  const R solidity = static_cast<R>(tables.blades) * chord / (kPi<R> * tables.radius);
-  const Unknowns set = unknowns(c.setup.options);
+Status solve(const Configuration<R>& c, const Unknowns& set, CyclicUse cyclic, R* z,
+             IsolatedRotorWorkspace<R>& work, IsolatedRotor<R>& rotor) {
   const int n = set.count();
   const R tolerance = R(5e4) * std::numeric_limits<R>::epsilon();
-
-  rotor.input.velocity = {-flow.in_plane, R(0), flow.axial};
-  rotor.input.coning.angle = c.coning;
-  rotor.input.collective = flow.collective;
-  rotor.input.lateral_cyclic = flow.lateral_cyclic;
-  rotor.input.long_cyclic = flow.long_cyclic;
-
-  R z[kRotorUnknowns] = {};
   R residual[kRotorUnknowns];
-  if (flow.cyclic == CyclicUse::cancels_tilt) {
-    z[0] = flow.lateral_cyclic;
-    z[1] = flow.long_cyclic;
-  }
-  z[2] = first_inflow(c, flow, solidity);
-  if (set.coning) z[2 + set.harmonics] = c.coning;
-  isolated_rotor_detail::evaluate(c, set, flow.cyclic, z, work.plain, rotor, residual);
-
+  isolated_rotor_detail::evaluate(c, set, cyclic, z, work.plain, rotor, residual);
   Status status = Status::not_converged;
-  for (; rotor.iterations < kMaxIterations; ++rotor.iterations) {
+  for (int k = 0; k < kMaxIterations; ++k, ++rotor.iterations) {
     rotor.residual = largest(residual, n);
     if (!is_finite(sum_of_squares(residual, n))) {
       status = Status::not_finite;
@@ -282,7 +261,7 @@ Status isolated_rotor(const Configuration<R>& c, const RotorFlow<R>& flow, Isola
       status = Status::ok;
       break;
     }
-    jacobian(c, set, flow.cyclic, z, rotor.input, work);
+    jacobian(c, set, cyclic, z, rotor.input, work);
     R step[kRotorUnknowns];
     for (int i = 0; i < n; ++i) step[i] = -residual[i];
     status = lu_factor(work.jacobian, n, work.factors);
@@ -295,13 +274,74 @@ Status isolated_rotor(const Configuration<R>& c, const RotorFlow<R>& flow, Isola
     R trial[kRotorUnknowns];
     for (int halving = 0; halving <= kMaxHalvings; ++halving) {
       for (int j = 0; j < n; ++j) trial[j] = z[j] + step[j];
-      isolated_rotor_detail::evaluate(c, set, flow.cyclic, trial, work.plain, rotor, residual);
+      isolated_rotor_detail::evaluate(c, set, cyclic, trial, work.plain, rotor, residual);
       if (sum_of_squares(residual, n) < before) break;
       for (int j = 0; j < n; ++j) step[j] *= R(0.5);
     }
     for (int j = 0; j < n; ++j) z[j] = trial[j];
   }
   rotor.residual = largest(residual, n);
+  return status;
+}
+
+template <class R>
+MomentumRange range(const Configuration<R>& c, const IsolatedRotor<R>& rotor) {
+  const Vec3<R>& v = rotor.input.velocity;
+  return momentum_range(axial_flow(c.air.density, c.aircraft->rotor.radius, rotor.response.loads.force.z, v.z,
+                                   v.x, rotor.input.state.n0 * c.tip_speed));
+}
+
+}  // namespace isolated_rotor_detail
+
+// Equilibrium by damped Newton iteration on the exact Jacobian, from a start by momentum theory; where that
+// ends outside the range of momentum theory or nowhere, once more from a rotor without inflow, near which the
+// windmill is. Residuals are scaled with the rotor speed; the tolerance is 1e-11 in double. Status: ok;
+// vortex_ring (in equilibrium, but momentum_range.hpp does not hold); out_of_range (flow outside the ranges
+// given at RotorFlow) and not_finite (NaN or infinity in it), nothing computed; not_converged (the rotor is
+// in the state closest to equilibrium); singular, not_finite. `rotor` is defined whatever is returned. Cost:
+// typically 4 to 8 rotor Jacobians, at most 120 and 1560 plain evaluations.
+template <class R>
+Status isolated_rotor(const Configuration<R>& c, const RotorFlow<R>& flow, IsolatedRotorWorkspace<R>& work,
+                      IsolatedRotor<R>& rotor) {
+  using namespace isolated_rotor_detail;
+  rotor = IsolatedRotor<R>{};
+  if (!finite(flow)) return Status::not_finite;
+  if (!valid(flow)) return Status::out_of_range;
+  const RotorTables<R>& tables = c.aircraft->rotor;
+  const R chord = blade_chord(tables, c.setup.options.chord, tables.twist_reference);
+  const R solidity = static_cast<R>(tables.blades) * chord / (kPi<R> * tables.radius);
+  const Unknowns set = unknowns(c.setup.options);
+
+  rotor.input.velocity = {-flow.in_plane, R(0), flow.axial};
+  rotor.input.coning.angle = c.coning;
+  rotor.input.collective = flow.collective;
+  rotor.input.lateral_cyclic = flow.lateral_cyclic;
+  rotor.input.long_cyclic = flow.long_cyclic;
+
+  const auto start = [&](R n0, R* z) {
+    for (int j = 0; j < kRotorUnknowns; ++j) z[j] = R(0);
+    if (flow.cyclic == CyclicUse::cancels_tilt) {
+      z[0] = flow.lateral_cyclic;
+      z[1] = flow.long_cyclic;
+    }
+    z[2] = n0;
+    if (set.coning) z[2 + set.harmonics] = c.coning;
+  };
+  R z[kRotorUnknowns];
+  start(first_inflow(c, flow, solidity), z);
+  Status status = solve(c, set, flow.cyclic, z, work, rotor);
+  const bool lost = status == Status::not_converged && flow.axial < R(0);
+  if (lost || (status == Status::ok && range(c, rotor) != MomentumRange::holds)) {
+    const IsolatedRotor<R> first = rotor;
+    start(R(0), z);
+    const Status again = solve(c, set, flow.cyclic, z, work, rotor);
+    if (again == Status::ok) {
+      status = again;
+    } else {
+      rotor = first;
+    }
+    if (status == Status::ok && range(c, rotor) != MomentumRange::holds) status = Status::vortex_ring;
+  }
   rotor.figures = figures(c, flow, rotor.response.loads, solidity);
   return status;
 }

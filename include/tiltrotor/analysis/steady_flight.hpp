@@ -1,6 +1,7 @@
 // Steady flight: what a trim holds, and the velocity and rates that follow from the attitude.
 #pragma once
 
+#include "tiltrotor/math/matrix.hpp"
 #include "tiltrotor/model/configuration.hpp"
 #include "tiltrotor/model/state.hpp"
 
@@ -10,9 +11,10 @@ namespace tiltrotor {
 template <class R>
 struct SteadyFlight {
   R speed;      // m/s, 0..150
-  R climb;      // angle of the flight path, rad, + up, within 60 deg
+  R climb;      // angle of the flight path, rad, + up, within 90 deg; 0 at speed 0
   R turn_rate;  // of the heading, rad/s, + right, within 60 deg/s
-  R sideslip;   // beta: v = speed sin beta, rad, + wind from the right, within 60 deg
+  R sideslip;   // beta: v = speed sin beta, rad, + wind from the right, within 60 deg; 0 at speed 0 and in
+                // vertical flight, where it follows from the attitude
   // Held velocity of the air, Controls::gust, each within 100 m/s. In a turn it turns with the aircraft.
   Vec3<R> gust = {};
 };
@@ -20,18 +22,36 @@ struct SteadyFlight {
 // Fields of SteadyFlight, for a message about a bad one.
 enum class SteadyFlightField : unsigned char { none, speed, climb, turn_rate, sideslip, gust };
 
+// Straight up or down: the flight path has no direction over ground.
+template <class R>
+bool is_vertical(const SteadyFlight<R>& flight) {
+  return std::fabs(cos(flight.climb)) < R(64) * std::numeric_limits<R>::epsilon();
+}
+
 template <class R>
 SteadyFlightField first_invalid(const SteadyFlight<R>& flight) {
   const R angle = R(60) * kRadian<R>;
+  const R vertical = R(0.5) * kPi<R> * (R(1) + R(2) * std::numeric_limits<R>::epsilon());
   if (!detail::within(flight.speed, R(0), R(150))) return SteadyFlightField::speed;
-  if (!detail::within(flight.climb, -angle, angle)) return SteadyFlightField::climb;
+  if (!detail::within(flight.climb, -vertical, vertical)) return SteadyFlightField::climb;
   if (!detail::within(flight.turn_rate, -angle, angle)) return SteadyFlightField::turn_rate;
   if (!detail::within(flight.sideslip, -angle, angle)) return SteadyFlightField::sideslip;
   const R gust = R(100);
   const Vec3<R>& g = flight.gust;
   const bool held = detail::within(g.x, -gust, gust) && detail::within(g.y, -gust, gust) &&
                     detail::within(g.z, -gust, gust);
-  return held ? SteadyFlightField::none : SteadyFlightField::gust;
+  if (!held) return SteadyFlightField::gust;
+  if (flight.speed == R(0) && flight.climb != R(0)) return SteadyFlightField::climb;
+  if (flight.sideslip != R(0) && (flight.speed == R(0) || is_vertical(flight)))
+    return SteadyFlightField::sideslip;
+  return SteadyFlightField::none;
+}
+
+template <class R>
+bool all_finite(const SteadyFlight<R>& flight) {
+  return is_finite(flight.speed) && is_finite(flight.climb) && is_finite(flight.turn_rate) &&
+         is_finite(flight.sideslip) && is_finite(flight.gust.x) && is_finite(flight.gust.y) &&
+         is_finite(flight.gust.z);
 }
 
 // Body velocity of steady flight relative to the air at a roll and pitch angle.
@@ -49,11 +69,16 @@ SteadyFlightField first_invalid(const SteadyFlight<R>& flight) {
 //   sin k = (B C - A Q) / D^2,   cos k = (B Q + A C) / D^2.
 //
 // Nothing is divided by V: in hover the formulas hold and the velocity is zero. No attitude beyond Q = 0 has
-// that sideslip: the result is NaN there.
+// that sideslip: not to be asked for, see has_attitude. In vertical flight the velocity is that of the
+// attitude alone.
 template <class T>
 TILTROTOR_NOINLINE Vec3<T> steady_velocity(const SteadyFlight<Real<T>>& flight, const T& roll,
                                            const T& pitch) {
   using R = Real<T>;
+  if (is_vertical(flight)) {
+    const R up = flight.climb > R(0) ? flight.speed : -flight.speed;
+    return {up * sin(pitch), -(up * sin(roll) * cos(pitch)), -(up * cos(roll) * cos(pitch))};
+  }
   const T sr = sin(roll);
   const T cr = cos(roll);
   const T sp = sin(pitch);
@@ -69,6 +94,36 @@ TILTROTOR_NOINLINE Vec3<T> steady_velocity(const SteadyFlight<Real<T>>& flight, 
   const T ck = (cr * q + a * c) / square_d;
   return {flight.speed * (cp * cg * ck + sg * sp), T(flight.speed * sb),
           flight.speed * (cg * (cr * sp * ck - sr * sk) - sg * cr * cp)};
+}
+
+// Whether the steady flight is possible at that attitude: Q > 0 above.
+template <class R>
+bool has_attitude(const SteadyFlight<R>& flight, R roll, R pitch) {
+  if (!is_finite(roll) || !is_finite(pitch)) return false;
+  if (is_vertical(flight)) return true;
+  const R a = sin(roll) * sin(pitch);
+  const R b = cos(roll);
+  const R c = (sin(flight.sideslip) + sin(flight.climb) * sin(roll) * cos(pitch)) / cos(flight.climb);
+  return a * a + b * b - c * c > R(0);
+}
+
+// The roll angle nearest to the one given, in steps of 3 deg, at which the flight is possible.
+template <class R>
+R possible_roll(const SteadyFlight<R>& flight, R roll, R pitch) {
+  const R step = R(3) * kRadian<R>;
+  for (int k = 0; k <= 60; ++k) {
+    for (const R side : {R(1), R(-1)}) {
+      const R trial = roll + side * static_cast<R>(k) * step;
+      if (has_attitude(flight, trial, pitch)) return trial;
+    }
+  }
+  return R(0);
+}
+
+template <class R>
+R steady_sideslip(const SteadyFlight<R>& flight, const Vec3<R>& velocity) {
+  return is_vertical(flight) ? atan2(velocity.y, std::sqrt(square(velocity.x) + square(velocity.z)))
+                             : flight.sideslip;
 }
 
 // Body rates that turn the heading alone.

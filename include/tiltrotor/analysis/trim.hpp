@@ -39,9 +39,8 @@ struct TrimResult {
   R download_fraction;  // force of the rotor wakes on the wing against the thrust, over the rotors' force (at
                         // least a tenth of the weight); 0 where the wing in the wake pulls forward
 
-  R weight_carried;            // 1; with rotor_stall the largest part of the weight that it can carry
-  TrimLimit limit;             // the first limit exceeded, or none
-  R limit_value, limit_bound;  // rad or in
+  R weight_carried;      // 1; with rotor_stall the largest part of the weight that it can carry
+  LimitCheck<R> limits;  // all that are exceeded, the decisive first
 };
 
 inline constexpr int kMaxTrimIterations = 200;
@@ -55,9 +54,10 @@ struct TrimOptions {
 // equations of motion to the tolerance (1e-10 in double), otherwise it describes the best point of the first
 // attempt. rotor_stall: there is none short of the rotors' stall, and result.weight_carried is the part of
 // the weight that can be carried; looked for below kWingborneMast. not_converged: no trim found;
-// result.residual_state tells which equation is left, result.limit which limit the last point exceeds, often
-// the reason. Cost: typically 3 to 9 Jacobians; at most about 1800 Jacobians, each with 12 derivatives, with
-// the default options.
+// result.residual_state tells which equation is left, result.limits what the last point exceeds, often the
+// reason. not_finite: a field of `flight` is NaN or infinite. No call raises a floating-point exception for
+// an invalid operation, a division by zero or an overflow. Cost: typically 3 to 9 Jacobians; at most about
+// 1800 Jacobians, each with 12 derivatives, with the default options.
 template <class R, class Policy>
 TrimStatus trim(const Configuration<R>& c, const SteadyFlight<R>& flight, TrimWorkspace<R, Policy>& work,
                 TrimResult<R>& result, const TrimOptions& options = {});
@@ -117,7 +117,7 @@ void describe(const Configuration<R>& c, const SteadyFlight<R>& flight, TrimWork
 
   result.angle_of_attack = flight.speed > R(0) ? atan2(v.z, v.x) : R(0);
   result.wing_angle_of_attack = e.wing_alpha;
-  result.sideslip = flight.speed > R(0) ? flight.sideslip : R(0);
+  result.sideslip = flight.speed > R(0) ? steady_sideslip(flight, v) : R(0);
   result.collective_root = result.controls.collective + root_twist(c);
   R force_z = R(0);
   for (const Loads<R>& loads : e.loads.component) force_z += loads.force.z;
@@ -136,17 +136,14 @@ void describe(const Configuration<R>& c, const SteadyFlight<R>& flight, TrimWork
   const R least_thrust = R(0.1) * c.mass.mass * kGravity<R>;
   result.download_fraction =
       download > R(0) ? download / (thrust > least_thrust ? thrust : least_thrust) : R(0);
-  const LimitCheck<R> check = check_limits(c, flight.speed, result.wing_angle_of_attack, result.state,
-                                           result.controls, result.blades);
-  result.limit = check.limit;
-  result.limit_value = check.value;
-  result.limit_bound = check.bound;
-  if (result.status == TrimStatus::ok) result.status = check.status;
+  result.limits = check_limits(c, flight.speed, result.wing_angle_of_attack, result.state, result.controls,
+                               result.blades, e.rotor);
+  if (result.status == TrimStatus::ok) result.status = result.limits.status;
 }
 
 template <class R, class Policy>
-TrimStatus finish(const Configuration<R>& c, const SteadyFlight<R>& flight, const NewtonOutcome<R>& outcome,
-                  TrimWorkspace<R, Policy>& work, TrimResult<R>& result) {
+void finish(const Configuration<R>& c, const SteadyFlight<R>& flight, const NewtonOutcome<R>& outcome,
+            TrimWorkspace<R, Policy>& work, TrimResult<R>& result) {
   const R right_angle = R(0.5) * kPi<R>;
   const bool upright = std::fabs(work.z[0]) < right_angle && std::fabs(work.z[1]) < right_angle;
   result.status = outcome.status == TrimStatus::ok && !upright ? TrimStatus::not_converged : outcome.status;
@@ -156,7 +153,20 @@ TrimStatus finish(const Configuration<R>& c, const SteadyFlight<R>& flight, cons
     for (int j = 0; j < work.equations.count; ++j) work.z[j] = is_finite(work.z[j]) ? work.z[j] : R(0);
   }
   describe(c, flight, work, result);
-  return result.status;
+}
+
+// A second trim from the inflow of the windmill, kept where it is one.
+template <class R, class Policy>
+void try_windmill(const Configuration<R>& c, const SteadyFlight<R>& flight, const NewtonOutcome<R>& before,
+                  TrimWorkspace<R, Policy>& work, TrimResult<R>& result) {
+  for (int j = 0; j < work.equations.count; ++j) work.first_z[j] = work.z[j];
+  ++result.attempts;
+  trim_windmill_guess(c, flight, work.equations, work.z);
+  const NewtonOutcome<R> outcome = newton(c, flight, work, kWindmillIterations, result.iterations);
+  if (outcome.status == TrimStatus::ok) finish(c, flight, outcome, work, result);
+  if (outcome.status == TrimStatus::ok && is_trimmed(result.status)) return;
+  for (int j = 0; j < work.equations.count; ++j) work.z[j] = work.first_z[j];
+  finish(c, flight, before, work, result);
 }
 
 // Defined outputs, checked inputs. True when the trim may begin.
@@ -168,12 +178,11 @@ bool begin(const Configuration<R>& c, const SteadyFlight<R>& flight, const TrimO
   result.residual = std::numeric_limits<R>::quiet_NaN();
   result.residual_state = ix_u;
   result.weight_carried = R(1);
-  result.limit = TrimLimit::none;
-  result.limit_value = result.limit_bound = R(0);
+  result.limits = LimitCheck<R>{};
   result.invalid = first_invalid(flight);
   const bool options_valid = options.max_iterations >= 1 && options.max_iterations <= kMaxTrimIterations;
   const bool prepared = c.aircraft != nullptr;
-  result.status = TrimStatus::out_of_range;
+  result.status = all_finite(flight) ? TrimStatus::out_of_range : TrimStatus::not_finite;
   if (result.invalid != SteadyFlightField::none || !options_valid || !prepared) return false;
   trim_equations(c, work.equations);
   return true;
@@ -214,7 +223,13 @@ TrimStatus trim(const Configuration<R>& c, const SteadyFlight<R>& flight, TrimWo
       for (int j = 0; j < n; ++j) work.z[j] = work.first_z[j];
     }
   }
-  return trim_detail::finish(c, flight, outcome, work, result);
+  trim_detail::finish(c, flight, outcome, work, result);
+  const bool doubtful =
+      result.status == TrimStatus::vortex_ring || result.status == TrimStatus::not_converged;
+  if (doubtful && options.continuation && is_steep_descent(c, flight)) {
+    trim_detail::try_windmill(c, flight, outcome, work, result);
+  }
+  return result.status;
 }
 
 template <class R, class Policy>
@@ -222,9 +237,11 @@ TrimStatus trim_from(const Configuration<R>& c, const SteadyFlight<R>& flight, T
                      TrimResult<R>& result, const TrimOptions& options) {
   if (!trim_detail::begin(c, flight, options, work, result)) return result.status;
   trim_detail::pack_unknowns(result.state, result.controls, work);
+  work.z[kRollRow] = possible_roll(flight, work.z[kRollRow], work.z[kPitchRow]);
   result.attempts = 1;
   const auto outcome = trim_detail::newton(c, flight, work, options.max_iterations, result.iterations);
-  return trim_detail::finish(c, flight, outcome, work, result);
+  trim_detail::finish(c, flight, outcome, work, result);
+  return result.status;
 }
 
 }  // namespace tiltrotor

@@ -6,9 +6,10 @@
 namespace tiltrotor::trim_detail {
 
 inline constexpr int kStageIterations =
-    12;                                  // Newton steps of one stage of a continuation, and of a start nearby
-inline constexpr int kFlightStages = 8;  // from level flight to the climb, turn and sideslip asked for
-inline constexpr int kSpeedSearch = 4;   // neighbouring speeds tried on each side, 5 m/s apart
+    12;  // Newton steps of one stage of a continuation, and of a start nearby
+inline constexpr int kWindmillIterations = 40;
+inline constexpr int kFlightStages = 8;      // from level flight to the climb, turn and sideslip asked for
+inline constexpr int kSpeedSearch = 4;       // neighbouring speeds tried on each side, 5 m/s apart
 inline constexpr int kStagesPerSearch = 2;   // the way back in steps of 2.5 m/s
 inline constexpr int kCollectiveSteps = 24;  // of 1 deg, from a lighter aircraft to stalled rotors
 inline constexpr int kTopSteps = 10;         // of a golden section: to 0.02 deg

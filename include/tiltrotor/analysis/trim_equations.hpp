@@ -207,6 +207,43 @@ void trim_first_guess(const Configuration<R>& c, const SteadyFlight<R>& flight,
     if (row.state == ix_rotor_right + 4 || row.state == ix_rotor_left + 4) z[j] = n0;
     if (row.state == ix_coning_right || row.state == ix_coning_left) z[j] = c.coning;
   }
+  z[kRollRow] = possible_roll(flight, z[kRollRow], z[kPitchRow]);
+}
+
+// Speed up the shaft in the first guess's attitude, m/s.
+template <class R>
+R shaft_speed(const Configuration<R>& c, const SteadyFlight<R>& flight) {
+  const R sm = sin(c.mast);
+  return flight.speed * sin(c.mast + flight.climb * (R(1) - sm * sm));
+}
+
+template <class R>
+R hover_induced_speed(const Configuration<R>& c) {
+  const R disk = kPi<R> * square(c.aircraft->rotor.radius);
+  return std::sqrt(c.mass.mass * kGravity<R> / (R(4) * c.air.density * disk));
+}
+
+// Descent along the shaft so fast that the rotors may be windmills.
+template <class R>
+bool is_steep_descent(const Configuration<R>& c, const SteadyFlight<R>& flight) {
+  return shaft_speed(c, flight) < R(-1.5) * hover_induced_speed(c);
+}
+
+// First guess of rotors that windmill: the least root of momentum theory, v^2 + V v + v_h^2 = 0.
+template <class R>
+void trim_windmill_guess(const Configuration<R>& c, const SteadyFlight<R>& flight,
+                         const TrimEquations<R>& equations, R* z) {
+  trim_first_guess(c, flight, equations, z);
+  const R half = R(-0.5) * shaft_speed(c, flight);
+  const R rest = half * half - square(hover_induced_speed(c));
+  const R induced = half - (rest > R(0) ? std::sqrt(rest) : R(0));
+  const R cm = cos(c.mast);
+  const R angle = atan2((induced - R(2) * half) / c.tip_speed, c.aircraft->rotor.twist_reference);
+  z[kCollectiveRow] = angle + (R(2) + R(4) * cm * cm) * kRadian<R>;
+  for (int j = 0; j < equations.count; ++j) {
+    const int state = equations.row[j].state;
+    if (state == ix_rotor_right + 4 || state == ix_rotor_left + 4) z[j] = induced / c.tip_speed;
+  }
 }
 
 }  // namespace tiltrotor

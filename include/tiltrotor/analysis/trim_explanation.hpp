@@ -7,12 +7,13 @@ namespace tiltrotor {
 
 namespace trim_detail {
 
-inline constexpr const char* kFieldWords[] = {"",
-                                              "speed must be 0..150 m/s",
-                                              "climb angle must be within 60 deg",
-                                              "turn rate must be within 60 deg/s",
-                                              "sideslip must be within 60 deg",
-                                              "gust must be within 100 m/s"};
+inline constexpr const char* kFieldWords[] = {
+    "",
+    "speed must be 0..150 m/s",
+    "climb angle must be within 90 deg, and 0 at speed 0",
+    "turn rate must be within 60 deg/s",
+    "sideslip must be within 60 deg, and 0 at speed 0 and climb +-90 deg",
+    "gust must be within 100 m/s"};
 
 // Appends to a buffer and always leaves it terminated; what does not fit is cut.
 class Sentence {
@@ -60,6 +61,7 @@ class Sentence {
     return *this;
   }
   int length() const { return length_; }
+  int room() const { return capacity_ - 1 - length_; }
 
  private:
   void put(char c) {
@@ -72,18 +74,36 @@ class Sentence {
   int length_ = 0;
 };
 
-// "wing angle of attack 17.20 deg is beyond 16.00 deg". The longitudinal stick is counted as trim prints it:
-// 0 at its rear stop, 4.8 in neutral, 9.6 at its front stop.
+// "wing angle of attack 17.20 deg". The longitudinal stick is counted as trim prints it: 0 at its rear stop,
+// 4.8 in neutral, 9.6 at its front stop.
 template <class R>
-void write_limit(const TrimResult<R>& r, Sentence& sentence) {
-  const LimitName& limit = kLimitNames[static_cast<unsigned>(r.limit)];
-  const bool degrees = limit.unit[0] == 'd';
-  const double factor = degrees ? kDegree<double> : 1.0;
+void write_value(const LimitName& limit, R value, Sentence& sentence) {
   sentence << limit.name << " ";
-  const double bound = static_cast<double>(r.limit_bound);
-  const double zero = r.limit == TrimLimit::long_stick ? std::fabs(bound) : 0.0;
-  sentence.fixed(factor * (zero + static_cast<double>(r.limit_value))) << " " << limit.unit << " is beyond ";
-  sentence.fixed(factor * (zero + bound)) << " " << limit.unit;
+  sentence.fixed(limit.factor * static_cast<double>(value)) << " " << limit.unit;
+}
+
+// "wing angle of attack 17.20 deg is beyond 16.00 deg, also elevator 20.50 deg, power 2400.00 kW": every
+// limit that is exceeded, or how many more where the text ends.
+template <class R>
+void write_limits(const LimitCheck<R>& check, Sentence& sentence) {
+  const auto shown = [](const LimitExcess<R>& excess, R value) {
+    return excess.limit == TrimLimit::long_stick ? value + std::fabs(excess.bound) : value;
+  };
+  const LimitExcess<R>& first = check.exceeded[0];
+  const LimitName& limit = kLimitNames[static_cast<unsigned>(first.limit)];
+  write_value(limit, shown(first, first.value), sentence);
+  sentence << " is beyond " << limit.rating;
+  sentence.fixed(limit.factor * static_cast<double>(shown(first, first.bound))) << " " << limit.unit;
+  for (int k = 1; k < check.count; ++k) {
+    const int longest = 48;  // of one more, and the count of those that follow
+    if (sentence.room() < longest) {
+      sentence << ", " << check.count - k << " more";
+      return;
+    }
+    sentence << (k == 1 ? ", also " : ", ");
+    const LimitExcess<R>& more = check.exceeded[k];
+    write_value(kLimitNames[static_cast<unsigned>(more.limit)], shown(more, more.value), sentence);
+  }
 }
 
 }  // namespace trim_detail
@@ -100,8 +120,11 @@ int explain(const TrimResult<R>& r, char* text, int capacity) {
     case TrimStatus::wing_stall:
     case TrimStatus::control_limit:
     case TrimStatus::flap_limit:
+    case TrimStatus::vortex_ring:
+    case TrimStatus::power_limit:
+    case TrimStatus::torque_limit:
       sentence << "trimmed, but ";
-      trim_detail::write_limit(r, sentence);
+      trim_detail::write_limits(r.limits, sentence);
       break;
     case TrimStatus::rotor_stall:
       sentence << "no trim: the aircraft carries at most ";
@@ -114,12 +137,17 @@ int explain(const TrimResult<R>& r, char* text, int capacity) {
       sentence << "no trim found in " << r.iterations << " Newton steps: scaled residual ";
       sentence.scientific(static_cast<double>(r.residual))
           << " left in the rate of " << kStateNames[r.residual_state].name;
-      if (r.limit != TrimLimit::none) {
+      if (r.limits.count > 0) {
         sentence << "; at the last point ";
-        trim_detail::write_limit(r, sentence);
+        trim_detail::write_limits(r.limits, sentence);
       }
       break;
     case TrimStatus::not_finite:
+      if (r.invalid != SteadyFlightField::none) {
+        sentence << "bad input, not a finite number: "
+                 << trim_detail::kFieldWords[static_cast<unsigned>(r.invalid)];
+        break;
+      }
       sentence << "the rate of " << kStateNames[r.residual_state].name
                << " is not a number at the first guess";
       break;

@@ -102,6 +102,8 @@ NewtonOutcome<R> newton(const Configuration<R>& c, const SteadyFlight<R>& flight
                      [&work](int i, int j, R slope) { work.jacobian(i, j) = slope; });
   };
 
+  if (!has_attitude(flight, work.z[kRollRow], work.z[kPitchRow]))
+    return {TrimStatus::not_converged, std::numeric_limits<R>::infinity(), 0};
   differentiate(work.z, work.residual);
   bool differentiated = true;  // the Jacobian is that of work.z
   NewtonOutcome<R> outcome = largest(work.residual, n);
@@ -123,14 +125,15 @@ NewtonOutcome<R> newton(const Configuration<R>& c, const SteadyFlight<R>& flight
     bool accepted = false;
     for (int halving = 0; halving <= kHalvings && !accepted; ++halving) {
       for (int j = 0; j < n; ++j) work.trial[j] = work.z[j] + length * work.step[j];
+      length *= R(0.5);
       differentiated = at_once && halving == 0;
+      if (!has_attitude(flight, work.trial[kRollRow], work.trial[kPitchRow])) continue;
       if (differentiated) {
         differentiate(work.trial, work.trial_residual);
       } else {
         residuals(static_cast<const R*>(work.trial), work.trial_residual);
       }
       accepted = square_norm(work.trial_residual, n) < before;  // false for NaN
-      length *= R(0.5);
     }
     if (!accepted) return outcome;
     ++iterations;

@@ -10,7 +10,14 @@
 namespace tiltrotor {
 
 enum class [[nodiscard]] Status : unsigned char{
-    ok,   not_converged, singular, not_finite, out_of_range, bad_argument, bad_arithmetic,
+    ok,
+    not_converged,
+    singular,
+    not_finite,
+    out_of_range,
+    bad_argument,
+    bad_arithmetic,
+    vortex_ring,
     count  // number of words above; never returned
 };
 
@@ -29,6 +36,7 @@ inline constexpr Row kStatusTable[] = {
     {"out_of_range", "an input lies outside the range for which the model is defined"},
     {"bad_argument", "an argument contradicts the function's contract, for example a size"},
     {"bad_arithmetic", "the processor or the compiled code does not round every operation once, to nearest"},
+    {"vortex_ring", "the rotor descends in its own wake, where momentum theory does not hold"},
 };
 
 static_assert(sizeof(kStatusTable) / sizeof(kStatusTable[0]) == static_cast<unsigned>(Status::count),

@@ -233,6 +233,10 @@ struct ControlTables {
   R elevator_limit, rudder_limit, aileron_limit;  // rad (aileron: mean of flaperon roll limits)
   R flap_limit;                                   // rotor_flap_limit: gimbal tilt, rad
   R power_limit;                                  // transmission_limit_helicopter, one rotor, W
+  R engine_power, engine_power_continuous;        // engine_power_takeoff, ..., one engine at sea level, W
+  R transmission_efficiency;                      // rotors' over engines' power
+  R engine_lapse;                                 // choices: engine_lapse, 0 none or 1
+  R mast_torque;                                  // mast_torque_steady: largest steady torque of a mast, N m
 };
 
 // Widths of the smoothing primitives (smooth.hpp); every one in choices.csv with its reason.

@@ -1,0 +1,233 @@
+// `ok` means a pilot could fly it: power and torque, descent, vertical flight, inputs, floating-point
+// exceptions.
+#include <cfenv>
+#include <cmath>
+
+#include "analysis_case.hpp"
+#include "rotor_stand.hpp"
+
+using namespace analysis_case;
+
+namespace {
+
+constexpr double kHorsepower = 745.69987158227;
+
+Configuration<double> realtime(double mast_deg, double altitude = 0) {
+  FlightSetup<double> setup = flight_setup(aircraft_data<double>(), mast_deg);
+  setup.options.grid = BladeGrid::realtime;
+  setup.altitude = altitude;
+  Configuration<double> c;
+  CHECK(prepare(aircraft_data<double>(), setup, c) == Status::ok);
+  return c;
+}
+
+double total_power(const TrimResult<double>& r) { return r.power[right] + r.power[left]; }
+
+bool names(const TrimResult<double>& r, TrimLimit limit) {
+  for (int k = 0; k < r.limits.count; ++k)
+    if (r.limits.exceeded[k].limit == limit) return true;
+  return false;
+}
+
+double hover_speed(double thrust, const Configuration<double>& c) {
+  return std::sqrt(std::fabs(thrust) /
+                   (2 * c.air.density * kPi<double> * std::pow(c.aircraft->rotor.radius, 2)));
+}
+
+}  // namespace
+
+// Two engines of 1550 hp for take-off, 93 % of it at the rotors (NASA SP-2000-4517, TM X-62407): no flight
+// within the limits needs more, none with the status power_limit less.
+TEST(trim_power_beyond_the_engines) {
+  const double available = 2 * 1550 * kHorsepower * 0.93;
+  int within = 0, beyond = 0;
+  for (const double speed : {80.0, 100.0, 120.0, 130.0, 140.0, 150.0}) {
+    const TrimResult<double> r = trimmed(realtime(90), level(speed));
+    if (!CHECK(is_trimmed(r.status))) continue;
+    const bool enough = total_power(r) <= available;
+    ++(enough ? within : beyond);
+    CHECK_EQ(names(r, TrimLimit::power), !enough);
+    if (r.status == TrimStatus::ok) CHECK(enough);
+    if (r.status == TrimStatus::power_limit)
+      CHECK(contains(explanation(r), "is beyond take-off rating 2149.8"));
+  }
+  CHECK_LT(0, within);
+  CHECK_LT(0, beyond);
+}
+
+// Power lapses with pressure over the square root of temperature: at 2332 m (7650 ft, the hover ceiling at
+// take-off power of TM-81244 fig. 12) 0.7531 and 0.9737 by ISO 2533's tables.
+TEST(trim_power_lapses_with_altitude) {
+  const Configuration<double> c = realtime(0, 2331.7);
+  CHECK_REL(shaft_power(c, 1.0), 2 * 0.93 * 0.7531 / 0.97337, 1e-3);
+  CHECK(!names(trimmed(realtime(0, 1500), level(0)), TrimLimit::power));
+  CHECK(names(trimmed(realtime(0, 3600), level(0)), TrimLimit::power));
+}
+
+// A mast carries 163,000 in lbf steadily.
+TEST(trim_torque_beyond_the_mast) {
+  const Configuration<double> c = realtime(0);
+  RotorResponse<double> rotor[2] = {};
+  rotor[left].loads.torque = 1.001 * 163000 * 0.0254 * 4.4482216152605;
+  LimitCheck<double> check = check_limits(c, 0.0, 0.0, State<double>{}, {}, {}, rotor);
+  CHECK(check.status == TrimStatus::torque_limit && is_trimmed(check.status));
+  CHECK(check.count == 1 && check.exceeded[0].limit == TrimLimit::torque_left);
+  rotor[left].loads.torque *= 0.998;
+  CHECK(check_limits(c, 0.0, 0.0, State<double>{}, {}, {}, rotor).status == TrimStatus::ok);
+}
+
+// The boundaries by Johnson, NASA/TP-2005-213477, in axial flow and at their corners; the roots of
+// v^2 |V + v| ... by hand: at V = -2.5 v_h they are 0.5, 2 and 2.85 v_h.
+TEST(trim_momentum_range) {
+  const auto at = [](double axial, double in_plane, double induced) {
+    return momentum_range(AxialFlow<double>{16 * axial, 16 * in_plane, 16 * induced, 16});
+  };
+  const MomentumRange holds = MomentumRange::holds, ring = MomentumRange::vortex_ring;
+  for (const double v : {0.5, 0.0, -0.2, -0.44}) CHECK(at(v, 0, 1) == holds);
+  for (const double v : {-0.46, -0.7, -1.0, -1.5, -1.99}) CHECK(at(v, 0, 1) == ring);
+  CHECK(at(-2.01, 0, 0.9) == holds);
+  CHECK(at(-0.975, 0.94, 1) == ring);
+  CHECK(at(-0.975, 0.96, 1) == holds);
+  CHECK(at(-1.5, 0.99, 1) == ring);
+  CHECK(at(-1.5, 1.01, 0.5) == holds);
+  CHECK(at(-2.5, 0, 0.5) == holds);
+  CHECK(at(-2.5, 0, 2.0) == MomentumRange::other_branch);
+  CHECK(at(-2.5, 0, 2.85) == MomentumRange::other_branch);
+  // Idle, and with the thrust down the shaft: a climb is then a descent.
+  CHECK(momentum_range(AxialFlow<double>{-40, 0, 0, 0}) == holds);
+  const AxialFlow<double> pushed = axial_flow(1.2, 3.8, -28000.0, 15.0, -1.0, -16.0);
+  CHECK_EQ(pushed.axial, -15.0);
+  CHECK_EQ(pushed.induced, 16.0);
+  CHECK(momentum_range(pushed) == ring);
+}
+
+// No isolated rotor in descent ends with ok on a root that is not the windmill's.
+TEST(isolated_rotor_descent_is_a_windmill_or_says_so) {
+  Options options;
+  options.grid = BladeGrid::realtime;
+  rotor_stand::Stand stand(0, options);
+  const Configuration<double>& c = stand.configuration;
+  int windmills = 0, rings = 0;
+  for (double axial = -60; axial <= -10; axial += 10) {
+    for (double collective = -8; collective <= 12; collective += 2) {
+      const Status status = stand.run(rotor_stand::flow(collective, axial));
+      if (!CHECK(status == Status::ok || status == Status::vortex_ring)) {
+        NOTE(axial << " m/s, " << collective << " deg: " << status_word(status));
+        continue;
+      }
+      rings += status == Status::vortex_ring;
+      if (status != Status::ok) continue;
+      const double thrust = stand.rotor.figures.thrust;
+      const double v = stand.rotor.input.state.n0 * c.tip_speed, h = hover_speed(thrust, c);
+      if (thrust < 0 || axial > -2 * h) continue;
+      ++windmills;
+      const double least = -axial / 2 - std::sqrt(axial * axial / 4 - h * h);
+      CHECK_NEAR(v, least, 0.15 * h);
+    }
+  }
+  CHECK_LT(5, windmills);
+  CHECK_LT(5, rings);
+  // Here the blades stall before the windmill carries their thrust: only a root above it is left.
+  CHECK(stand.run(rotor_stand::flow(8, -40)) == Status::vortex_ring);
+}
+
+// Vertical descent of a helicopter at 16 m/s is vortex ring; gentle and fast descents are not.
+TEST(trim_descent_in_its_own_wake) {
+  const Configuration<double> c = realtime(0);
+  for (const double speed : {12.0, 16.0, 25.0}) {
+    const TrimResult<double> r = trimmed(c, {speed, -90 * kDeg, 0, 0});
+    if (!CHECK(r.status == TrimStatus::vortex_ring)) NOTE(speed << " m/s: " << trim_status_word(r.status));
+    CHECK(names(r, TrimLimit::descent_right) && names(r, TrimLimit::descent_left));
+    CHECK(contains(explanation(r), "v_h is beyond vortex ring from 0.45 v_h"));
+  }
+  CHECK(trimmed(c, {3, -90 * kDeg, 0, 0}).status == TrimStatus::ok);
+  CHECK(trimmed(c, {40, -6 * kDeg, 0, 0}).status == TrimStatus::ok);
+}
+
+// Straight up and down: no turn, no bank, and the velocity is that of the flight path.
+TEST(trim_vertical_flight) {
+  const Configuration<double> c = realtime(0);
+  for (const double climb : {-90.0, 90.0}) {
+    const TrimResult<double> r = trimmed(c, {5, climb * kDeg, 0, 0});
+    if (!CHECK(r.status == TrimStatus::ok)) NOTE(explanation(r));
+    const Vector earth = to_earth(r.state.velocity, r.state.roll, r.state.pitch);
+    CHECK_NEAR(earth.x, 0, 1e-12);
+    CHECK_NEAR(earth.y, 0, 1e-12);
+    CHECK_NEAR(earth.z, climb > 0 ? -5 : 5, 1e-12);
+    CHECK(is_trimmed(trimmed(c, {5, climb * kDeg, 0.2, 0}).status));
+    CHECK(trimmed(c, {5, climb * kDeg, 0, 0.1}).invalid == SteadyFlightField::sideslip);
+  }
+  // Up takes the power of lifting the weight; nearly vertical flight is nearly the same.
+  const TrimResult<double> up = trimmed(c, {5, 90 * kDeg, 0, 0}), near = trimmed(c, {5, 89.99 * kDeg, 0, 0});
+  CHECK_LT(total_power(trimmed(c, level(0))), total_power(up));
+  CHECK_REL(total_power(near), total_power(up), 1e-4);
+}
+
+// A flight path or a sideslip without speed has no meaning, also downwards.
+TEST(trim_standing_still_has_no_flight_path) {
+  const Configuration<double> c = realtime(0);
+  CHECK(trimmed(c, {0, 0.1, 0, 0}).invalid == SteadyFlightField::climb);
+  CHECK(trimmed(c, {0, -0.1, 0, 0}).status == TrimStatus::out_of_range);
+  CHECK(trimmed(c, {0, 0, 0, 0.1}).invalid == SteadyFlightField::sideslip);
+  CHECK(contains(explanation(trimmed(c, {0, 0.1, 0, 0})), "0 at speed 0"));
+}
+
+// NaN and infinity in any field are not_finite, and so at the isolated rotor.
+TEST(trim_not_finite_input_of_each_field) {
+  const Configuration<double> c = realtime(0);
+  const SteadyFlightField fields[] = {SteadyFlightField::speed, SteadyFlightField::climb,
+                                      SteadyFlightField::turn_rate, SteadyFlightField::sideslip};
+  for (const double bad : {std::nan(""), HUGE_VAL, -HUGE_VAL}) {
+    for (int k = 0; k < 4; ++k) {
+      double value[4] = {10, 0, 0, 0};
+      value[k] = bad;
+      const TrimResult<double> r = trimmed(c, {value[0], value[1], value[2], value[3]});
+      CHECK(r.status == TrimStatus::not_finite && r.invalid == fields[k]);
+      CHECK(contains(explanation(r), "not a finite number"));
+    }
+  }
+}
+
+// Every exceeded limit is named, the gimbals too, and counted where the text is short.
+TEST(trim_names_every_limit) {
+  const TrimResult<double> r = trimmed(realtime(0), {45, -60 * kDeg, 0, 0});
+  if (!CHECK(is_trimmed(r.status))) return;
+  CHECK(names(r, TrimLimit::long_stick) && names(r, TrimLimit::gimbal_right) &&
+        names(r, TrimLimit::gimbal_left));
+  CHECK(contains(explanation(r), "longitudinal stick"));
+  CHECK(contains(explanation(r), "gimbal tilt"));
+  for (const int capacity : {1, 40, 60, 100, 160}) {
+    char text[200];
+    const int length = explain(r, text, capacity);
+    CHECK(length < capacity && text[length] == '\0');
+  }
+}
+
+// A legal call never raises an invalid operation, a division by zero or an overflow: random climbs, turns and
+// sideslips over the whole range, and what follows a trim.
+TEST(trim_raises_no_floating_point_exception) {
+  constexpr int serious = FE_INVALID | FE_DIVBYZERO | FE_OVERFLOW;
+  std::uint32_t seed = 12345;
+  const auto random = [&seed](double low, double high) {
+    seed = seed * 1664525u + 1013904223u;
+    return low + (high - low) * seed / 4294967296.0;
+  };
+  for (int k = 0; k < 300; ++k) {
+    const Configuration<double> c = realtime(random(0, 90));
+    const double part = k % 2 ? 0.3 : 1;
+    const SteadyFlight<double> flight = {random(0.1, 150), part * random(-60, 60) * kDeg,
+                                         part * random(-60, 60) * kDeg, part * random(-60, 60) * kDeg};
+    std::feclearexcept(FE_ALL_EXCEPT);
+    const TrimResult<double> r = trimmed(c, flight);
+    const int raised = std::fetestexcept(serious);
+    CHECK(r.status != TrimStatus::not_finite && r.status != TrimStatus::out_of_range);
+    if (!CHECK_EQ(raised, 0))
+      NOTE("mast " << c.setup.mast_deg << ", " << flight.speed << " m/s, climb " << flight.climb / kDeg
+                   << ", turn " << flight.turn_rate / kDeg << ", sideslip " << flight.sideslip / kDeg);
+    if (!is_trimmed(r.status) || k % 10 != 0) continue;
+    ModeSet<double> set;
+    std::feclearexcept(FE_ALL_EXCEPT);
+    modes_of(c, r.state, r.controls, set);
+    CHECK_EQ(std::fetestexcept(serious), 0);
+  }
+}
