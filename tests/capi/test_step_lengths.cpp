@@ -25,8 +25,9 @@ bool trimmed(const Case& which, tr_work* work, tr_sim* sim) {
   tr_trim_result result;
   const tr_status status = tr_trim(sim, work, &flight, &result);
   // Beyond a limit the modes are as fast.
-  if (status == TR_OK || status == TR_WING_STALL || status == TR_CONTROL_LIMIT || status == TR_FLAP_LIMIT)
-    return true;
+  for (const tr_status good :
+       {TR_OK, TR_WING_STALL, TR_CONTROL_LIMIT, TR_FLAP_LIMIT, TR_POWER_LIMIT, TR_TORQUE_LIMIT})
+    if (status == good) return true;
   NOTE(which.mast_deg << " deg " << which.speed_mps << " m/s: " << result.text);
   return false;
 }

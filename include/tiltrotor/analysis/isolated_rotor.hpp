@@ -1,10 +1,11 @@
 // An isolated rotor on a fixed shaft: inflow and flapping in equilibrium at a given pitch and flow, and the
 // figures by which rotors are compared.
 //
-//   Configuration<double> c;  prepare(aircraft, setup, c);      // rotor speed, altitude and switches are in
-//   the setup RotorFlow<double> flow{};  flow.collective = 0.2; static IsolatedRotorWorkspace<double> work;
-//   // placed by the caller IsolatedRotor<double> rotor; if (isolated_rotor(c, flow, work, rotor) ==
-//   Status::ok) ... rotor.figures.thrust_coefficient
+//   Configuration<double> c;  prepare(aircraft, setup, c);  // setup: rotor speed, altitude, switches
+//   RotorFlow<double> flow{};  flow.collective = 0.2;
+//   static IsolatedRotorWorkspace<double> work;             // placed by the caller
+//   IsolatedRotor<double> rotor;
+//   if (isolated_rotor(c, flow, work, rotor) == Status::ok) ... rotor.figures.thrust_coefficient
 #pragma once
 
 #include <cmath>
@@ -45,6 +46,7 @@ struct IsolatedRotor {
   RotorInput<R> input;  // flow, state and pitch in the rotor frame A
   RotorResponse<R> response;
   RotorFigures<R> figures;
+  MomentumRange momentum;  // whether momentum theory gives this inflow
   int iterations;
   R residual;  // largest scaled rate left over
 };
@@ -294,9 +296,11 @@ MomentumRange range(const Configuration<R>& c, const IsolatedRotor<R>& rotor) {
 }  // namespace isolated_rotor_detail
 
 // Equilibrium by damped Newton iteration on the exact Jacobian, from a start by momentum theory; where that
-// ends outside the range of momentum theory or nowhere, once more from a rotor without inflow, near which the
-// windmill is. Residuals are scaled with the rotor speed; the tolerance is 1e-11 in double. Status: ok;
-// vortex_ring (in equilibrium, but momentum_range.hpp does not hold); out_of_range (flow outside the ranges
+// ends outside the range of momentum theory or nowhere, once more from a rotor without inflow: the least
+// root, the windmill's, is the first above it. Where the blades at the windmill's inflow give more thrust
+// than its wake can carry, only the root above is left. Residuals are scaled with the rotor speed; the
+// tolerance is 1e-11 in double. Status: ok; vortex_ring (in equilibrium, but no measured rotor flies so:
+// rotor.momentum says whether in its own wake or on the other branch); out_of_range (flow outside the ranges
 // given at RotorFlow) and not_finite (NaN or infinity in it), nothing computed; not_converged (the rotor is
 // in the state closest to equilibrium); singular, not_finite. `rotor` is defined whatever is returned. Cost:
 // typically 4 to 8 rotor Jacobians, at most 120 and 1560 plain evaluations.
@@ -330,17 +334,18 @@ Status isolated_rotor(const Configuration<R>& c, const RotorFlow<R>& flow, Isola
   R z[kRotorUnknowns];
   start(first_inflow(c, flow, solidity), z);
   Status status = solve(c, set, flow.cyclic, z, work, rotor);
-  const bool lost = status == Status::not_converged && flow.axial < R(0);
-  if (lost || (status == Status::ok && range(c, rotor) != MomentumRange::holds)) {
+  rotor.momentum = range(c, rotor);
+  if (status == Status::not_converged || (status == Status::ok && rotor.momentum != MomentumRange::holds)) {
     const IsolatedRotor<R> first = rotor;
     start(R(0), z);
     const Status again = solve(c, set, flow.cyclic, z, work, rotor);
     if (again == Status::ok) {
       status = again;
+      rotor.momentum = range(c, rotor);
     } else {
       rotor = first;
     }
-    if (status == Status::ok && range(c, rotor) != MomentumRange::holds) status = Status::vortex_ring;
+    if (status == Status::ok && rotor.momentum != MomentumRange::holds) status = Status::vortex_ring;
   }
   rotor.figures = figures(c, flow, rotor.response.loads, solidity);
   return status;

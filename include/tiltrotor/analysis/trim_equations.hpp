@@ -207,7 +207,7 @@ void trim_first_guess(const Configuration<R>& c, const SteadyFlight<R>& flight,
     if (row.state == ix_rotor_right + 4 || row.state == ix_rotor_left + 4) z[j] = n0;
     if (row.state == ix_coning_right || row.state == ix_coning_left) z[j] = c.coning;
   }
-  z[kRollRow] = possible_roll(flight, z[kRollRow], z[kPitchRow]);
+  find_attitude(flight, z[kRollRow], z[kPitchRow]);
 }
 
 // Speed up the shaft in the first guess's attitude, m/s.
