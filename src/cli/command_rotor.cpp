@@ -107,7 +107,7 @@ std::vector<Case> cases(const Arguments& arguments, double default_rotor_speed) 
 
 std::string explanation(Status status, Rotor rotor) {
   if (status == Status::vortex_ring && rotor.momentum == MomentumRange::other_branch)
-    return "no windmill found: the only equilibrium sends the wake up through the descending rotor";
+    return "no windmill found: in the equilibrium found the wake goes down against the air that comes up";
   if (status == Status::vortex_ring) return status_text(status);
   return std::string(status_text(status)) + "; residual " + number_text(rotor.residual, 3);
 }

@@ -51,7 +51,7 @@ std::vector<double> roots(const Configuration<double>& c, double axial, double c
 
 // The solver against a search of the whole range of inflow. At 40 m/s the blades balance a windmill up to 4
 // deg; from 6 deg on they give more thrust than its wake can carry, and the one root left is no flow that
-// exists: the wake would be sent up at 46 m/s through a rotor that descends at 40.
+// exists: 6 m/s down through a rotor that descends at 40, its wake faster still, against the air.
 TEST(isolated_rotor_finds_the_windmill) {
   rotor_stand::Stand stand(0, realtime());
   const Configuration<double>& c = stand.configuration;
@@ -63,15 +63,17 @@ TEST(isolated_rotor_finds_the_windmill) {
       const Status status = stand.run(flow(collective, axial));
       const double v = stand.rotor.input.state.n0 * c.tip_speed;
       const double h = hover_speed(stand.rotor.figures.thrust, c);
-      const bool windmill = at[0] < -axial / 2;
+      const bool windmill = at[0] < -0.6 * axial;  // half in theory, and less than twice the other
       windmills += windmill;
       none += !windmill;
-      two_stable += at.size() == 3;
+      two_stable += at.size() >= 3;
       if (windmill) {
         CHECK_NEAR(v, at[0], 0.1);
-        CHECK(status == (-axial > 2 * h ? Status::ok : Status::vortex_ring));
+        if (std::fabs(axial / h + 2) > 0.005)
+          CHECK(status == (-axial > 2 * h ? Status::ok : Status::vortex_ring));
       } else {
-        CHECK(status == Status::vortex_ring && stand.rotor.momentum != MomentumRange::holds);
+        if (!CHECK(status == Status::vortex_ring && stand.rotor.momentum != MomentumRange::holds))
+          NOTE(axial << " m/s, " << collective << " deg: " << status_word(status) << ", " << v);
         CHECK_EQ(at.size(), std::size_t{1});
       }
       if (status != Status::ok) continue;

@@ -167,6 +167,17 @@ TEST(trim_names_every_limit) {
   }
 }
 
+// Counted from the rear stop, like the column of `trim`: neutral is 4.8.
+TEST(trim_text_counts_the_stick_from_its_rear_stop) {
+  TrimResult<double> r{};
+  r.limits.add(TrimStatus::control_limit, TrimLimit::long_stick, 5.25, 4.8);
+  r.status = r.limits.status;
+  CHECK_EQ(explanation(r), std::string("trimmed, but longitudinal stick 10.05 in is beyond 9.60 in"));
+  r.limits.exceeded[0].value = -5.25;
+  r.limits.exceeded[0].bound = -4.8;
+  CHECK_EQ(explanation(r), std::string("trimmed, but longitudinal stick -0.45 in is beyond 0.00 in"));
+}
+
 // A legal call never raises an invalid operation, a division by zero or an overflow: random climbs, turns,
 // sideslips and gusts over the whole range, and what follows a trim. Only some look further than their first
 // attempt, which takes long.
@@ -223,8 +234,8 @@ TEST(trim_finds_an_attitude_for_every_flight) {
 // Manoeuvres that no attitude allows, or only one on the back, end with a sentence that says so.
 TEST(trim_says_that_no_attitude_is_left) {
   const Configuration<double> c = realtime(60);
-  const SteadyFlight<double> impossible[] = {{40, 75 * kDeg, 50 * kDeg, -50 * kDeg},
-                                             {30, -85 * kDeg, 40 * kDeg, 45 * kDeg},
+  const SteadyFlight<double> impossible[] = {{40, -75 * kDeg, 50 * kDeg, -50 * kDeg},
+                                             {50, -75 * kDeg, 30 * kDeg, 50 * kDeg},
                                              {100, 60 * kDeg, 30 * kDeg, 55 * kDeg}};
   for (const SteadyFlight<double>& flight : impossible) {
     const TrimResult<double> r = trimmed(c, flight);
