@@ -24,7 +24,8 @@ inline Simulation<double> flight_with_input(const Configuration<double>& c, cons
   Simulation<double> flight;
   require(start(c, trim.state, trim.controls, kFrameTime, Integrator::rk3, flight) == Status::ok, "no start");
   const double half_time = 0.5;
-  require(add_input(flight, {shape, iu_collective, size, 0.0, half_time}) == Status::ok, "no input");
+  require(add_input(flight, {shape, kControlIndex.collective, size, 0.0, half_time}) == Status::ok,
+          "no input");
   return flight;
 }
 

@@ -185,6 +185,9 @@ enum {
   TR_STATES = 31
 };
 
+/* Places after TR_ROTOR_RIGHT and TR_ROTOR_LEFT: x[TR_ROTOR_LEFT + TR_MEAN_INFLOW]. */
+enum { TR_B1C, TR_B1S, TR_B1C_RATE, TR_B1S_RATE, TR_MEAN_INFLOW, TR_COSINE_INFLOW, TR_SINE_INFLOW };
+
 /* Controls in the order of tr_state.u, with the ranges tr_set_controls accepts. */
 enum {
   TR_COLLECTIVE, /* mean blade pitch at 0.75 radius, rad, -0.35..1.4 */

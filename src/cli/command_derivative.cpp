@@ -18,9 +18,9 @@ namespace {
 std::vector<int> printed_states(const Options& options) {
   const ActiveStates active = active_states(options, true);
   std::vector<int> states;
-  for (int i = 0; i < ix_coning_right; ++i) states.push_back(i);
+  for (int i = 0; i < kStateIndex.coning[right].angle; ++i) states.push_back(i);
   for (int k = 0; k < active.count; ++k) {
-    if (active.index[k] >= ix_coning_right) states.push_back(active.index[k]);
+    if (active.index[k] >= kStateIndex.coning[right].angle) states.push_back(active.index[k]);
   }
   return states;
 }
@@ -31,7 +31,7 @@ int run(const Arguments& arguments) {
   StateFile& file = given.file();
   const std::vector<int> states = printed_states(setup.switches());
   std::vector<std::string> columns = file.columns();
-  for (const int i : states) columns.push_back(std::string("d_") + kStateNames[i].name);
+  for (const int i : states) columns.push_back(std::string("d_") + kStateVariables[i].name);
 
   Output output(arguments);
   Records records = output.records(columns, Output::to_compare);
@@ -48,7 +48,7 @@ int run(const Arguments& arguments) {
         std::find_if(flat, flat + state_count, [](double r) { return !std::isfinite(r); });
     if (bad != flat + state_count) {
       std::fprintf(stderr, "tiltrotor: %s:%zu: the derivative of this state is not finite: d_%s\n",
-                   file.path().c_str(), row.line, kStateNames[bad - flat].name);
+                   file.path().c_str(), row.line, kStateVariables[static_cast<int>(bad - flat)].name);
       status = exit_case_failed;
     }
   };

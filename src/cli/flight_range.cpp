@@ -17,9 +17,12 @@ constexpr double rounding = 1e-9;  // of a trim and its inputs
 
 // A range and a value in the unit of the command line.
 struct Shown {
-  explicit Shown(int control) : angle(kControlNames[control].unit == std::string("rad")), control_(control) {}
+  explicit Shown(int control)
+      : angle(kControlVariables[control].unit() == std::string("rad")), control_(control) {}
   const char* unit() const {
-    return angle ? "deg" : control_ <= iu_pedal ? "in from neutral" : kControlNames[control_].unit;
+    return angle                             ? "deg"
+           : control_ <= kControlIndex.pedal ? "in from neutral"
+                                             : kControlVariables[control_].unit();
   }
   std::string text(double value) const {
     if (std::abs(value) < rounding) value = 0;
@@ -59,7 +62,7 @@ void require_inputs(const Simulation<double>& simulation, const std::string& whe
       const double high = std::max(range.high, trimmed[control]);
       if (value >= low - rounding && value <= high + rounding) continue;
       const Shown shown(control);
-      throw UsageError(where + ": " + kControlNames[control].name + " would be " + shown.text(value) +
+      throw UsageError(where + ": " + kControlVariables[control].name + " would be " + shown.text(value) +
                        " at " + number_text(edge, digits) + " s (" + shown.text(trimmed[control]) +
                        " in trim), outside " + range_text(shown.range(range.low, range.high)));
     }
@@ -71,10 +74,10 @@ std::string fault_text(const Simulation<double>& simulation) {
   if (state < 0) return "";
   double x[state_count];
   pack(simulation.state, x);
-  const StateName& name = kStateNames[state];
+  const Variable& variable = kStateVariables[state];
   const double bound = response_detail::state_bound<double>(state);
-  return std::string(", state ") + name.name + ", " + number_text(x[state], digits) + " " + name.unit +
-         " in the last good step, range " + range_text({-bound, bound, name.unit});
+  return std::string(", state ") + variable.name + ", " + number_text(x[state], digits) + " " +
+         variable.unit() + " in the last good step, range " + range_text({-bound, bound, variable.unit()});
 }
 
 }  // namespace tiltrotor::cli

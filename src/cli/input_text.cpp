@@ -31,7 +31,7 @@ struct Unit {
 };
 
 std::vector<Unit> units_of(int control) {
-  const std::string unit = kControlNames[control].unit;
+  const std::string unit = kControlVariables[control].unit();
   if (unit == "rad") return {{"deg", kRadian<double>}, {"rad", 1}};
   if (unit == "in") return {{"in", 1}};
   return {{"mps", 1}};
@@ -40,8 +40,8 @@ std::vector<Unit> units_of(int control) {
 int find_control(const std::string& name, const std::string& where) {
   std::vector<std::string> names;
   for (int i = 0; i < control_count; ++i) {
-    if (name == kControlNames[i].name) return i;
-    names.emplace_back(kControlNames[i].name);
+    if (name == kControlVariables[i].name) return i;
+    names.emplace_back(kControlVariables[i].name);
   }
   throw UsageError(where + ": no control " + quoted(name) + did_you_mean(name, names) + "; choose " +
                    one_of(names));
@@ -60,7 +60,7 @@ double parse_amplitude(const std::string& text, int control, const std::string& 
     std::vector<std::string> names;
     for (const Unit& u : units) names.emplace_back(u.name);
     throw UsageError(where + ": unit " + quoted(unit_name) + did_you_mean(unit_name, names) + " of " +
-                     kControlNames[control].name + " is not " + one_of(names));
+                     kControlVariables[control].name + " is not " + one_of(names));
   }
   const Unit& in = unit_name.empty() ? units.front() : *unit;
   const double most = largest_amplitude(control) / in.size;

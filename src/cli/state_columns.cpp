@@ -17,7 +17,7 @@ struct PrintedName {
   const char* name;
   const char* unit;
 };
-// In the order of kStateNames.
+// In the order of kStateVariables.
 constexpr PrintedName printed_states[state_count] = {
     {"u_mps", "m/s"},
     {"v_mps", "m/s"},
@@ -60,15 +60,15 @@ struct InceptorColumn {
   bool from_rear_stop = false;
 };
 constexpr InceptorColumn inceptor_columns[] = {
-    {"th75_rad", iu_collective, "rad"},
-    {"collective75_deg", iu_collective, "deg"},
-    {"lon_in", iu_long_stick, "in"},
-    {"long_stick_from_neutral_in", iu_long_stick, "in"},
-    {"long_stick_in", iu_long_stick, "in", true},
-    {"lat_in", iu_lat_stick, "in"},
-    {"lat_stick_in", iu_lat_stick, "in"},
-    {"ped_in", iu_pedal, "in"},
-    {"pedal_in", iu_pedal, "in"},
+    {"th75_rad", kControlIndex.collective, "rad"},
+    {"collective75_deg", kControlIndex.collective, "deg"},
+    {"lon_in", kControlIndex.long_stick, "in"},
+    {"long_stick_from_neutral_in", kControlIndex.long_stick, "in"},
+    {"long_stick_in", kControlIndex.long_stick, "in", true},
+    {"lat_in", kControlIndex.lat_stick, "in"},
+    {"lat_stick_in", kControlIndex.lat_stick, "in"},
+    {"ped_in", kControlIndex.pedal, "in"},
+    {"pedal_in", kControlIndex.pedal, "in"},
 };
 
 struct SettingColumn {
@@ -90,12 +90,12 @@ constexpr SettingColumn setting_columns[] = {
 double unit_size(const std::string& unit) { return unit.compare(0, 3, "deg") == 0 ? kRadian<double> : 1; }
 
 std::string increment_column(int control) {
-  const std::string unit = kControlNames[control].unit;
-  return std::string(kControlNames[control].name) + "_" + (unit == "m/s" ? "mps" : unit);
+  const std::string unit = kControlVariables[control].unit();
+  return std::string(kControlVariables[control].name) + "_" + (unit == "m/s" ? "mps" : unit);
 }
 // As printed, in degrees; gusts have the name above.
 std::string printed_increment(int control) {
-  return std::string(kControlNames[control].name) + "_increment_deg";
+  return std::string(kControlVariables[control].name) + "_increment_deg";
 }
 
 std::optional<Target> find_control(const std::string& column) {
@@ -104,9 +104,9 @@ std::optional<Target> find_control(const std::string& column) {
     const double zero = inceptor.from_rear_stop ? aircraft_data<double>().controls.long_travel : 0;
     return Target{Target::control, inceptor.control, unit_size(inceptor.unit), zero, inceptor.unit};
   }
-  for (int i = iu_pedal + 1; i < control_count; ++i) {
-    if (column == increment_column(i)) return Target{Target::control, i, 1, 0, kControlNames[i].unit};
-    if (i < iu_gust && column == printed_increment(i))
+  for (int i = kControlIndex.pedal + 1; i < control_count; ++i) {
+    if (column == increment_column(i)) return Target{Target::control, i, 1, 0, kControlVariables[i].unit()};
+    if (i < kControlIndex.gust.x && column == printed_increment(i))
       return Target{Target::control, i, kRadian<double>, 0, "deg"};
   }
   return std::nullopt;
@@ -134,7 +134,7 @@ std::optional<Target> find_target(const std::string& column) {
     if (column == setting.name) return setting.target;
   }
   for (int i = 0; i < state_count; ++i) {
-    if (column == kStateNames[i].name) return Target{Target::state, i, 1, 0, kStateNames[i].unit};
+    if (column == kStateVariables[i].name) return Target{Target::state, i, 1, 0, kStateVariables[i].unit()};
     const PrintedName& printed = printed_states[i];
     if (column == printed.name) return Target{Target::state, i, unit_size(printed.unit), 0, printed.unit};
   }
@@ -154,15 +154,16 @@ std::vector<std::string> known_columns() {
 }
 
 std::vector<std::string> state_columns(int state) {
-  return {kStateNames[state].name, printed_states[state].name};
+  return {kStateVariables[state].name, printed_states[state].name};
 }
 
 std::vector<std::string> control_columns(int control) {
   std::vector<std::string> names;
   for (const InceptorColumn& inceptor : inceptor_columns)
     if (inceptor.control == control) names.emplace_back(inceptor.name);
-  if (control > iu_pedal) names.push_back(increment_column(control));
-  if (control > iu_pedal && control < iu_gust) names.push_back(printed_increment(control));
+  if (control > kControlIndex.pedal) names.push_back(increment_column(control));
+  if (control > kControlIndex.pedal && control < kControlIndex.gust.x)
+    names.push_back(printed_increment(control));
   return names;
 }
 
@@ -171,7 +172,7 @@ std::vector<int> needed_states(const Options& options) {
   std::vector<int> states;
   for (int i = 0; i < state_count; ++i) {
     const bool alive = std::find(active.index, active.index + active.count, i) != active.index + active.count;
-    if (i < ix_coning_right || alive) states.push_back(i);
+    if (i < kStateIndex.coning[right].angle || alive) states.push_back(i);
   }
   return states;
 }
@@ -185,7 +186,8 @@ std::vector<std::string> completing_columns(const std::vector<std::string>& colu
     if (!there) missing.push_back(names.back());
   };
   for (const int i : needed_states(options)) complete(state_columns(i));
-  for (int j = iu_pedal + 1; with_increments && j < control_count; ++j) complete(control_columns(j));
+  for (int j = kControlIndex.pedal + 1; with_increments && j < control_count; ++j)
+    complete(control_columns(j));
   for (const SettingColumn& setting : setting_columns) complete({setting.name});
   return missing;
 }

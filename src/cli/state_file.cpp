@@ -54,7 +54,7 @@ std::string missing_columns(const std::vector<std::string>& header, const Option
     if (std::none_of(names.begin(), names.end(), has)) missing.push_back(names);
   };
   for (const int i : needed_states(options)) require(state_columns(i));
-  for (int j = 0; j <= iu_pedal; ++j) require(control_columns(j));
+  for (int j = 0; j <= kControlIndex.pedal; ++j) require(control_columns(j));
   std::string text;
   for (const std::vector<std::string>& names : missing)
     text += " " + (printed ? names.back() : names.front());

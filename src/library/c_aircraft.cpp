@@ -10,11 +10,35 @@ namespace tiltrotor::c_interface {
 
 namespace {
 
+// The enumerators of the header against the table of states and of controls.
+constexpr State<int> kPlaces = {
+    {TR_U, TR_V, TR_W},
+    {TR_P, TR_Q, TR_R},
+    TR_ROLL,
+    TR_PITCH,
+    TR_YAW,
+    {{TR_ROTOR_RIGHT + TR_B1C, TR_ROTOR_RIGHT + TR_B1S, TR_ROTOR_RIGHT + TR_B1C_RATE,
+      TR_ROTOR_RIGHT + TR_B1S_RATE, TR_ROTOR_RIGHT + TR_MEAN_INFLOW, TR_ROTOR_RIGHT + TR_COSINE_INFLOW,
+      TR_ROTOR_RIGHT + TR_SINE_INFLOW},
+     {TR_ROTOR_LEFT + TR_B1C, TR_ROTOR_LEFT + TR_B1S, TR_ROTOR_LEFT + TR_B1C_RATE,
+      TR_ROTOR_LEFT + TR_B1S_RATE, TR_ROTOR_LEFT + TR_MEAN_INFLOW, TR_ROTOR_LEFT + TR_COSINE_INFLOW,
+      TR_ROTOR_LEFT + TR_SINE_INFLOW}},
+    TR_DOWNWASH,
+    {{TR_CONING_RIGHT, TR_CONING_RIGHT + 1}, {TR_CONING_LEFT, TR_CONING_LEFT + 1}},
+    {TR_NORTH, TR_EAST, TR_DOWN}};
+constexpr Controls<int> kControlPlaces = {
+    TR_COLLECTIVE,  TR_LONG_STICK,      TR_LAT_STICK,        TR_PEDAL,
+    TR_LONG_CYCLIC, TR_DIFF_COLLECTIVE, TR_DIFF_LONG_CYCLIC, TR_ELEVATOR,
+    TR_AILERON,     TR_RUDDER,          TR_LATERAL_CYCLIC,   {TR_GUST_U, TR_GUST_V, TR_GUST_W}};
+template <template <class> class Shape>
+constexpr bool are_in_order(const Shape<int>& places) {
+  int next = 0;
+  bool right_place = true;
+  Shape<int>::describe(places, [&](const int& place, const Variable&) { right_place &= place == next++; });
+  return right_place;
+}
 static_assert(int{TR_STATES} == state_count && int{TR_CONTROLS} == control_count);
-static_assert(int{TR_ROLL} == ix_roll && int{TR_ROTOR_RIGHT} == ix_rotor_right &&
-              int{TR_ROTOR_LEFT} == ix_rotor_left && int{TR_DOWNWASH} == ix_downwash &&
-              int{TR_CONING_LEFT} == ix_coning_left && int{TR_NORTH} == ix_position);
-static_assert(int{TR_PEDAL} == iu_pedal && int{TR_ELEVATOR} == iu_elevator && int{TR_GUST_U} == iu_gust);
+static_assert(are_in_order(kPlaces) && are_in_order(kControlPlaces));
 
 TILTROTOR_NOINLINE bool in_bound(int state, R x) {
   return std::fabs(x) <= response_detail::state_bound<R>(state);

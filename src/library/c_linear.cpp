@@ -31,13 +31,13 @@ bool plausible(const tr_linear_shape& shape) {
   bool seen[state_count] = {};
   for (int i = 0; i < shape.states; ++i) {
     const int state = shape.state[i];
-    if (state < 0 || state >= ix_position || seen[state]) return false;
+    if (state < 0 || state >= state_count || kStateVariables[state].facts().ignorable || seen[state])
+      return false;
     seen[state] = true;
   }
-  for (int i = ix_rotor_right; i < ix_rotor_left; ++i)
-    if (seen[i] != seen[i + (ix_rotor_left - ix_rotor_right)]) return false;
-  return seen[ix_coning_right] == seen[ix_coning_left] &&
-         seen[ix_coning_right + 1] == seen[ix_coning_left + 1];
+  for (int i = 0; i < state_count; ++i)
+    if (seen[i] != seen[kStateVariables.partner[i]]) return false;
+  return true;
 }
 
 constexpr std::size_t entries(int rows, int columns) {

@@ -110,16 +110,16 @@ const char* tr_status_text(int32_t status) {
   return place < TR_STATUS_COUNT ? kWords[place].text : "";
 }
 const char* tr_state_name(int32_t index) {
-  return index >= 0 && index < TR_STATES ? kStateNames[index].name : "unknown";
+  return index >= 0 && index < TR_STATES ? kStateVariables[index].name : "unknown";
 }
 const char* tr_state_unit(int32_t index) {
-  return index >= 0 && index < TR_STATES ? kStateNames[index].unit : "";
+  return index >= 0 && index < TR_STATES ? kStateVariables[index].unit() : "";
 }
 const char* tr_control_name(int32_t index) {
-  return index >= 0 && index < TR_CONTROLS ? kControlNames[index].name : "unknown";
+  return index >= 0 && index < TR_CONTROLS ? kControlVariables[index].name : "unknown";
 }
 const char* tr_control_unit(int32_t index) {
-  return index >= 0 && index < TR_CONTROLS ? kControlNames[index].unit : "";
+  return index >= 0 && index < TR_CONTROLS ? kControlVariables[index].unit() : "";
 }
 const char* tr_version(void) { return TILTROTOR_VERSION; }
 

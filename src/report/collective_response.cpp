@@ -90,7 +90,7 @@ void fly(const Case& which, Records& records) {
   const double one_degree = kRadian<double>;
   Status status = start(c, trim.state, trim.controls, kStep, Integrator::rk4, flight);
   if (status == Status::ok)
-    status = add_input(flight, {InputShape::step, iu_collective, one_degree, 0.0, 0.0});
+    status = add_input(flight, {InputShape::step, kControlIndex.collective, one_degree, 0.0, 0.0});
   const int steps = static_cast<int>(std::lround(kDuration / kStep));
   const int record_steps = static_cast<int>(std::lround(kRecordEvery / kStep));
   const int second = static_cast<int>(std::lround(1 / kStep));

@@ -18,15 +18,17 @@ constexpr double kShownMasts[] = {0, 30, 60, 90};
 struct AxisOfControl {
   const char* name;
   const char* inceptor;
-  StateIndex rate;
-  ControlIndex control;
+  int rate;
+  int control;
   double sign;  // makes sensitivity positive
   double ControlTables<double>::*travel;
 };
 constexpr AxisOfControl kAxes[] = {
-    {"pitch", "stick forward", ix_q, iu_long_stick, -1, &ControlTables<double>::long_travel},
-    {"roll", "stick right", ix_p, iu_lat_stick, 1, &ControlTables<double>::lat_travel},
-    {"yaw", "pedal right", ix_r, iu_pedal, 1, &ControlTables<double>::pedal_travel},
+    {"pitch", "stick forward", kStateIndex.rates.y, kControlIndex.long_stick, -1,
+     &ControlTables<double>::long_travel},
+    {"roll", "stick right", kStateIndex.rates.x, kControlIndex.lat_stick, 1,
+     &ControlTables<double>::lat_travel},
+    {"yaw", "pedal right", kStateIndex.rates.z, kControlIndex.pedal, 1, &ControlTables<double>::pedal_travel},
 };
 
 Table response_table(const Sweeps& sweeps) {

@@ -22,8 +22,7 @@ constexpr double kGainTolerance = 2;    // dB
 constexpr double kPhaseTolerance = 15;  // deg
 
 // Row `rate` of x(s) / u(s) at s = i omega, or of its derivative, by elimination with row pivoting.
-Complex response_of(const Linear& model, StateIndex output, ControlIndex input, double omega,
-                    bool derivative) {
+Complex response_of(const Linear& model, int output, int input, double omega, bool derivative) {
   const int n = model.states;
   const Complex s(0, omega);
   std::vector<std::vector<Complex>> m(static_cast<std::size_t>(n),
@@ -66,16 +65,16 @@ struct Case {
   const char* name;  // of the transfer function
   const char* title;
   double mast_deg, speed_mps, altitude_m;
-  StateIndex output;
-  ControlIndex input;
+  int output;
+  int input;
   bool derivative;  // the output is the rate of a state
   bool shape_only;  // the gain of the input is not published: both curves meet at 1 rad/s
 };
 constexpr Case kCases[] = {
-    {"cruise_q_elevator", "Pitch rate to elevator, mast 90, 104 m/s, 2438 m", 90, 104.4, 2438, ix_q,
-     iu_elevator, false, false},
-    {"hover_az_power", "Vertical acceleration to power lever, hover", 0, 0, 0, ix_w, iu_collective, true,
-     true},
+    {"cruise_q_elevator", "Pitch rate to elevator, mast 90, 104 m/s, 2438 m", 90, 104.4, 2438,
+     kStateIndex.rates.y, kControlIndex.elevator, false, false},
+    {"hover_az_power", "Vertical acceleration to power lever, hover", 0, 0, 0, kStateIndex.velocity.z,
+     kControlIndex.collective, true, true},
 };
 
 double decibel(Complex value) { return 20 * std::log10(std::abs(value)); }

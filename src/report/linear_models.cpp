@@ -23,7 +23,7 @@ void require(Status status, const char* what) {
   if (status != Status::ok) throw std::runtime_error(std::string(what) + ": " + status_text(status));
 }
 
-int row_of(const Linear& model, StateIndex state) {
+int row_of(const Linear& model, int state) {
   for (int i = 0; i < model.states; ++i) {
     if (model.state[i] == state) return i;
   }
@@ -62,11 +62,11 @@ const Modes& modes_of(const Linear& model, cli::ModeTracker& tracker, bool conne
   return tracker.found();
 }
 
-double state_derivative(const Linear& model, StateIndex rate, StateIndex state) {
+double state_derivative(const Linear& model, int rate, int state) {
   return model.a(row_of(model, rate), row_of(model, state));
 }
 
-double control_derivative(const Linear& model, StateIndex rate, ControlIndex control) {
+double control_derivative(const Linear& model, int rate, int control) {
   for (int j = 0; j < model.controls; ++j) {
     if (model.control[j] == control) return model.b(row_of(model, rate), j);
   }

@@ -31,7 +31,7 @@ inline bool is_body_mode(const Mode<double>& mode) {
 }
 
 // Quasi-steady derivative of a state's rate by a state or control, by their places in State and Controls.
-double state_derivative(const Linear& model, StateIndex rate, StateIndex state);
-double control_derivative(const Linear& model, StateIndex rate, ControlIndex control);
+double state_derivative(const Linear& model, int rate, int state);
+double control_derivative(const Linear& model, int rate, int control);
 
 }  // namespace tiltrotor::report

@@ -95,7 +95,7 @@ inline Point reference_point(const std::string& name) {
   const check::CsvFile file("tests/reference/x0_" + name + ".csv");
   double x[state_count] = {};
   double u[control_count] = {};
-  for (int i = 0; i <= ix_downwash; ++i) x[i] = file.number(0, kStateNames[i].name);
+  for (int i = 0; i <= kStateIndex.downwash; ++i) x[i] = file.number(0, kStateVariables[i].name);
   for (int j = 0; j < 4; ++j) u[kInceptors.index[j]] = file.number(0, kReferenceControls[j]);
   Point p;
   unpack(x, p.x);

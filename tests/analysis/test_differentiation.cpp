@@ -136,7 +136,7 @@ TEST(differentiation_numerical_moves_one_input_at_a_time) {
 // By the unit of its name: speeds and places 10, rates of flapping 10, body rates and angles 1, inflow 0.1.
 TEST(differentiation_scales_follow_from_units) {
   for (int i = 0; i < state_count; ++i) {
-    const std::string name = kStateNames[i].name, unit = kStateNames[i].unit;
+    const std::string name = kStateVariables[i].name, unit = kStateVariables[i].unit();
     const double expected = unit == "m/s" || unit == "m"        ? 10
                             : unit == "-"                       ? 0.1
                             : name[0] == 'd' && unit == "rad/s" ? 10
@@ -144,6 +144,6 @@ TEST(differentiation_scales_follow_from_units) {
     if (!CHECK_EQ(state_scale<double>(i), expected)) NOTE(name);
   }
   for (int j = 0; j < control_count; ++j) {
-    CHECK_EQ(control_scale<double>(j), std::string(kControlNames[j].unit) == "m/s" ? 10.0 : 1.0);
+    CHECK_EQ(control_scale<double>(j), std::string(kControlVariables[j].unit()) == "m/s" ? 10.0 : 1.0);
   }
 }

@@ -26,7 +26,7 @@ TEST(input_signal_sums) {
   for (double start : {0.0, 0.5, 1.125}) {
     for (double duration : {0.25, 0.5, 2.0}) {
       const auto signal = [&](InputShape shape) {
-        return InputSignal<double>{shape, iu_pedal, -3, start, duration};
+        return InputSignal<double>{shape, kControlIndex.pedal, -3, start, duration};
       };
       CHECK_EQ(integral(signal(InputShape::pulse), 10), -3 * duration);
       CHECK_EQ(integral(signal(InputShape::doublet), 10), 0.0);
@@ -45,7 +45,7 @@ TEST(input_signal_sums) {
 // Between two edges nothing changes; at each something does.
 TEST(input_signal_jumps_at_its_edges_alone) {
   for (InputShape shape : {InputShape::step, InputShape::pulse, InputShape::doublet}) {
-    const InputSignal<double> s{shape, iu_pedal, 2, -0.5, 0.75};
+    const InputSignal<double> s{shape, kControlIndex.pedal, 2, -0.5, 0.75};
     double times[kMaxEdges];
     const int count = edges(s, times);
     CHECK_EQ(count, shape == InputShape::step ? 1 : shape == InputShape::pulse ? 2 : 3);
@@ -60,7 +60,7 @@ TEST(input_signal_jumps_at_its_edges_alone) {
 }
 
 TEST(input_signal_refuses_each_bad_field) {
-  const InputSignal<double> good{InputShape::pulse, iu_pedal, 2, 1, 0.5};
+  const InputSignal<double> good{InputShape::pulse, kControlIndex.pedal, 2, 1, 0.5};
   CHECK(is_valid(good));
   const auto with = [&](auto&& change) {
     InputSignal<double> s = good;

@@ -17,7 +17,7 @@ Point slanted_point() {
   const int row = 1;  // mast 30
   double x[state_count] = {};
   double u[control_count] = {};
-  for (int i = 0; i <= ix_downwash; ++i) x[i] = file.number(row, kStateNames[i].name);
+  for (int i = 0; i <= kStateIndex.downwash; ++i) x[i] = file.number(row, kStateVariables[i].name);
   for (int j = 0; j < 4; ++j) u[kInceptors.index[j]] = file.number(row, kReferenceControls[j]);
   Point p;
   unpack(x, p.x);
@@ -364,12 +364,13 @@ LinearModel<double>& empty_model(std::initializer_list<int> states) {
 TEST(linear_eigenvalues_of_unusual_models) {
   static LinearEigenvaluesWorkspace<double> work;
   static Eigenvalues<double, kMaxLinearStates> values;
-  LinearModel<double>& one = empty_model({ix_w});
+  LinearModel<double>& one = empty_model({kStateIndex.velocity.z});
   one.a(0, 0) = -0.7;
   CHECK(eigenvalues(one, work, values) == Status::ok);
   CHECK(values.size == 1 && values.real[0] == -0.7 && values.imag[0] == 0);
-  for (int rotor : {static_cast<int>(ix_rotor_left), static_cast<int>(ix_rotor_right)}) {
-    LinearModel<double>& unmatched = empty_model({ix_u, rotor, ix_v});
+  for (int rotor :
+       {static_cast<int>(kStateIndex.rotor[left].b1c), static_cast<int>(kStateIndex.rotor[right].b1c)}) {
+    LinearModel<double>& unmatched = empty_model({kStateIndex.velocity.x, rotor, kStateIndex.velocity.y});
     for (int i = 0; i < 3; ++i) unmatched.a(i, i) = -1 - i;
     CHECK(eigenvalues(unmatched, work, values) == Status::ok);
     if (!CHECK_EQ(values.size, 3)) continue;
@@ -378,7 +379,8 @@ TEST(linear_eigenvalues_of_unusual_models) {
   }
   const double largest = std::numeric_limits<double>::max();
   for (int half : {0, 2}) {
-    LinearModel<double>& model = empty_model({ix_u, ix_w, ix_v, ix_p});
+    LinearModel<double>& model = empty_model(
+        {kStateIndex.velocity.x, kStateIndex.velocity.z, kStateIndex.velocity.y, kStateIndex.rates.x});
     for (int i = 0; i < 2; ++i)
       for (int j = 0; j < 2; ++j)
         model.a(half + i, half + j) = largest;  // twice the largest number, and zero

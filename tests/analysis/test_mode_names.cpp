@@ -216,7 +216,8 @@ TEST(modes_rules_of_ordinals) {
 TEST(modes_of_roots_without_vectors) {
   static SplitModel<double> model;
   static Eigensystem<double, kMaxLinearStates> system;
-  const int states[] = {ix_u, ix_w, ix_q, ix_pitch};
+  const int states[] = {kStateIndex.velocity.x, kStateIndex.velocity.z, kStateIndex.rates.y,
+                        kStateIndex.pitch};
   model.states = 4;
   for (int i = 0; i < 4; ++i) model.coordinate[i] = {states[i], Symmetry::none};
   for (double entry : {std::nan(""), HUGE_VAL, 0.0}) {
@@ -241,7 +242,9 @@ TEST(modes_rules_of_continuation) {
     set->states = 2;
     for (int i = 0; i < 2; ++i) {
       set->mode[i].eigenvalue = i;
-      set->coordinate[i] = {i == 0 ? static_cast<int>(ix_u) : static_cast<int>(ix_w), Symmetry::none};
+      set->coordinate[i] = {
+          i == 0 ? static_cast<int>(kStateIndex.velocity.x) : static_cast<int>(kStateIndex.velocity.z),
+          Symmetry::none};
     }
   }
   const auto set_vectors = [](ModeSet<double>& set, double tilt) {

@@ -249,12 +249,12 @@ TEST(modes_refuse_bad_input) {
   }
   set = other;
   CHECK(follow(other, set) == Status::ok);
-  set.coordinate[set.states].state = ix_yaw;  // past the states there are
+  set.coordinate[set.states].state = kStateIndex.yaw;  // past the states there are
   CHECK(follow(other, set) == Status::ok);
   set.states -= 1;
   CHECK(follow(other, set) == Status::bad_argument);
   set = other;
-  set.coordinate[2].state = ix_yaw;
+  set.coordinate[2].state = kStateIndex.yaw;
   CHECK(follow(other, set) == Status::bad_argument);
   set = other;
   other.count = 0;

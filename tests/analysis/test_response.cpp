@@ -41,7 +41,7 @@ TEST(response_reference_collective_step) {
   const check::CsvFile file("tests/reference/response_collective_1deg_40mps.csv");
   const Configuration<double> c = configuration(0);
   Simulation<double> s = started(c, trimmed(c, level(40)), 0.005);
-  CHECK(add_input(s, {InputShape::step, iu_collective, kDeg, 0, 0}) == Status::ok);
+  CHECK(add_input(s, {InputShape::step, kControlIndex.collective, kDeg, 0, 0}) == Status::ok);
   double worst = 0;
   for (int row = 0; row < file.rows(); ++row) {
     if (row > 0) run(c, s, 0.1);
@@ -96,8 +96,8 @@ TEST(response_integrators_agree) {
   const TrimResult<double> r = trimmed(c, level(50));
   const auto flown = [&](Integrator integrator, double dt) {
     Simulation<double> s = started(c, r, dt, integrator);
-    CHECK(add_input(s, {InputShape::doublet, iu_lat_stick, 1.0, 0.1, 0.2}) == Status::ok);
-    CHECK(add_input(s, {InputShape::pulse, iu_collective, kDeg, 0.2, 0.2}) == Status::ok);
+    CHECK(add_input(s, {InputShape::doublet, kControlIndex.lat_stick, 1.0, 0.1, 0.2}) == Status::ok);
+    CHECK(add_input(s, {InputShape::pulse, kControlIndex.collective, kDeg, 0.2, 0.2}) == Status::ok);
     run(c, s, 0.8);
     return s.state;
   };
@@ -127,7 +127,7 @@ TEST(response_begins_with_the_rates_of_the_linear_model) {
   const TrimResult<double> r = trimmed(c, {50, 0.05, 0.1, 0});
   for (Integrator integrator : {Integrator::rk3, Integrator::rk4}) {
     Simulation<double> alone = started(c, r, 0.01, integrator);
-    CHECK(add_input(alone, {InputShape::step, iu_lat_stick, 1.0, 0.005, 0}) == Status::ok);
+    CHECK(add_input(alone, {InputShape::step, kControlIndex.lat_stick, 1.0, 0.005, 0}) == Status::ok);
     Simulation<double> helped = alone;
     for (int k = 0; k < 10; ++k) {
       CHECK(linearize(c, helped.state, current_controls(helped), kInceptors, linearization, model) ==
@@ -149,7 +149,7 @@ TEST(response_of_small_inputs_is_linear) {
   linear_model(c, r.state, r.controls, kInceptors, model);
   const double size = 1e-5, duration = 1.0, dt = 0.002;
   Simulation<double> s = started(c, r, dt);
-  CHECK(add_input(s, {InputShape::step, iu_pedal, size, 0, 0}) == Status::ok);
+  CHECK(add_input(s, {InputShape::step, kControlIndex.pedal, size, 0, 0}) == Status::ok);
   run(c, s, duration);
   // x' = A x + B u over pieces of 1 ms, each by its Taylor series.
   const int n = model.states;
@@ -179,15 +179,15 @@ TEST(response_of_small_inputs_is_linear) {
 }
 
 TEST(response_inputs_have_their_shapes) {
-  const InputSignal<double> pulse{InputShape::pulse, iu_pedal, 2, 1, 0.5};
+  const InputSignal<double> pulse{InputShape::pulse, kControlIndex.pedal, 2, 1, 0.5};
   CHECK_EQ(value_at(pulse, 0.99), 0.0);
   CHECK_EQ(value_at(pulse, 1.2), 2.0);
   CHECK_EQ(value_at(pulse, 1.51), 0.0);
-  const InputSignal<double> doublet{InputShape::doublet, iu_pedal, 2, 1, 0.5};
+  const InputSignal<double> doublet{InputShape::doublet, kControlIndex.pedal, 2, 1, 0.5};
   CHECK_EQ(value_at(doublet, 1.2), 2.0);
   CHECK_EQ(value_at(doublet, 1.7), -2.0);
   CHECK_EQ(value_at(doublet, 2.1), 0.0);
-  const InputSignal<double> step{InputShape::step, iu_pedal, 2, 1, 0};
+  const InputSignal<double> step{InputShape::step, kControlIndex.pedal, 2, 1, 0};
   CHECK_EQ(value_at(step, 100.0), 2.0);
 
   const Configuration<double> c = configuration(0);
@@ -196,14 +196,15 @@ TEST(response_inputs_have_their_shapes) {
   CHECK(add_input(s, step) == Status::bad_argument);
   CHECK_NEAR(controls_at(s, 5.0).pedal, s.controls.pedal + 2 * kMaxInputs, 1e-12);
   s.inputs = 0;
-  CHECK(add_input(s, {InputShape::pulse, iu_pedal, 1, 0, 0}) == Status::bad_argument);
+  CHECK(add_input(s, {InputShape::pulse, kControlIndex.pedal, 1, 0, 0}) == Status::bad_argument);
   CHECK(add_input(s, {InputShape::step, control_count, 1, 0, 0}) == Status::bad_argument);
   const double nan = std::nan("");
-  CHECK(add_input(s, {InputShape::step, iu_pedal, nan, 0, 0}) == Status::bad_argument);
+  CHECK(add_input(s, {InputShape::step, kControlIndex.pedal, nan, 0, 0}) == Status::bad_argument);
   CHECK(add_input(s, {InputShape::step, -1, 1, 0, 0}) == Status::bad_argument);
-  CHECK(add_input(s, {InputShape::step, iu_pedal, 1, HUGE_VAL, 0}) == Status::bad_argument);
-  CHECK(add_input(s, {InputShape::doublet, iu_pedal, 1, 0, nan}) == Status::bad_argument);
-  CHECK(add_input(s, {InputShape::step, iu_pedal, 1, 0, nan}) == Status::ok);  // a step has no duration
+  CHECK(add_input(s, {InputShape::step, kControlIndex.pedal, 1, HUGE_VAL, 0}) == Status::bad_argument);
+  CHECK(add_input(s, {InputShape::doublet, kControlIndex.pedal, 1, 0, nan}) == Status::bad_argument);
+  CHECK(add_input(s, {InputShape::step, kControlIndex.pedal, 1, 0, nan}) ==
+        Status::ok);  // a step has no duration
 
   for (const double dt : {0.0, -0.01, 1.001, nan})
     CHECK(start(c, s.state, s.controls, dt, Integrator::rk4, s) == Status::out_of_range);
@@ -219,7 +220,7 @@ TEST(response_inputs_have_their_shapes) {
 TEST(response_replay_is_exact) {
   const Configuration<double> c = configuration(60);
   Simulation<double> s = started(c, trimmed(c, level(70)), 0.005);
-  CHECK(add_input(s, {InputShape::doublet, iu_long_stick, 0.5, 0.1, 0.2}) == Status::ok);
+  CHECK(add_input(s, {InputShape::doublet, kControlIndex.long_stick, 0.5, 0.1, 0.2}) == Status::ok);
   run(c, s, 0.2);
   Simulation<double> copy = s;
   run(c, s, 0.3);
@@ -261,7 +262,7 @@ TEST(response_reports_a_lost_flight) {
   const Configuration<double> c = configuration(0);
   const TrimResult<double> r = trimmed(c, level(40));
   Simulation<double> s = started(c, r, 0.01);
-  CHECK(add_input(s, {InputShape::step, iu_long_stick, 30.0, 0.5, 0}) == Status::ok);
+  CHECK(add_input(s, {InputShape::step, kControlIndex.long_stick, 30.0, 0.5, 0}) == Status::ok);
   Status status = Status::ok;
   for (int k = 0; k < 3000 && status == Status::ok; ++k) status = advance(c, work, s);
   CHECK(status == Status::out_of_range || status == Status::not_finite);
@@ -274,7 +275,7 @@ TEST(response_reports_a_lost_flight) {
   const Simulation<double> stopped = s;
   CHECK(advance(c, work, s) == status);
   CHECK_EQ(s.steps, stopped.steps);
-  if (s.fault_state >= 0) NOTE("lost at " << s.fault_time << " s in " << kStateNames[s.fault_state].name);
+  if (s.fault_state >= 0) NOTE("lost at " << s.fault_time << " s in " << kStateVariables[s.fault_state].name);
 
   Simulation<double> bad;
   State<double> x = r.state;

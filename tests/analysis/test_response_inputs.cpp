@@ -53,8 +53,8 @@ TEST(response_inputs_have_their_impulse_whatever_the_step) {
   for (int k = 0; k < 500; ++k) {
     std::vector<InputSignal<double>> inputs;
     for (int i = 0; i <= k % kMaxInputs; ++i)
-      inputs.push_back({static_cast<InputShape>(random() % 3), iu_pedal, between(-2, 2), between(-0.5, 1.5),
-                        std::pow(10, between(-9, 0))});
+      inputs.push_back({static_cast<InputShape>(random() % 3), kControlIndex.pedal, between(-2, 2),
+                        between(-0.5, 1.5), std::pow(10, between(-9, 0))});
     Simulation<double> s = simulation_of(std::pow(10, between(-3, -0.3)), inputs);
     double found = 0, covered = 0, expected = 0;
     while (current_time(s) < 2) {
@@ -82,7 +82,7 @@ TEST(response_edges_on_step_times_do_not_cut_steps) {
         const double to = static_cast<double>(3 * k) / per_second;
         for (InputShape shape : {InputShape::step, InputShape::pulse, InputShape::doublet}) {
           const double duration = shape == InputShape::doublet ? (to - from) / 2 : to - from;
-          Simulation<double> s = simulation_of(dt, {{shape, iu_pedal, 1, from, duration}});
+          Simulation<double> s = simulation_of(dt, {{shape, kControlIndex.pedal, 1, from, duration}});
           for (int edge : {k, 2 * k, 3 * k}) {
             for (int step = edge - 1; step <= edge; ++step) {
               s.steps = static_cast<unsigned>(step);
@@ -101,7 +101,7 @@ TEST(response_edges_on_step_times_do_not_cut_steps) {
 
 // What acts now is what acts until the first edge inside the step.
 TEST(response_current_controls_hold_to_the_next_edge) {
-  Simulation<double> s = simulation_of(0.01, {{InputShape::pulse, iu_pedal, 1, 0.001, 0.002}});
+  Simulation<double> s = simulation_of(0.01, {{InputShape::pulse, kControlIndex.pedal, 1, 0.001, 0.002}});
   CHECK_EQ(current_controls(s).pedal, 0.0);
   std::vector<double> lengths, values;
   CHECK_EQ(visit_stretches(s,
@@ -133,16 +133,16 @@ TEST(response_to_inputs_between_steps_is_that_of_fine_steps) {
   };
   const double deg = kDeg;
   const Inputs cases[] = {
-      {{InputShape::pulse, iu_collective, 5 * deg, 0.1005, 0.001}},   // between two steps
-      {{InputShape::pulse, iu_collective, 5 * deg, 0.102, 0.001}},    // over the middle of a step
-      {{InputShape::pulse, iu_collective, 5 * deg, 0.0995, 0.001}},   // across a boundary
-      {{InputShape::step, iu_collective, deg, 0.1035, 0}},            // from inside a step on
-      {{InputShape::doublet, iu_collective, 5 * deg, 0.101, 0.001}},  // inside one step
-      {{InputShape::doublet, iu_lat_stick, 1, 0.0985, 0.003}},        // over two
-      {{InputShape::pulse, iu_gust + 2, 5, 0.1005, 0.0115},
-       {InputShape::step, iu_pedal, 1, 0.1015, 0},
-       {InputShape::pulse, iu_long_stick, -1, 0.1005, 0.001},
-       {InputShape::doublet, iu_lat_stick, 1, -0.001, 0.002}},
+      {{InputShape::pulse, kControlIndex.collective, 5 * deg, 0.1005, 0.001}},   // between two steps
+      {{InputShape::pulse, kControlIndex.collective, 5 * deg, 0.102, 0.001}},    // over the middle of a step
+      {{InputShape::pulse, kControlIndex.collective, 5 * deg, 0.0995, 0.001}},   // across a boundary
+      {{InputShape::step, kControlIndex.collective, deg, 0.1035, 0}},            // from inside a step on
+      {{InputShape::doublet, kControlIndex.collective, 5 * deg, 0.101, 0.001}},  // inside one step
+      {{InputShape::doublet, kControlIndex.lat_stick, 1, 0.0985, 0.003}},        // over two
+      {{InputShape::pulse, kControlIndex.gust.z, 5, 0.1005, 0.0115},
+       {InputShape::step, kControlIndex.pedal, 1, 0.1015, 0},
+       {InputShape::pulse, kControlIndex.long_stick, -1, 0.1005, 0.001},
+       {InputShape::doublet, kControlIndex.lat_stick, 1, -0.001, 0.002}},
   };
   for (const Inputs& inputs : cases) {
     double fine[state_count], found[state_count];
@@ -151,7 +151,7 @@ TEST(response_to_inputs_between_steps_is_that_of_fine_steps) {
       for (double dt : {0.005, 0.01}) {
         flown(integrator, dt, inputs, found);
         double response = 0, worst = 0;
-        for (int i = ix_u; i <= ix_r; ++i) {
+        for (int i = kStateIndex.velocity.x; i <= kStateIndex.rates.z; ++i) {
           response = std::max(response, std::abs(fine[i] - base[i]));
           worst = std::max(worst, std::abs(found[i] - fine[i]));
         }
@@ -170,7 +170,7 @@ TEST(response_ends_between_steps) {
   const auto flown = [&](double dt, int whole, double rest) {
     Simulation<double> s;
     CHECK(start(c, r.state, r.controls, dt, Integrator::rk4, s) == Status::ok);
-    CHECK(add_input(s, {InputShape::pulse, iu_collective, kDeg, 0.0075, 0.004}) == Status::ok);
+    CHECK(add_input(s, {InputShape::pulse, kControlIndex.collective, kDeg, 0.0075, 0.004}) == Status::ok);
     for (int k = 0; k < whole; ++k) CHECK(advance(c, work, s) == Status::ok);
     if (rest > 0) {
       CHECK(change_step(s, rest) == Status::ok);
@@ -184,7 +184,7 @@ TEST(response_ends_between_steps) {
   double found[state_count], fine[state_count];
   pack(s.state, found);
   pack(flown(0.0005, 25, 0).state, fine);
-  for (int i = ix_u; i <= ix_r; ++i) CHECK_NEAR(found[i], fine[i], 1e-6);
+  for (int i = kStateIndex.velocity.x; i <= kStateIndex.rates.z; ++i) CHECK_NEAR(found[i], fine[i], 1e-6);
   Simulation<double> refused = s;
   for (double dt : {0.0, -0.01, 1.001, std::nan("")}) CHECK(change_step(refused, dt) == Status::out_of_range);
   CHECK_EQ(refused.dt, s.dt);

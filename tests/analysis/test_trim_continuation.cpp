@@ -138,11 +138,13 @@ TEST(trim_relief_is_vertical) {
   static ModelRoom<double> room;
   for (double& x : room.x) x = 0;
   relieve_weight(roll, pitch, part, room);
-  const Vector level_axes = to_earth({room.x[ix_u], room.x[ix_v], room.x[ix_w]}, roll, pitch);
+  const Vector level_axes = to_earth(
+      {room.x[kStateIndex.velocity.x], room.x[kStateIndex.velocity.y], room.x[kStateIndex.velocity.z]}, roll,
+      pitch);
   CHECK_NEAR(level_axes.x, 0, 1e-15);
   CHECK_NEAR(level_axes.y, 0, 1e-15);
   CHECK_NEAR(level_axes.z, -part * 9.80665, 1e-15);
-  CHECK_EQ(room.x[ix_q], 0);
+  CHECK_EQ(room.x[kStateIndex.rates.y], 0);
 }
 
 // Flights that the first guess does not lead to, but an approach: from level flight, from a slower one, from

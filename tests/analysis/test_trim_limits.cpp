@@ -128,7 +128,7 @@ TEST(trim_limits_are_found_one_by_one) {
 TEST(trim_explanations_of_every_outcome) {
   TrimResult<double> r{};
   r.status = TrimStatus::not_finite;
-  r.residual_state = ix_w;
+  r.residual_state = kStateIndex.velocity.z;
   CHECK(explanation(r) == "the rate of w is not a number at the first guess");
   r.status = TrimStatus::singular;
   r.iterations = 12;

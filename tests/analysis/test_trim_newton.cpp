@@ -84,9 +84,9 @@ TEST(trim_first_guess_obeys_momentum_theory) {
     trim_first_guess(c, flight, equations, z);
     double n0[2] = {0, 0}, bank = 0;
     for (int j = 0; j < equations.count; ++j) {
-      if (equations.row[j].state == ix_rotor_right + 4) n0[right] = z[j];
-      if (equations.row[j].state == ix_rotor_left + 4) n0[left] = z[j];
-      if (equations.row[j].state == ix_roll) bank = z[j];
+      if (equations.row[j].state == kStateIndex.rotor[right].n0) n0[right] = z[j];
+      if (equations.row[j].state == kStateIndex.rotor[left].n0) n0[left] = z[j];
+      if (equations.row[j].state == kStateIndex.roll) bank = z[j];
     }
     CHECK_EQ(n0[right], n0[left]);
     // The helicopter's rotors carry the weight and a tenth for the download, those of the aeroplane the part
@@ -113,7 +113,7 @@ TEST(trim_first_guess_of_an_aircraft_without_weight) {
   trim_first_guess(c, level(0), equations, z);
   for (int j = 0; j < equations.count; ++j) {
     CHECK(std::isfinite(z[j]));
-    if (equations.row[j].state == ix_rotor_right + 4) CHECK_NEAR(z[j], 0, 0.01);
+    if (equations.row[j].state == kStateIndex.rotor[right].n0) CHECK_NEAR(z[j], 0, 0.01);
   }
 }
 

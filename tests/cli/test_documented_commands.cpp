@@ -124,7 +124,7 @@ TEST(cli_help_examples_of_inputs_succeed) {
   std::istringstream inputs(help.substr(begin, help.find('\n', begin) - begin));
   int count = 0;
   for (std::string input; inputs >> input; ++count)
-    CHECK_EQ(run_tiltrotor("respond --speed 40 --duration 0.01 --input " + input).exit_status, 0);
+    CHECK_EQ(run_tiltrotor("respond --speed 40 --duration 3 --input " + input).exit_status, 0);
   CHECK_EQ(count, 3);
 }
 

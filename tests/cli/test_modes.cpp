@@ -47,7 +47,7 @@ std::vector<Mode<double>> modes_of_matrix(const CsvText& file, const std::string
   for (std::size_t i = 0; i < file.rows.size(); ++i) {
     if (file.text(i, "time_s") != time) continue;
     for (int k = 0; k < state_count; ++k)
-      if (file.text(i, "row") == kStateNames[k].name) model.state[model.states] = k;
+      if (file.text(i, "row") == kStateVariables[k].name) model.state[model.states] = k;
     for (std::size_t j = 2; j < file.columns.size(); ++j)
       model.a(model.states, static_cast<int>(j) - 2) = file.number(i, file.columns[j]);
     ++model.states;

@@ -36,7 +36,7 @@ inline Options linear_tables() {
 /// The same numbers in another scalar, without partials.
 template <class To, template <class> class S, class From>
 S<To> converted(const S<From>& from) {
-  From flat[S<From>::kCount];
+  From flat[sizeof(S<From>) / sizeof(From)];
   int i = 0;
   S<From>::each(from, [&](const From& x) { flat[i++] = x; });
   S<To> to{};
@@ -105,39 +105,32 @@ inline StateAndControls<double> random_case(Generator& random, const Configurati
   return s;
 }
 
-/// Left and right exchanged.
-template <class T>
-State<T> mirrored(const State<T>& x) {
-  State<T> m = x;
-  m.velocity.y = -x.velocity.y;
-  m.rates.x = -x.rates.x;
-  m.rates.z = -x.rates.z;
-  m.roll = -x.roll;
-  m.yaw = -x.yaw;
-  m.rotor[right] = x.rotor[left];
-  m.rotor[left] = x.rotor[right];
-  m.coning[right] = x.coning[left];
-  m.coning[left] = x.coning[right];
-  m.position.y = -x.position.y;
+/// Left and right exchanged: lateral variables change sign, those of a rotor change sides.
+template <template <class> class S, class T, class Table>
+S<T> mirrored(const S<T>& s, const Table& variables) {
+  T flat[sizeof variables.row / sizeof variables.row[0]];
+  pack(s, flat);
+  S<T> m;
+  std::size_t i = 0;
+  S<T>::each(m, [&](T& x) {
+    const T& other = flat[variables.partner[i]];
+    x = variables.row[i++].plane == Plane::lateral ? -other : other;
+  });
   return m;
 }
 template <class T>
+State<T> mirrored(const State<T>& x) {
+  return mirrored(x, kStateVariables);
+}
+template <class T>
 Controls<T> mirrored(const Controls<T>& u) {
-  Controls<T> m = u;
-  m.lat_stick = -u.lat_stick;
-  m.pedal = -u.pedal;
-  m.diff_collective = -u.diff_collective;
-  m.diff_long_cyclic = -u.diff_long_cyclic;
-  m.aileron = -u.aileron;
-  m.rudder = -u.rudder;
-  m.gust.y = -u.gust.y;
-  return m;
+  return mirrored(u, kControlVariables);
 }
 
 /// Numbers of a struct in order.
 template <class T, template <class> class S>
-std::array<T, S<T>::kCount> flat(const S<T>& s) {
-  std::array<T, S<T>::kCount> a{};
+std::array<T, sizeof(S<T>) / sizeof(T)> flat(const S<T>& s) {
+  std::array<T, sizeof(S<T>) / sizeof(T)> a{};
   std::size_t i = 0;
   S<T>::each(s, [&](const T& x) { a[i++] = x; });
   return a;
@@ -149,13 +142,12 @@ std::array<T, S<T>::kCount> flat(const S<T>& s) {
 inline std::array<double, state_count> rate_scale(const Configuration<double>& c) {
   std::array<double, state_count> s{};
   s.fill(1);
-  for (std::size_t i = 0; i < 3; ++i) s[i] = kGravity<double>;
   const double omega = c.setup.rotor_speed;
-  for (std::size_t side = 0; side < 2; ++side) {
-    const std::size_t first = ix_rotor_right + 7 * side;
-    s[first + 2] = s[first + 3] = 0.01 * omega * omega;
-    s[first + 4] = s[first + 5] = s[first + 6] = 0.01 * omega;
-    s[ix_coning_right + 2 * side + 1] = 0.01 * omega * omega;
+  for (std::size_t i = 0; i < state_count; ++i) {
+    const VariableKind kind = kStateVariables.row[i].kind;
+    if (kind == VariableKind::speed) s[i] = kGravity<double>;
+    if (kind == VariableKind::gimbal_rate || kind == VariableKind::coning_rate) s[i] = 0.01 * omega * omega;
+    if (kind == VariableKind::mean_inflow || kind == VariableKind::cyclic_inflow) s[i] = 0.01 * omega;
   }
   return s;
 }

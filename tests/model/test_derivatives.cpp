@@ -18,17 +18,30 @@ constexpr int kStates = 1000;
 
 // Size of a usual change of each variable: 1 m/s, 0.1 rad/s, ...
 double column_scale(int column) {
-  if (column >= state_count) {
-    const int control = column - state_count;
-    return control >= iu_gust ? 1.0 : control >= iu_long_stick && control <= iu_pedal ? 1.0 : 0.02;
+  const Variable& variable =
+      column < state_count ? kStateVariables[column] : kControlVariables[column - state_count];
+  switch (variable.kind) {
+    case VariableKind::body_rate:
+    case VariableKind::bank:
+    case VariableKind::pitch:
+    case VariableKind::heading:
+      return 0.1;
+    case VariableKind::gimbal_tilt:
+    case VariableKind::coning:
+    case VariableKind::blade_pitch:
+    case VariableKind::surface:
+      return 0.02;
+    case VariableKind::gimbal_rate:
+    case VariableKind::coning_rate:
+      return 0.5;
+    case VariableKind::mean_inflow:
+    case VariableKind::cyclic_inflow:
+      return 0.01;
+    case VariableKind::downwash:
+      return 0.05;
+    default:
+      return 1.0;
   }
-  if (column < ix_p) return 1.0;
-  if (column < ix_rotor_right) return 0.1;
-  if (column < ix_downwash)
-    return (column - ix_rotor_right) % 7 < 2 ? 0.02 : (column - ix_rotor_right) % 7 < 4 ? 0.5 : 0.01;
-  if (column == ix_downwash) return 0.05;
-  if (column < ix_position) return (column - ix_coning_right) % 2 == 0 ? 0.02 : 0.5;
-  return 1.0;
 }
 
 Options all_states() {
@@ -280,8 +293,8 @@ TEST(derivatives_exact_hover_is_finite) {
       const Jacobian dual = dual_jacobian(c, s, values);
       for (const double entry : dual.entry) CHECK(std::isfinite(entry));
       for (const double rate : flat(values)) CHECK(std::isfinite(rate));
-      CHECK_LT(1.0, std::abs(dual(ix_w, state_count + iu_collective)) +
-                        std::abs(dual(ix_u, state_count + iu_collective)));
+      CHECK_LT(1.0, std::abs(dual(kStateIndex.velocity.z, state_count + kControlIndex.collective)) +
+                        std::abs(dual(kStateIndex.velocity.x, state_count + kControlIndex.collective)));
     }
   }
 }
@@ -294,16 +307,17 @@ TEST(derivatives_columns_known_in_advance) {
     const StateAndControls<double> s = random_case(random, c);
     State<double> values;
     const Jacobian dual = dual_jacobian(c, s, values);
-    for (int row = 0; row < ix_position; ++row) {
-      CHECK_EQ(dual(row, ix_yaw), 0.0);
-      for (int k = 0; k < 3; ++k) CHECK_EQ(dual(row, ix_position + k), 0.0);
+    for (int row = 0; row < kStateIndex.position.x; ++row) {
+      CHECK_EQ(dual(row, kStateIndex.yaw), 0.0);
+      for (int k = 0; k < 3; ++k) CHECK_EQ(dual(row, kStateIndex.position.x + k), 0.0);
       // d/d(gust) = -(d/dv without the kinematic terms w x v)
       const Vec3<double>& w = s.x.rates;
       const double cross_term[3][3] = {{0, w.z, -w.y}, {-w.z, 0, w.x}, {w.y, -w.x, 0}};
       for (int k = 0; k < 3; ++k) {
         const double kinematic = row < 3 ? cross_term[row][k] : 0.0;
         const double expected = -(dual(row, k) - kinematic);
-        CHECK_NEAR(dual(row, state_count + iu_gust + k), expected, 1e-10 * (1 + std::abs(expected)));
+        CHECK_NEAR(dual(row, state_count + kControlIndex.gust.x + k), expected,
+                   1e-10 * (1 + std::abs(expected)));
       }
     }
   }

@@ -289,7 +289,7 @@ TEST(options_active_states) {
     const ActiveStates active = active_states(o, true);
     std::array<bool, state_count> live{};
     for (int i = 0; i < active.count; ++i) live[static_cast<std::size_t>(active.index[i])] = true;
-    for (std::size_t i = 0; i < ix_position; ++i) {
+    for (std::size_t i = 0; i < kStateIndex.position.x; ++i) {
       if (!live[i]) CHECK_EQ(rates[i], 0.0);
     }
   }

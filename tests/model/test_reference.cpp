@@ -17,6 +17,16 @@ using namespace flight_cases;
 
 namespace {
 
+bool are_alike(const Variable& a, const Variable& b) {
+  using K = VariableKind;
+  const auto is_inflow = [](const Variable& v) {
+    return v.kind == K::mean_inflow || v.kind == K::cyclic_inflow;
+  };
+  if (a.side != b.side) return false;
+  if (is_inflow(a)) return is_inflow(b);
+  return a.kind == b.kind && (a.kind == K::speed || a.kind == K::body_rate || a.kind == K::gimbal_rate);
+}
+
 constexpr double kRoundedTolerance = 1e-10;
 constexpr double kTolerance = 1e-6;
 
@@ -135,7 +145,7 @@ ReferenceCase read_case(const Replay& replay, const check::CsvFile& file, int ro
   CHECK(prepare(replay.aircraft, setup, r.c) == Status::ok);
   int i = 0;
   State<double>::each(r.x, [&](double& x) {
-    if (i <= ix_downwash) x = file.number(row, kStateNames[i].name);
+    if (i <= kStateIndex.downwash) x = file.number(row, kStateVariables[i].name);
     ++i;
   });
   r.u.collective = file.number(row, "th75_rad");
@@ -154,17 +164,13 @@ void replay_state_derivatives(const Replay& replay, const std::string& tables) {
     State<double> rates;
     derivative(r.c, r.x, r.u, rates);
     const auto actual = flat(rates);
-    for (int i = 0; i <= ix_downwash; ++i) {
-      const std::string column = std::string("d_") + kStateNames[i].name;
-      // Kind: velocities, rates, angles one by one, flap accelerations, inflow.
+    for (int i = 0; i <= kStateIndex.downwash; ++i) {
+      const std::string column = std::string("d_") + kStateVariables[i].name;
+      // Beside the others of its kind: velocities, rates, flap accelerations and inflow of one rotor.
       double kind = 0;
-      const int rotor_place = i >= ix_rotor_right && i < ix_downwash ? (i - ix_rotor_right) % 7 : -1;
-      const int first = i < 6 ? 3 * (i / 3) : rotor_place >= 4 ? i - rotor_place + 4 : i - rotor_place + 2;
-      const int last = i < 6 ? first + 2 : rotor_place >= 4 ? first + 2 : first + 1;
-      if (i < 6 || rotor_place >= 2) {
-        for (int k = first; k <= last; ++k) {
-          kind = std::max(kind, std::abs(file.number(row, std::string("d_") + kStateNames[k].name)));
-        }
+      for (int k = 0; k <= kStateIndex.downwash; ++k) {
+        if (are_alike(kStateVariables[i], kStateVariables[k]))
+          kind = std::max(kind, std::abs(file.number(row, std::string("d_") + kStateVariables[k].name)));
       }
       difference.add(actual[static_cast<std::size_t>(i)], file.number(row, column), kind,
                      place(file, row, column));

@@ -342,7 +342,7 @@ inline void fly(std::uint64_t index, double duration, FlightCounts& counts, Brea
     expect(s.fault_time == current_time(before) + dt, "divergence without its time");
     expect(advance(f.c, work, s) == status && s.steps == before.steps, "a lost flight went on");
     const char* const name =
-        s.fault_state >= 0 && s.fault_state < state_count ? kStateNames[s.fault_state].name : "?";
+        s.fault_state >= 0 && s.fault_state < state_count ? kStateVariables[s.fault_state].name : "?";
     ++counts.diverged;
     ++counts.left_by[name];
     counts.times.push_back(s.fault_time);

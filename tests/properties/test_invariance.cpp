@@ -111,7 +111,7 @@ TEST(property_steady_wind_changes_no_load) {
     const auto ra = flat(a.rates);
     const auto rb = flat(b.rates);
     const auto scale = rate_scale(c);
-    for (std::size_t i = 3; i < ix_position; ++i)
+    for (std::size_t i = 3; i < kStateIndex.position.x; ++i)
       CHECK_NEAR(rb[i], ra[i], 1e-9 * scale[i] * (1 + std::fabs(ra[i])));
   }
 }
@@ -145,7 +145,7 @@ TEST(property_flight_is_carried_by_the_wind) {
     CHECK_LT(0.01, std::fabs(in_still_air.roll));  // it is a manoeuvre
     const auto a = flat(in_still_air);
     const auto b = flat(in_wind);
-    for (std::size_t i = 0; i < ix_position; ++i) CHECK_NEAR(b[i], a[i], 1e-6);
+    for (std::size_t i = 0; i < kStateIndex.position.x; ++i) CHECK_NEAR(b[i], a[i], 1e-6);
     check_near(in_wind.position, in_still_air.position + (dt * steps) * wind, 1e-6);
   }
 }

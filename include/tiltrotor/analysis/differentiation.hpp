@@ -105,22 +105,15 @@ using DefaultDifferentiation = AutoDiff;
 inline constexpr int kModelDirections = TILTROTOR_MODEL_DIRECTIONS;
 static_assert(kModelDirections >= 1, "at least one direction in a pass");
 
-// Distance over which the model bends noticeably in a state or control: the length of a numerical step is
-// this times cbrt(eps), 6e-6 in double. Speeds 10 m/s, angles and body rates 1, flapping rates 10 rad/s,
-// inflow 0.1, inches 1.
+// Distance over which the model bends in a state or control: the length of a numerical step is this times
+// cbrt(eps), 6e-6 in double.
 template <class R>
 constexpr R state_scale(int index) {
-  if (index <= ix_w) return R(10);
-  if (index >= ix_rotor_right && index < ix_downwash) {
-    const int place = (index - ix_rotor_right) % 7;
-    return place < 2 ? R(1) : place < 4 ? R(10) : R(0.1);
-  }
-  if (index == ix_coning_right + 1 || index == ix_coning_left + 1) return R(10);
-  return index >= ix_position ? R(10) : R(1);
+  return static_cast<R>(kStateVariables[index].facts().bend);
 }
 template <class R>
 constexpr R control_scale(int index) {
-  return index >= iu_gust ? R(10) : R(1);
+  return static_cast<R>(kControlVariables[index].facts().bend);
 }
 
 // What an evaluation of the model reads and finds, and its memory. What is not needed at the same time lies

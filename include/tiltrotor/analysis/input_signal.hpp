@@ -11,7 +11,7 @@ enum class InputShape : unsigned char { step, pulse, doublet };
 template <class R>
 struct InputSignal {
   InputShape shape;
-  int control;  // place in kControlNames
+  int control;  // place in kControlVariables
   R amplitude;  // rad, in or m/s, added to the control
   R start;      // s
   R duration;   // s, of a pulse and of each half of a doublet; a step lasts

@@ -8,37 +8,54 @@
 
 namespace tiltrotor {
 
-// 8 rigid-body states, 7 a rotor, downwash, 4 of coning. Heading and position are left out: nothing depends
-// on them.
-inline constexpr int kMaxLinearStates = 27;
+// Heading and position are left out: nothing depends on them.
+constexpr int count_linear_states() {
+  int count = 0;
+  for (int i = 0; i < state_count; ++i) count += !kStateVariables[i].facts().ignorable;
+  return count;
+}
+inline constexpr int kMaxLinearStates = count_linear_states();
 inline constexpr int kMaxLinearControls = control_count;
-inline constexpr int kRigidStates = 8;
 
-// Columns of B: places in kControlNames.
+// The rigid body stands first, longitudinal states before lateral ones.
+inline constexpr int kRigidOrder[] = {kStateIndex.velocity.x, kStateIndex.velocity.z, kStateIndex.rates.y,
+                                      kStateIndex.pitch,      kStateIndex.velocity.y, kStateIndex.rates.x,
+                                      kStateIndex.roll,       kStateIndex.rates.z};
+inline constexpr int kRigidStates = sizeof(kRigidOrder) / sizeof(kRigidOrder[0]);
+constexpr bool is_rigid(int state) {
+  for (const int rigid : kRigidOrder)
+    if (rigid == state) return true;
+  return false;
+}
+
+// Columns of B: places in kControlVariables.
 struct ControlSet {
   int count;
   int index[kMaxLinearControls];
 };
 // Collective lever, sticks and pedal, as the pilot moves them.
-inline constexpr ControlSet kInceptors = {4, {iu_collective, iu_long_stick, iu_lat_stick, iu_pedal}};
+inline constexpr ControlSet kInceptors = {
+    4, {kControlIndex.collective, kControlIndex.long_stick, kControlIndex.lat_stick, kControlIndex.pedal}};
 // Blade angles and surfaces, one by one.
-inline constexpr ControlSet kBladeControls = {7,
-                                              {iu_collective, iu_long_cyclic, iu_diff_collective,
-                                               iu_diff_long_cyclic, iu_elevator, iu_aileron, iu_rudder}};
+inline constexpr ControlSet kBladeControls = {
+    7,
+    {kControlIndex.collective, kControlIndex.long_cyclic, kControlIndex.diff_collective,
+     kControlIndex.diff_long_cyclic, kControlIndex.elevator, kControlIndex.aileron, kControlIndex.rudder}};
 // Every input of the model, lateral cyclic and gusts included.
-inline constexpr ControlSet kAllControls = {
-    control_count,
-    {iu_collective, iu_long_stick, iu_lat_stick, iu_pedal, iu_long_cyclic, iu_diff_collective,
-     iu_diff_long_cyclic, iu_elevator, iu_aileron, iu_rudder, iu_lateral_cyclic, iu_gust, iu_gust + 1,
-     iu_gust + 2}};
+constexpr ControlSet every_control() {
+  ControlSet set{control_count, {}};
+  for (int j = 0; j < control_count; ++j) set.index[j] = j;
+  return set;
+}
+inline constexpr ControlSet kAllControls = every_control();
 
-// xdot - rates = A (x' - x) + B (u' - u). Units as in kStateNames and kControlNames.
+// xdot - rates = A (x' - x) + B (u' - u). Units as in kStateVariables and kControlVariables.
 template <class R>
 struct LinearModel {
   int states;
   int controls;
-  int state[kMaxLinearStates];      // row and column i of A belong to kStateNames[state[i]]
-  int control[kMaxLinearControls];  // column j of B belongs to kControlNames[control[j]]
+  int state[kMaxLinearStates];      // row and column i of A belong to kStateVariables[state[i]]
+  int control[kMaxLinearControls];  // column j of B belongs to kControlVariables[control[j]]
   R x[kMaxLinearStates];            // the point
   R u[kMaxLinearControls];
   R rates[kMaxLinearStates];  // f at the point; zero when it is trimmed and straight
@@ -46,10 +63,10 @@ struct LinearModel {
   Matrix<R, kMaxLinearStates, kMaxLinearStates> a;
   Matrix<R, kMaxLinearStates, kMaxLinearControls> b;
 
-  const char* state_name(int i) const { return kStateNames[state[i]].name; }
-  const char* state_unit(int i) const { return kStateNames[state[i]].unit; }
-  const char* control_name(int j) const { return kControlNames[control[j]].name; }
-  const char* control_unit(int j) const { return kControlNames[control[j]].unit; }
+  const char* state_name(int i) const { return kStateVariables[state[i]].name; }
+  const char* state_unit(int i) const { return kStateVariables[state[i]].unit(); }
+  const char* control_name(int j) const { return kControlVariables[control[j]].name; }
+  const char* control_unit(int j) const { return kControlVariables[control[j]].unit(); }
 };
 
 template <class R, class Policy = DefaultDifferentiation>
@@ -68,13 +85,12 @@ struct LinearizationWorkspace {
 // | coning.
 template <class R>
 void linear_states(const Options& options, LinearModel<R>& model) {
-  const int rigid[kRigidStates] = {ix_u, ix_w, ix_q, ix_pitch, ix_v, ix_p, ix_roll, ix_r};
   model.states = 0;
-  for (int index : rigid) model.state[model.states++] = index;
+  for (const int index : kRigidOrder) model.state[model.states++] = index;
   const ActiveStates active = active_states(options, false);
   for (int k = 0; k < active.count; ++k) {
     const int index = active.index[k];
-    if (index >= ix_rotor_right && index < ix_position) model.state[model.states++] = index;
+    if (!is_rigid(index) && !kStateVariables[index].facts().ignorable) model.state[model.states++] = index;
   }
 }
 

@@ -105,45 +105,44 @@ struct ModeShares {
 
 namespace mode_detail {
 
+// The share a rigid-body state counts for.
+template <class R>
+R& rigid_share(int state, ModeShares<R>& shares) {
+  const State<int>& at = kStateIndex;
+  return state == at.velocity.x   ? shares.u
+         : state == at.velocity.z ? shares.w
+         : state == at.rates.y    ? shares.q
+         : state == at.pitch      ? shares.pitch
+         : state == at.velocity.y ? shares.v
+         : state == at.rates.x    ? shares.p
+         : state == at.roll       ? shares.roll
+                                  : shares.r;
+}
+
 template <class R>
 void add_share(const SplitCoordinate& coordinate, R part, ModeShares<R>& shares) {
-  switch (coordinate.state) {
-    case ix_u:
-      shares.u += part;
-      return;
-    case ix_w:
-      shares.w += part;
-      return;
-    case ix_q:
-      shares.q += part;
-      return;
-    case ix_pitch:
-      shares.pitch += part;
-      return;
-    case ix_v:
-      shares.v += part;
-      return;
-    case ix_p:
-      shares.p += part;
-      return;
-    case ix_roll:
-      shares.roll += part;
-      return;
-    case ix_r:
-      shares.r += part;
-      return;
-    case ix_downwash:
+  if (coordinate.symmetry != Symmetry::none)
+    (coordinate.symmetry == Symmetry::mean ? shares.mean : shares.difference) += part;
+  switch (kStateVariables[coordinate.state].kind) {
+    case VariableKind::downwash:
       shares.downwash += part;
       return;
+    case VariableKind::gimbal_tilt:
+    case VariableKind::gimbal_rate:
+      shares.flap += part;
+      return;
+    case VariableKind::mean_inflow:
+      shares.inflow_mean += part;
+      return;
+    case VariableKind::cyclic_inflow:
+      shares.inflow_cyclic += part;
+      return;
+    case VariableKind::coning:
+    case VariableKind::coning_rate:
+      shares.coning += part;
+      return;
     default:
-      break;
-  }
-  (coordinate.symmetry == Symmetry::mean ? shares.mean : shares.difference) += part;
-  if (coordinate.state >= ix_coning_right) {
-    shares.coning += part;
-  } else {
-    const int place = (coordinate.state - ix_rotor_right) % 7;
-    (place < 4 ? shares.flap : place == 4 ? shares.inflow_mean : shares.inflow_cyclic) += part;
+      rigid_share(coordinate.state, shares) += part;
   }
 }
 

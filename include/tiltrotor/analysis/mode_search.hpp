@@ -298,7 +298,8 @@ Status modes(const LinearModel<R>& model, ModesWorkspace<R>& work, ModeSet<R>& s
   if (status != Status::ok) return status;
 
   bool downwash_state = false;
-  for (int i = 0; i < model.states; ++i) downwash_state = downwash_state || model.state[i] == ix_downwash;
+  for (int i = 0; i < model.states; ++i)
+    downwash_state = downwash_state || model.state[i] == kStateIndex.downwash;
   for (int k = 0; k < model.states; ++k) {
     if (set.system.values.imag[k] >= R(0))
       set.mode[set.count++] = d::describe_root(work.split, set.system, k);

@@ -71,7 +71,7 @@ enum class Symmetry : unsigned char {
 };  // a state itself; (right + left)/2; (right - left)/2
 
 struct SplitCoordinate {
-  int state;  // place in kStateNames; the right rotor's for mean and difference
+  int state;  // place in kStateVariables; the right rotor's for mean and difference
   Symmetry symmetry;
 };
 
@@ -94,21 +94,6 @@ struct SplitModel {
 
 namespace reduction_detail {
 
-constexpr bool is_right(int state) {
-  return (state >= ix_rotor_right && state < ix_rotor_left) || state == ix_coning_right ||
-         state == ix_coning_right + 1;
-}
-constexpr bool is_left(int state) {
-  return (state >= ix_rotor_left && state < ix_downwash) || state == ix_coning_left ||
-         state == ix_coning_left + 1;
-}
-constexpr int partner(int state) {
-  return state < ix_downwash ? state + (ix_rotor_left - ix_rotor_right)
-                             : state + (ix_coning_left - ix_coning_right);
-}
-constexpr bool is_lateral(int state) {
-  return state == ix_v || state == ix_p || state == ix_roll || state == ix_r;
-}
 template <class R>
 int find(const LinearModel<R>& model, int state) {
   for (int i = 0; i < model.states; ++i)
@@ -125,7 +110,8 @@ template <class R>
 Parts parts(const LinearModel<R>& model, const SplitCoordinate& coordinate) {
   const int first = find(model, coordinate.state);
   if (coordinate.symmetry == Symmetry::none) return {first, first, 0};
-  return {first, find(model, partner(coordinate.state)), coordinate.symmetry == Symmetry::mean ? 1 : -1};
+  return {first, find(model, kStateVariables.partner[coordinate.state]),
+          coordinate.symmetry == Symmetry::mean ? 1 : -1};
 }
 
 }  // namespace reduction_detail
@@ -141,9 +127,10 @@ void split(const LinearModel<R>& model, SplitModel<R>& out) {
   for (int pass = 0; pass < 2; ++pass) {  // longitudinal, lateral
     for (int i = 0; i < model.states; ++i) {
       const int state = model.state[i];
-      if (d::is_right(state)) {
+      const Variable& variable = kStateVariables[state];
+      if (variable.side == right) {
         out.coordinate[out.states++] = {state, pass == 0 ? Symmetry::mean : Symmetry::difference};
-      } else if (!d::is_left(state) && d::is_lateral(state) == (pass == 1)) {
+      } else if (variable.side == kNoSide && (variable.plane == Plane::lateral) == (pass == 1)) {
         out.coordinate[out.states++] = {state, Symmetry::none};
       }
     }

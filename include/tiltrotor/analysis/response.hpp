@@ -2,7 +2,7 @@
 //
 //   Simulation<double> flight;  static SimulationWorkspace<double> work;
 //   start(c, trimmed.state, trimmed.controls, 0.005, Integrator::rk4, flight);
-//   add_input(flight, {InputShape::step, iu_collective, one_degree, 0.0, 0.0});
+//   add_input(flight, {InputShape::step, kControlIndex.collective, one_degree, 0.0, 0.0});
 //   for (...) if (advance(c, work, flight) != Status::ok) ... flight.fault_state, flight.fault_time
 //
 // The impulse of every input is exact whatever the step: a step is cut where an input jumps inside it, and
@@ -47,7 +47,7 @@ struct Simulation {
   R origin;         // s, when steps of dt began
   unsigned steps;   // done since; time = origin + steps dt
   Status status;    // of the last step; a failed flight stays where it was
-  int fault_state;  // place in kStateNames of the state that failed, or -1
+  int fault_state;  // place in kStateVariables of the state that failed, or -1
   R fault_time;     // s, end of the step that failed
 };
 
@@ -172,20 +172,10 @@ Status change_step(Simulation<R>& s, R dt) {
 
 namespace response_detail {
 
-// Beyond these a flight has diverged: the tables end long before. In the order of State::each.
+// Beyond this a flight has diverged.
 template <class R>
 constexpr R state_bound(int index) {
-  if (index <= ix_w) return R(300);                    // m/s
-  if (index <= ix_r) return R(20);                     // rad/s
-  if (index == ix_roll) return R(1000);                // rolls may add up
-  if (index == ix_pitch) return R(89.5) * kRadian<R>;  // Euler angles end there
-  if (index == ix_yaw) return R(1e6);                  // and turns
-  if (index >= ix_position) return R(1e9);             // m
-  if (index == ix_downwash) return R(2);
-  const bool rate = index > ix_downwash
-                        ? (index - ix_coning_right) % 2 == 1
-                        : (index - ix_rotor_right) % 7 == 2 || (index - ix_rotor_right) % 7 == 3;
-  return rate ? R(200) : R(2);  // flapping rad and rad/s, inflow
+  return static_cast<R>(kStateVariables[index].facts().bound);
 }
 
 // Right side of the active states at constant controls.

@@ -11,7 +11,8 @@
 namespace tiltrotor {
 
 inline constexpr int kSums = 5;
-inline constexpr int kSumIndex[kSums] = {ix_roll, ix_yaw, ix_position, ix_position + 1, ix_position + 2};
+inline constexpr int kSumIndex[kSums] = {kStateIndex.roll, kStateIndex.yaw, kStateIndex.position.x,
+                                         kStateIndex.position.y, kStateIndex.position.z};
 
 struct Travel {
   double sum[kSums];  // roll, yaw (rad, whole turns included), north, east, down (m)
@@ -41,8 +42,8 @@ inline double within_half_a_turn(double angle) {
 // The same attitude and heading as an evaluation sees them.
 template <class R>
 State<R> without_turns(State<R> x, const Travel& travel) {
-  x.roll = static_cast<R>(within_half_a_turn(travel.sum[sum_of(ix_roll)]));
-  x.yaw = static_cast<R>(within_half_a_turn(travel.sum[sum_of(ix_yaw)]));
+  x.roll = static_cast<R>(within_half_a_turn(travel.sum[sum_of(kStateIndex.roll)]));
+  x.yaw = static_cast<R>(within_half_a_turn(travel.sum[sum_of(kStateIndex.yaw)]));
   return x;
 }
 

@@ -29,7 +29,7 @@ struct TrimResult {
   int iterations;      // Newton steps in all, first attempt and continuation
   int attempts;        // 1: the cold start converged; more: continuation was used
   R residual;          // largest scaled residual: accelerations over g, angular accelerations over 1 rad/s^2
-  int residual_state;  // place in kStateNames of the state whose rate is left over
+  int residual_state;  // place in kStateVariables of the state whose rate is left over
   SteadyFlightField invalid;  // with out_of_range and not_finite: the first bad input
 
   State<R> state;           // yaw and position 0
@@ -191,7 +191,7 @@ bool begin(const Configuration<R>& c, const SteadyFlight<R>& flight, const TrimO
   result.iterations = 0;
   result.attempts = 0;
   result.residual = std::numeric_limits<R>::quiet_NaN();
-  result.residual_state = ix_u;
+  result.residual_state = kStateIndex.velocity.x;
   result.obstacle = TrimObstacle::none;
   result.weight_carried = R(1);
   result.limits = LimitCheck<R>{};

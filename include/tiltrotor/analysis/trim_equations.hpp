@@ -64,25 +64,27 @@ void trim_equations(const Configuration<R>& c, TrimEquations<R>& equations) {
   const auto add_control = [&](int control, R limit, int rate, R rate_scale) {
     equations.row[equations.count++] = {-1, control, limit, control_scale<R>(control), rate, rate_scale};
   };
-  add_state(ix_roll, kAngleStep<R>, ix_v, gravity);
-  add_state(ix_pitch, kAngleStep<R>, ix_u, gravity);
-  add_control(iu_collective, kAngleStep<R>, ix_w, gravity);
-  add_control(iu_long_stick, kStickStep<R>, ix_q, R(1));
-  add_control(iu_lat_stick, kStickStep<R>, ix_p, R(1));
-  add_control(iu_pedal, kStickStep<R>, ix_r, R(1));
+  add_state(kStateIndex.roll, kAngleStep<R>, kStateIndex.velocity.y, gravity);
+  add_state(kStateIndex.pitch, kAngleStep<R>, kStateIndex.velocity.x, gravity);
+  add_control(kControlIndex.collective, kAngleStep<R>, kStateIndex.velocity.z, gravity);
+  add_control(kControlIndex.long_stick, kStickStep<R>, kStateIndex.rates.y, R(1));
+  add_control(kControlIndex.lat_stick, kStickStep<R>, kStateIndex.rates.x, R(1));
+  add_control(kControlIndex.pedal, kStickStep<R>, kStateIndex.rates.z, R(1));
   const bool second_order = o.flapping == FlapOrder::second;
   const R flap_scale = second_order ? R(1) / (omega * omega) : R(1) / omega;
   for (int side = 0; side < 2; ++side) {
-    const int first = side == right ? ix_rotor_right : ix_rotor_left;
-    add_state(first, kAngleStep<R>, second_order ? first + 2 : first, flap_scale);
-    add_state(first + 1, kAngleStep<R>, second_order ? first + 3 : first + 1, flap_scale);
-    const int harmonics = o.inflow == InflowShape::uniform ? 1 : 3;
-    for (int k = 0; k < harmonics; ++k) add_state(first + 4 + k, kInflowStep<R>, first + 4 + k, R(1) / omega);
+    const RotorState<int>& at = kStateIndex.rotor[side];
+    add_state(at.b1c, kAngleStep<R>, second_order ? at.b1c_rate : at.b1c, flap_scale);
+    add_state(at.b1s, kAngleStep<R>, second_order ? at.b1s_rate : at.b1s, flap_scale);
+    add_state(at.n0, kInflowStep<R>, at.n0, R(1) / omega);
+    if (o.inflow == InflowShape::uniform) continue;
+    add_state(at.nc, kInflowStep<R>, at.nc, R(1) / omega);
+    add_state(at.ns, kInflowStep<R>, at.ns, R(1) / omega);
   }
-  if (o.downwash_lag) add_state(ix_downwash, R(0), ix_downwash, R(1));
+  if (o.downwash_lag) add_state(kStateIndex.downwash, R(0), kStateIndex.downwash, R(1));
   if (o.coning_states) {
-    for (int k = ix_coning_right; k <= ix_coning_left; k += 2)
-      add_state(k, kAngleStep<R>, k + 1, R(1) / (omega * omega));
+    for (const ConingState<int>& at : kStateIndex.coning)
+      add_state(at.angle, kAngleStep<R>, at.rate, R(1) / (omega * omega));
   }
 }
 
@@ -108,18 +110,18 @@ void set_collective(TrimEquations<R>& equations, R collective) {
 // Velocity, rates and gust of the steady flight at the attitude in room.x.
 template <class T>
 TILTROTOR_NOINLINE void set_steady_motion(const SteadyFlight<Real<T>>& flight, ModelRoom<T>& room) {
-  const Vec3<T> velocity = steady_velocity(flight, room.x[ix_roll], room.x[ix_pitch]);
+  const Vec3<T> velocity = steady_velocity(flight, room.x[kStateIndex.roll], room.x[kStateIndex.pitch]);
   const Vec3<Real<T>>& gust = flight.gust;
-  const Vec3<T> rates = steady_rates(flight, room.x[ix_roll], room.x[ix_pitch]);
-  room.x[ix_u] = velocity.x + gust.x;
-  room.x[ix_v] = velocity.y + gust.y;
-  room.x[ix_w] = velocity.z + gust.z;
-  room.x[ix_p] = rates.x;
-  room.x[ix_q] = rates.y;
-  room.x[ix_r] = rates.z;
-  room.u[iu_gust] = T(gust.x);
-  room.u[iu_gust + 1] = T(gust.y);
-  room.u[iu_gust + 2] = T(gust.z);
+  const Vec3<T> rates = steady_rates(flight, room.x[kStateIndex.roll], room.x[kStateIndex.pitch]);
+  room.x[kStateIndex.velocity.x] = velocity.x + gust.x;
+  room.x[kStateIndex.velocity.y] = velocity.y + gust.y;
+  room.x[kStateIndex.velocity.z] = velocity.z + gust.z;
+  room.x[kStateIndex.rates.x] = rates.x;
+  room.x[kStateIndex.rates.y] = rates.y;
+  room.x[kStateIndex.rates.z] = rates.z;
+  room.u[kControlIndex.gust.x] = T(gust.x);
+  room.u[kControlIndex.gust.y] = T(gust.y);
+  room.u[kControlIndex.gust.z] = T(gust.z);
 }
 
 // A force of `part` of the weight, upwards, added to the rates in room.x (m/s^2). Roll and pitch in rad.
@@ -127,9 +129,9 @@ template <class T>
 TILTROTOR_NOINLINE void relieve_weight(const T& roll, const T& pitch, const T& part, ModelRoom<T>& room) {
   const T relief = part * kGravity<Real<T>>;
   const T level = relief * cos(pitch);
-  room.x[ix_u] += relief * sin(pitch);
-  room.x[ix_v] -= level * sin(roll);
-  room.x[ix_w] -= level * cos(roll);
+  room.x[kStateIndex.velocity.x] += relief * sin(pitch);
+  room.x[kStateIndex.velocity.y] -= level * sin(roll);
+  room.x[kStateIndex.velocity.z] -= level * cos(roll);
 }
 
 // Residuals of the unknowns z, on plain numbers or duals. Inputs that are no unknowns are 0, but for a given
@@ -140,7 +142,7 @@ void trim_residuals(const Configuration<Real<T>>& c, const SteadyFlight<Real<T>>
   using R = Real<T>;
   for (T& x : room.x) x = T(R(0));
   for (T& u : room.u) u = T(R(0));
-  room.u[iu_collective] = T(equations.collective);
+  room.u[kControlIndex.collective] = T(equations.collective);
   T carried(equations.carried);
   for (int j = 0; j < equations.count; ++j) {
     const TrimEquation<R>& row = equations.row[j];
@@ -201,11 +203,12 @@ void trim_first_guess(const Configuration<R>& c, const SteadyFlight<R>& flight,
   for (int j = 0; j < equations.count; ++j) {
     const TrimEquation<R>& row = equations.row[j];
     z[j] = R(0);
-    if (row.state == ix_roll) z[j] = bank;
-    if (row.state == ix_pitch) z[j] = level_pitch + flight.climb * sm * sm;
-    if (row.control == iu_collective) z[j] = collective;
-    if (row.state == ix_rotor_right + 4 || row.state == ix_rotor_left + 4) z[j] = n0;
-    if (row.state == ix_coning_right || row.state == ix_coning_left) z[j] = c.coning;
+    if (row.state == kStateIndex.roll) z[j] = bank;
+    if (row.state == kStateIndex.pitch) z[j] = level_pitch + flight.climb * sm * sm;
+    if (row.control == kControlIndex.collective) z[j] = collective;
+    if (row.state == kStateIndex.rotor[right].n0 || row.state == kStateIndex.rotor[left].n0) z[j] = n0;
+    if (row.state == kStateIndex.coning[right].angle || row.state == kStateIndex.coning[left].angle)
+      z[j] = c.coning;
   }
   find_attitude(flight, z[kRollRow], z[kPitchRow]);
 }
@@ -242,7 +245,8 @@ void trim_windmill_guess(const Configuration<R>& c, const SteadyFlight<R>& fligh
   z[kCollectiveRow] = angle + (R(2) + R(4) * cm * cm) * kRadian<R>;
   for (int j = 0; j < equations.count; ++j) {
     const int state = equations.row[j].state;
-    if (state == ix_rotor_right + 4 || state == ix_rotor_left + 4) z[j] = induced / c.tip_speed;
+    if (state == kStateIndex.rotor[right].n0 || state == kStateIndex.rotor[left].n0)
+      z[j] = induced / c.tip_speed;
   }
 }
 

@@ -144,12 +144,12 @@ int explain(const TrimResult<R>& r, char* text, int capacity) {
         sentence << "no trim found: climb, turn and sideslip leave no attitude that balances the forces; "
                     "scaled residual ";
         sentence.scientific(static_cast<double>(r.residual))
-            << " left in the rate of " << kStateNames[r.residual_state].name;
+            << " left in the rate of " << kStateVariables[r.residual_state].name;
         break;
       }
       sentence << "no trim found in " << r.iterations << " Newton steps: scaled residual ";
       sentence.scientific(static_cast<double>(r.residual))
-          << " left in the rate of " << kStateNames[r.residual_state].name;
+          << " left in the rate of " << kStateVariables[r.residual_state].name;
       if (r.limits.count > 0) {
         sentence << "; at the last point ";
         trim_detail::write_limits(r.limits, sentence);
@@ -161,7 +161,7 @@ int explain(const TrimResult<R>& r, char* text, int capacity) {
                  << trim_detail::kFieldWords[static_cast<unsigned>(r.invalid)];
         break;
       }
-      sentence << "the rate of " << kStateNames[r.residual_state].name
+      sentence << "the rate of " << kStateVariables[r.residual_state].name
                << " is not a number at the first guess";
       break;
     case TrimStatus::out_of_range:

@@ -1,10 +1,12 @@
 // Inputs of the aircraft: the pilot's inceptors, direct increments on blades and surfaces, and gusts.
 //
-// All act together: the increments add to what the gearing makes of the inceptors (control_mixing.hpp). So a
-// linear model can have its columns in inceptor inches, in blade angles, or both.
+// A new input is a member and its line in describe(). All act together: the increments add to what the
+// gearing makes of the inceptors (control_mixing.hpp). So a linear model can have its columns in inceptor
+// inches, in blade angles, or both.
 #pragma once
 
 #include "tiltrotor/math/vector.hpp"
+#include "tiltrotor/model/variables.hpp"
 
 namespace tiltrotor {
 
@@ -23,51 +25,41 @@ struct Controls {
   T lateral_cyclic;    // A1 increment of both rotors in their own frames, rad
   Vec3<T> gust;        // velocity of the air at the aircraft relative to the undisturbed air, body axes, m/s
 
-  static constexpr int kCount = 14;
+  // Every input once, with what it is, in the order of files and arrays.
+  template <class Self, class Visit>
+  static constexpr void describe(Self& s, Visit&& visit) {
+    using K = VariableKind;
+    constexpr Plane lon = Plane::longitudinal;
+    constexpr Plane lat = Plane::lateral;
+    visit(s.collective, Variable{"collective", K::blade_pitch, lon});
+    visit(s.long_stick, Variable{"long_stick", K::stick, lon});
+    visit(s.lat_stick, Variable{"lat_stick", K::stick, lat});
+    visit(s.pedal, Variable{"pedal", K::pedal, lat});
+    visit(s.long_cyclic, Variable{"long_cyclic", K::blade_pitch, lon});
+    visit(s.diff_collective, Variable{"diff_collective", K::blade_pitch, lat});
+    visit(s.diff_long_cyclic, Variable{"diff_long_cyclic", K::blade_pitch, lat});
+    visit(s.elevator, Variable{"elevator", K::surface, lon});
+    visit(s.aileron, Variable{"aileron", K::surface, lat});
+    visit(s.rudder, Variable{"rudder", K::surface, lat});
+    visit(s.lateral_cyclic, Variable{"lateral_cyclic", K::blade_pitch, lon});
+    visit(s.gust.x, Variable{"gust_u", K::gust, lon});
+    visit(s.gust.y, Variable{"gust_v", K::gust, lat});
+    visit(s.gust.z, Variable{"gust_w", K::gust, lon});
+  }
 
   template <class Self, class Visit>
   static void each(Self& s, Visit&& visit) {
-    visit(s.collective);
-    visit(s.long_stick);
-    visit(s.lat_stick);
-    visit(s.pedal);
-    visit(s.long_cyclic);
-    visit(s.diff_collective);
-    visit(s.diff_long_cyclic);
-    visit(s.elevator);
-    visit(s.aileron);
-    visit(s.rudder);
-    visit(s.lateral_cyclic);
-    Vec3<T>::each(s.gust, visit);
+    describe(s, [&visit](auto& x, const Variable&) { visit(x); });
   }
 };
 
-// Places in the order of Controls::each.
-enum ControlIndex {
-  iu_collective,
-  iu_long_stick,
-  iu_lat_stick,
-  iu_pedal,
-  iu_long_cyclic,
-  iu_diff_collective,
-  iu_diff_long_cyclic,
-  iu_elevator,
-  iu_aileron,
-  iu_rudder,
-  iu_lateral_cyclic,
-  iu_gust,
-  control_count = 14
-};
+inline constexpr int control_count = count_variables<Controls>();
+static_assert(sizeof(Controls<int>) == control_count * sizeof(int), "every member of Controls is described");
 
-struct ControlName {
-  const char* name;
-  const char* unit;
-};
-inline constexpr ControlName kControlNames[control_count] = {
-    {"collective", "rad"},  {"long_stick", "in"},       {"lat_stick", "in"},         {"pedal", "in"},
-    {"long_cyclic", "rad"}, {"diff_collective", "rad"}, {"diff_long_cyclic", "rad"}, {"elevator", "rad"},
-    {"aileron", "rad"},     {"rudder", "rad"},          {"lateral_cyclic", "rad"},   {"gust_u", "m/s"},
-    {"gust_v", "m/s"},      {"gust_w", "m/s"}};
+// Place of each input: kControlIndex.pedal, kControlIndex.gust.x.
+inline constexpr Controls<int> kControlIndex = places<Controls>();
+inline constexpr auto kControlVariables = variable_table<Controls>();
+static_assert(is_complete(kControlVariables), "names are unlike");
 
 // What the blades and surfaces see.
 template <class T>

@@ -4,14 +4,15 @@
 // to the air at the aircraft, which all air loads follow, it is velocity - Controls::gust. Flapping and
 // inflow of each rotor stand in its own mirrored frame (frames.hpp), so that symmetric flight has equal
 // rotors.
+//
+// A new state is a member and its line in describe(); whatever is forgotten does not compile.
 #pragma once
 
 #include "tiltrotor/math/vector.hpp"
 #include "tiltrotor/model/options.hpp"
+#include "tiltrotor/model/variables.hpp"
 
 namespace tiltrotor {
-
-enum Side { right = 0, left = 1 };
 
 template <class T>
 struct RotorState {
@@ -36,65 +37,56 @@ struct State {
   Vec3<T>
       position;  // north, east, down relative to the undisturbed air, m; only with Options::position_states
 
-  static constexpr int kCount = 31;
+  // Every state once, with what it is, in the order of files and arrays.
+  template <class Self, class Visit>
+  static constexpr void describe(Self& s, Visit&& visit) {
+    using K = VariableKind;
+    constexpr Plane lon = Plane::longitudinal;
+    constexpr Plane lat = Plane::lateral;
+    constexpr Plane rot = Plane::rotor;
+    visit(s.velocity.x, Variable{"u", K::speed, lon});
+    visit(s.velocity.y, Variable{"v", K::speed, lat});
+    visit(s.velocity.z, Variable{"w", K::speed, lon});
+    visit(s.rates.x, Variable{"p", K::body_rate, lat});
+    visit(s.rates.y, Variable{"q", K::body_rate, lon});
+    visit(s.rates.z, Variable{"r", K::body_rate, lat});
+    visit(s.roll, Variable{"phi", K::bank, lat});
+    visit(s.pitch, Variable{"theta", K::pitch, lon});
+    visit(s.yaw, Variable{"psi", K::heading, lat});
+    for (int side = 0; side < 2; ++side) {
+      const bool r = side == right;
+      visit(s.rotor[side].b1c, Variable{r ? "b1c_R" : "b1c_L", K::gimbal_tilt, rot, side});
+      visit(s.rotor[side].b1s, Variable{r ? "b1s_R" : "b1s_L", K::gimbal_tilt, rot, side});
+      visit(s.rotor[side].b1c_rate, Variable{r ? "db1c_R" : "db1c_L", K::gimbal_rate, rot, side});
+      visit(s.rotor[side].b1s_rate, Variable{r ? "db1s_R" : "db1s_L", K::gimbal_rate, rot, side});
+      visit(s.rotor[side].n0, Variable{r ? "n0_R" : "n0_L", K::mean_inflow, rot, side});
+      visit(s.rotor[side].nc, Variable{r ? "nc_R" : "nc_L", K::cyclic_inflow, rot, side});
+      visit(s.rotor[side].ns, Variable{r ? "ns_R" : "ns_L", K::cyclic_inflow, rot, side});
+    }
+    visit(s.downwash, Variable{"eps", K::downwash, lon});
+    for (int side = 0; side < 2; ++side) {
+      const bool r = side == right;
+      visit(s.coning[side].angle, Variable{r ? "b0_R" : "b0_L", K::coning, rot, side});
+      visit(s.coning[side].rate, Variable{r ? "db0_R" : "db0_L", K::coning_rate, rot, side});
+    }
+    visit(s.position.x, Variable{"north", K::position, lon});
+    visit(s.position.y, Variable{"east", K::position, lat});
+    visit(s.position.z, Variable{"down", K::position, lon});
+  }
 
   template <class Self, class Visit>
   static void each(Self& s, Visit&& visit) {
-    Vec3<T>::each(s.velocity, visit);
-    Vec3<T>::each(s.rates, visit);
-    visit(s.roll);
-    visit(s.pitch);
-    visit(s.yaw);
-    for (int side = 0; side < 2; ++side) {
-      visit(s.rotor[side].b1c);
-      visit(s.rotor[side].b1s);
-      visit(s.rotor[side].b1c_rate);
-      visit(s.rotor[side].b1s_rate);
-      visit(s.rotor[side].n0);
-      visit(s.rotor[side].nc);
-      visit(s.rotor[side].ns);
-    }
-    visit(s.downwash);
-    for (int side = 0; side < 2; ++side) {
-      visit(s.coning[side].angle);
-      visit(s.coning[side].rate);
-    }
-    Vec3<T>::each(s.position, visit);
+    describe(s, [&visit](auto& x, const Variable&) { visit(x); });
   }
 };
 
-// Places in the order of State::each, and in files.
-enum StateIndex {
-  ix_u,
-  ix_v,
-  ix_w,
-  ix_p,
-  ix_q,
-  ix_r,
-  ix_roll,
-  ix_pitch,
-  ix_yaw,
-  ix_rotor_right,
-  ix_rotor_left = 16,  // seven each: b1c b1s b1c_rate b1s_rate n0 nc ns
-  ix_downwash = 23,
-  ix_coning_right = 24,
-  ix_coning_left = 26,  // angle, rate
-  ix_position = 28,
-  state_count = 31
-};
+inline constexpr int state_count = count_variables<State>();
+static_assert(sizeof(State<int>) == state_count * sizeof(int), "every member of State is described");
 
-struct StateName {
-  const char* name;
-  const char* unit;
-};
-inline constexpr StateName kStateNames[state_count] = {
-    {"u", "m/s"},       {"v", "m/s"},        {"w", "m/s"},        {"p", "rad/s"},      {"q", "rad/s"},
-    {"r", "rad/s"},     {"phi", "rad"},      {"theta", "rad"},    {"psi", "rad"},      {"b1c_R", "rad"},
-    {"b1s_R", "rad"},   {"db1c_R", "rad/s"}, {"db1s_R", "rad/s"}, {"n0_R", "-"},       {"nc_R", "-"},
-    {"ns_R", "-"},      {"b1c_L", "rad"},    {"b1s_L", "rad"},    {"db1c_L", "rad/s"}, {"db1s_L", "rad/s"},
-    {"n0_L", "-"},      {"nc_L", "-"},       {"ns_L", "-"},       {"eps", "rad"},      {"b0_R", "rad"},
-    {"db0_R", "rad/s"}, {"b0_L", "rad"},     {"db0_L", "rad/s"},  {"north", "m"},      {"east", "m"},
-    {"down", "m"}};
+// Place of each state: kStateIndex.pitch, kStateIndex.rotor[right].n0.
+inline constexpr State<int> kStateIndex = places<State>();
+inline constexpr auto kStateVariables = variable_table<State>();
+static_assert(is_complete(kStateVariables), "names are unlike, sides have the same states");
 
 // The states that are alive under a set of options, in order. The others stay constant.
 struct ActiveStates {
@@ -102,19 +94,30 @@ struct ActiveStates {
   int index[state_count];
 };
 
+constexpr bool is_active(const Variable& state, const Options& options) {
+  switch (state.kind) {
+    case VariableKind::gimbal_rate:
+      return options.flapping != FlapOrder::first;
+    case VariableKind::cyclic_inflow:
+      return options.inflow != InflowShape::uniform;
+    case VariableKind::downwash:
+      return options.downwash_lag;
+    case VariableKind::coning:
+    case VariableKind::coning_rate:
+      return options.coning_states;
+    case VariableKind::position:
+      return options.position_states;
+    default:
+      return true;
+  }
+}
+
 // `with_yaw` false drops the heading, on which nothing depends: the set for trim and linear models.
 inline ActiveStates active_states(const Options& options, bool with_yaw) {
   ActiveStates active{0, {}};
   for (int i = 0; i < state_count; ++i) {
-    const bool rotor = i >= ix_rotor_right && i < ix_downwash;
-    const int place = rotor ? (i - ix_rotor_right) % 7 : 0;
-    if (i == ix_yaw && !with_yaw) continue;
-    if (rotor && (place == 2 || place == 3) && options.flapping == FlapOrder::first) continue;
-    if (rotor && place >= 5 && options.inflow == InflowShape::uniform) continue;
-    if (i == ix_downwash && !options.downwash_lag) continue;
-    if (i >= ix_coning_right && i < ix_position && !options.coning_states) continue;
-    if (i >= ix_position && !options.position_states) continue;
-    active.index[active.count++] = i;
+    if (i == kStateIndex.yaw && !with_yaw) continue;
+    if (is_active(kStateVariables[i], options)) active.index[active.count++] = i;
   }
   return active;
 }
