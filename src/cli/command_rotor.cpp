@@ -105,6 +105,13 @@ std::vector<Case> cases(const Arguments& arguments, double default_rotor_speed) 
   return all;
 }
 
+std::string explanation(Status status, Rotor rotor) {
+  if (status == Status::vortex_ring && rotor.momentum == MomentumRange::other_branch)
+    return "no windmill found: in the equilibrium found the wake goes down against the air that comes up";
+  if (status == Status::vortex_ring) return status_text(status);
+  return std::string(status_text(status)) + "; residual " + number_text(rotor.residual, 3);
+}
+
 int run(const Arguments& arguments) {
   const SetupOptions setup(arguments);
   const double mast_deg = arguments.number("--mast", 0, kMastRange);
@@ -122,14 +129,14 @@ int run(const Arguments& arguments) {
     const Status status = isolated_rotor(configuration, all[i].flow, work, rotor);
     Row row;
     for (const Column& column : numbers) {
-      const bool in_balance = status == Status::ok || status == Status::vortex_ring;
-      row.emplace_back(in_balance || column.always ? column.value(configuration, rotor) : nothing);
+      row.emplace_back(status == Status::ok || column.always ? column.value(configuration, rotor) : nothing);
     }
     row.emplace_back(status_word(status));
     records.add(row);
     if (status != Status::ok) {
       progress.message("rotor: collective " + number_text(all[i].flow.collective / radian, 6) +
-                       " deg: " + status_text(status) + "; residual " + number_text(rotor.residual, 3));
+                       " deg, axial " + number_text(all[i].flow.axial, 6) +
+                       " m/s: " + explanation(status, rotor));
       exit_status = exit_case_failed;
     }
     progress.advance();
@@ -153,19 +160,21 @@ OptionList options() {
 }  // namespace
 
 Command rotor_command() {
-  return {"rotor",
-          "one rotor alone on a fixed shaft: thrust, power, efficiency",
-          "Brings inflow and flapping into equilibrium at every combination of pitch, rotor speed and flow "
-          "(each a\n"
-          "value, a list or a range). figure_of_merit stands where the rotor hovers, efficiency (thrust "
-          "times axial\n"
-          "speed over power) where it propels. The mast angle sets coning and the default rotor speed. With "
-          "the status\n"
-          "vortex_ring the rotor descends in its own wake: momentum theory does not hold, its numbers mean "
-          "little.\n",
-          "tiltrotor rotor --collective75 4:1:14 --rpm 589",
-          options() + mast_option() + SetupOptions::rotor_list() + Output::list(),
-          run};
+  return {
+      "rotor",
+      "one rotor alone on a fixed shaft: thrust, power, efficiency",
+      "Brings inflow and flapping into equilibrium at every combination of pitch, rotor speed and flow "
+      "(each a\n"
+      "value, a list or a range). figure_of_merit stands where the rotor hovers, efficiency (thrust "
+      "times axial\n"
+      "speed over power) where it propels. The mast angle sets coning and the default rotor speed. With "
+      "the status\n"
+      "vortex_ring the rotor descends in its own wake, or no windmill balances its thrust: momentum theory "
+      "does not\n"
+      "hold, and no figures are printed.\n",
+      "tiltrotor rotor --collective75 4:1:14 --rpm 589",
+      options() + mast_option() + SetupOptions::rotor_list() + Output::list(),
+      run};
 }
 
 }  // namespace tiltrotor::cli

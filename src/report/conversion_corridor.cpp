@@ -153,9 +153,14 @@ Plot corridor_plot(const char* id, const char* title, const Table& grid, const T
     for (std::size_t i = 0; i < columns; ++i) plot.cells.value[i * rows + j] = values[j * columns + i];
   }
   const std::vector<double> mast = edges.numbers("mast_deg");
+  std::vector<double> continuous = edges.numbers("power_mps");
+  for (std::size_t i = 0; i < continuous.size(); ++i) {
+    const std::string reason = edges.text(i, "power_reason");
+    if (reason != "power" && reason != "torque") continuous[i] = kMissing;
+  }
   plot.series = {
       line_of("wing stall", kBlack, Line::solid, Marker::none, edges.numbers("stall_mps"), mast),
-      line_of("continuous rating", kBlack, Line::dotted, Marker::none, edges.numbers("power_mps"), mast),
+      line_of("continuous rating", kBlack, Line::dotted, Marker::none, continuous, mast),
       line_of("take-off rating", kOrange, Line::solid, Marker::none, edges.numbers("takeoff_mps"), mast),
       published("1975 minimum, Vc", "design_minimum", kPurple, Marker::circle),
       published("", "design_vc", kPurple, Marker::square),

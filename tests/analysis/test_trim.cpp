@@ -182,16 +182,6 @@ TEST(trim_mirrored_flight_is_mirrored) {
   }
 }
 
-// In hover direction means nothing: every climb and sideslip angle gives the same trim.
-TEST(trim_hover_has_no_direction) {
-  const Configuration<double> c = configuration(0);
-  const TrimResult<double> a = trimmed(c, level(0));
-  const TrimResult<double> b = trimmed(c, {0, 20 * kDeg, 0, 30 * kDeg});
-  CHECK_NEAR(a.state.pitch, b.state.pitch, 1e-9);
-  CHECK_NEAR(a.controls.collective, b.controls.collective, 1e-9);
-  CHECK_NEAR(b.state.velocity.y, 0, 0);
-}
-
 // The set of unknowns follows the options; whatever it is, every active state must stand still.
 TEST(trim_under_every_set_of_states) {
   for (int k = 0; k < 16; ++k) {

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "analysis_case.hpp"
-#include "rotor_stand.hpp"
 
 using namespace analysis_case;
 
@@ -27,11 +26,6 @@ bool names(const TrimResult<double>& r, TrimLimit limit) {
   for (int k = 0; k < r.limits.count; ++k)
     if (r.limits.exceeded[k].limit == limit) return true;
   return false;
-}
-
-double hover_speed(double thrust, const Configuration<double>& c) {
-  return std::sqrt(std::fabs(thrust) /
-                   (2 * c.air.density * kPi<double> * std::pow(c.aircraft->rotor.radius, 2)));
 }
 
 }  // namespace
@@ -99,36 +93,6 @@ TEST(trim_momentum_range) {
   CHECK_EQ(pushed.axial, -15.0);
   CHECK_EQ(pushed.induced, 16.0);
   CHECK(momentum_range(pushed) == ring);
-}
-
-// No isolated rotor in descent ends with ok on a root that is not the windmill's.
-TEST(isolated_rotor_descent_is_a_windmill_or_says_so) {
-  Options options;
-  options.grid = BladeGrid::realtime;
-  rotor_stand::Stand stand(0, options);
-  const Configuration<double>& c = stand.configuration;
-  int windmills = 0, rings = 0;
-  for (double axial = -60; axial <= -10; axial += 10) {
-    for (double collective = -8; collective <= 12; collective += 2) {
-      const Status status = stand.run(rotor_stand::flow(collective, axial));
-      if (!CHECK(status == Status::ok || status == Status::vortex_ring)) {
-        NOTE(axial << " m/s, " << collective << " deg: " << status_word(status));
-        continue;
-      }
-      rings += status == Status::vortex_ring;
-      if (status != Status::ok) continue;
-      const double thrust = stand.rotor.figures.thrust;
-      const double v = stand.rotor.input.state.n0 * c.tip_speed, h = hover_speed(thrust, c);
-      if (thrust < 0 || axial > -2 * h) continue;
-      ++windmills;
-      const double least = -axial / 2 - std::sqrt(axial * axial / 4 - h * h);
-      CHECK_NEAR(v, least, 0.15 * h);
-    }
-  }
-  CHECK_LT(5, windmills);
-  CHECK_LT(5, rings);
-  // Here the blades stall before the windmill carries their thrust: only a root above it is left.
-  CHECK(stand.run(rotor_stand::flow(8, -40)) == Status::vortex_ring);
 }
 
 // Vertical descent of a helicopter at 16 m/s is vortex ring; gentle and fast descents are not.
@@ -203,8 +167,20 @@ TEST(trim_names_every_limit) {
   }
 }
 
-// A legal call never raises an invalid operation, a division by zero or an overflow: random climbs, turns and
-// sideslips over the whole range, and what follows a trim.
+// Counted from the rear stop, like the column of `trim`: neutral is 4.8.
+TEST(trim_text_counts_the_stick_from_its_rear_stop) {
+  TrimResult<double> r{};
+  r.limits.add(TrimStatus::control_limit, TrimLimit::long_stick, 5.25, 4.8);
+  r.status = r.limits.status;
+  CHECK_EQ(explanation(r), std::string("trimmed, but longitudinal stick 10.05 in is beyond 9.60 in"));
+  r.limits.exceeded[0].value = -5.25;
+  r.limits.exceeded[0].bound = -4.8;
+  CHECK_EQ(explanation(r), std::string("trimmed, but longitudinal stick -0.45 in is beyond 0.00 in"));
+}
+
+// A legal call never raises an invalid operation, a division by zero or an overflow: random climbs, turns,
+// sideslips and gusts over the whole range, and what follows a trim. Only some look further than their first
+// attempt, which takes long.
 TEST(trim_raises_no_floating_point_exception) {
   constexpr int serious = FE_INVALID | FE_DIVBYZERO | FE_OVERFLOW;
   std::uint32_t seed = 12345;
@@ -212,13 +188,18 @@ TEST(trim_raises_no_floating_point_exception) {
     seed = seed * 1664525u + 1013904223u;
     return low + (high - low) * seed / 4294967296.0;
   };
-  for (int k = 0; k < 300; ++k) {
-    const Configuration<double> c = realtime(random(0, 90));
+  for (int k = 0; k < 1500; ++k) {
+    const Configuration<double> c = realtime(random(0, 90), k % 3 == 0 ? random(-500, 6000) : 0);
     const double part = k % 2 ? 0.3 : 1;
-    const SteadyFlight<double> flight = {random(0.1, 150), part * random(-60, 60) * kDeg,
-                                         part * random(-60, 60) * kDeg, part * random(-60, 60) * kDeg};
+    SteadyFlight<double> flight = {random(0.1, 150), part * random(-90, 90) * kDeg,
+                                   part * random(-60, 60) * kDeg, part * random(-60, 60) * kDeg};
+    if (k % 5 == 0) flight.gust = {random(-100, 100), random(-100, 100), random(-100, 100)};
+    if (k % 7 == 0) flight.climb = (k % 2 ? 90 : -90) * kDeg, flight.sideslip = 0;
+    TrimOptions options;
+    options.continuation = k % 15 == 0;
+    if (!options.continuation) options.max_iterations = 8;
     std::feclearexcept(FE_ALL_EXCEPT);
-    const TrimResult<double> r = trimmed(c, flight);
+    const TrimResult<double> r = trimmed(c, flight, options);
     const int raised = std::fetestexcept(serious);
     CHECK(r.status != TrimStatus::not_finite && r.status != TrimStatus::out_of_range);
     if (!CHECK_EQ(raised, 0))
@@ -230,4 +211,39 @@ TEST(trim_raises_no_floating_point_exception) {
     modes_of(c, r.state, r.controls, set);
     CHECK_EQ(std::fetestexcept(serious), 0);
   }
+}
+
+// Every legal flight has an attitude: one where the path along the body's y axis is the sideslip asked for.
+// By the velocity found, turned to earth axes; steep climbs with sideslip need a bank at little pitch.
+TEST(trim_finds_an_attitude_for_every_flight) {
+  for (double climb = -89.9; climb < 90; climb += 9.99) {
+    for (double sideslip = -60; sideslip <= 60; sideslip += 7.5) {
+      for (double pitch : {-80.0, -10.0, 0.0, 45.0, 89.0}) {
+        const SteadyFlight<double> flight = {50, climb * kDeg, 0, sideslip * kDeg};
+        double roll = 0.1, found = pitch * kDeg;
+        find_attitude(flight, roll, found);
+        if (!CHECK(has_attitude(flight, roll, found))) NOTE(climb << ", " << sideslip << ", " << pitch);
+        const Vec3<double> v = steady_velocity(flight, roll, found);
+        CHECK_NEAR(v.y, 50 * std::sin(sideslip * kDeg), 1e-9);
+        CHECK_NEAR(to_earth(v, roll, found).z, -50 * std::sin(climb * kDeg), 1e-9);
+      }
+    }
+  }
+}
+
+// Manoeuvres that no attitude allows, or only one on the back, end with a sentence that says so.
+TEST(trim_says_that_no_attitude_is_left) {
+  const Configuration<double> c = realtime(60);
+  const SteadyFlight<double> impossible[] = {{40, -75 * kDeg, 50 * kDeg, -50 * kDeg},
+                                             {50, -75 * kDeg, 30 * kDeg, 50 * kDeg},
+                                             {100, 60 * kDeg, 30 * kDeg, 55 * kDeg}};
+  for (const SteadyFlight<double>& flight : impossible) {
+    const TrimResult<double> r = trimmed(c, flight);
+    CHECK(r.status == TrimStatus::not_converged && r.obstacle == TrimObstacle::attitude);
+    CHECK(contains(explanation(r), "climb, turn and sideslip leave no attitude that balances the forces"));
+    CHECK_LT(explanation(r).size(), 160u);
+  }
+  const TrimResult<double> dive = trimmed(realtime(78), {97, -90 * kDeg, 0, 0});
+  CHECK(dive.status == TrimStatus::not_converged && dive.obstacle == TrimObstacle::upside_down);
+  CHECK(contains(explanation(dive), "on its back or past the vertical"));
 }

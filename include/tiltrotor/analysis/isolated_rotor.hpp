@@ -1,10 +1,11 @@
 // An isolated rotor on a fixed shaft: inflow and flapping in equilibrium at a given pitch and flow, and the
 // figures by which rotors are compared.
 //
-//   Configuration<double> c;  prepare(aircraft, setup, c);      // rotor speed, altitude and switches are in
-//   the setup RotorFlow<double> flow{};  flow.collective = 0.2; static IsolatedRotorWorkspace<double> work;
-//   // placed by the caller IsolatedRotor<double> rotor; if (isolated_rotor(c, flow, work, rotor) ==
-//   Status::ok) ... rotor.figures.thrust_coefficient
+//   Configuration<double> c;  prepare(aircraft, setup, c);  // setup: rotor speed, altitude, switches
+//   RotorFlow<double> flow{};  flow.collective = 0.2;
+//   static IsolatedRotorWorkspace<double> work;             // placed by the caller
+//   IsolatedRotor<double> rotor;
+//   if (isolated_rotor(c, flow, work, rotor) == Status::ok) ... rotor.figures.thrust_coefficient
 #pragma once
 
 #include <cmath>
@@ -45,6 +46,7 @@ struct IsolatedRotor {
   RotorInput<R> input;  // flow, state and pitch in the rotor frame A
   RotorResponse<R> response;
   RotorFigures<R> figures;
+  MomentumRange momentum;  // whether momentum theory gives this inflow
   int iterations;
   R residual;  // largest scaled rate left over
 };
@@ -294,12 +296,14 @@ MomentumRange range(const Configuration<R>& c, const IsolatedRotor<R>& rotor) {
 }  // namespace isolated_rotor_detail
 
 // Equilibrium by damped Newton iteration on the exact Jacobian, from a start by momentum theory; where that
-// ends outside the range of momentum theory or nowhere, once more from a rotor without inflow, near which the
-// windmill is. Residuals are scaled with the rotor speed; the tolerance is 1e-11 in double. Status: ok;
-// vortex_ring (in equilibrium, but momentum_range.hpp does not hold); out_of_range (flow outside the ranges
-// given at RotorFlow) and not_finite (NaN or infinity in it), nothing computed; not_converged (the rotor is
-// in the state closest to equilibrium); singular, not_finite. `rotor` is defined whatever is returned. Cost:
-// typically 4 to 8 rotor Jacobians, at most 120 and 1560 plain evaluations.
+// ends outside the range of momentum theory or nowhere, once more from a rotor without inflow, of which the
+// windmill's root is the next, and from an inflow above all roots. Where the blades at the windmill's inflow
+// give more thrust than its wake can carry, only a root without meaning is left. Residuals are scaled with
+// the rotor speed; the tolerance is 1e-11 in double. Status: ok; vortex_ring (in equilibrium, but no rotor
+// flies so: rotor.momentum says whether in its own wake or on the other branch); out_of_range (flow outside
+// the ranges given at RotorFlow) and not_finite (NaN or infinity in it), nothing computed; not_converged (the
+// rotor is where the first start ended); singular, not_finite. `rotor` is defined whatever is returned. Cost:
+// typically 4 to 8 rotor Jacobians, at most 180 and 2340 plain evaluations.
 template <class R>
 Status isolated_rotor(const Configuration<R>& c, const RotorFlow<R>& flow, IsolatedRotorWorkspace<R>& work,
                       IsolatedRotor<R>& rotor) {
@@ -327,21 +331,24 @@ Status isolated_rotor(const Configuration<R>& c, const RotorFlow<R>& flow, Isola
     z[2] = n0;
     if (set.coning) z[2 + set.harmonics] = c.coning;
   };
-  R z[kRotorUnknowns];
-  start(first_inflow(c, flow, solidity), z);
-  Status status = solve(c, set, flow.cyclic, z, work, rotor);
-  const bool lost = status == Status::not_converged && flow.axial < R(0);
-  if (lost || (status == Status::ok && range(c, rotor) != MomentumRange::holds)) {
-    const IsolatedRotor<R> first = rotor;
-    start(R(0), z);
-    const Status again = solve(c, set, flow.cyclic, z, work, rotor);
-    if (again == Status::ok) {
-      status = again;
-    } else {
-      rotor = first;
+  // By momentum theory; below the windmill; above every root.
+  const R starts[] = {first_inflow(c, flow, solidity), R(0), R(-1.2) * flow.axial / c.tip_speed};
+  IsolatedRotor<R> best = rotor;
+  Status status = Status::not_converged;
+  for (const R n0 : starts) {
+    R z[kRotorUnknowns];
+    start(n0, z);
+    const Status ended = solve(c, set, flow.cyclic, z, work, rotor);
+    rotor.momentum = range(c, rotor);
+    const bool found = ended == Status::ok && rotor.momentum == MomentumRange::holds;
+    if (found || best.iterations == 0 || (ended == Status::ok && status != Status::ok)) {
+      best = rotor;
+      status = ended;
     }
-    if (status == Status::ok && range(c, rotor) != MomentumRange::holds) status = Status::vortex_ring;
+    if (found || (ended != Status::ok && ended != Status::not_converged)) break;
   }
+  rotor = best;
+  if (status == Status::ok && rotor.momentum != MomentumRange::holds) status = Status::vortex_ring;
   rotor.figures = figures(c, flow, rotor.response.loads, solidity);
   return status;
 }

@@ -10,7 +10,7 @@
 //       -0.975 + 0.525 (1 - (Vx/0.95)^2)^0.2 and -0.975 - 0.525 (1 - (Vx/0.95)^2)^1.5
 //
 // In faster descent the equation v sqrt(Vx^2 + (Vz + v)^2) = v_h^2 has up to three roots. The least is that
-// of the windmill; the others send the wake up through the descending rotor.
+// of the windmill; in the others the wake goes down, against the air that comes up and carries it away.
 #pragma once
 
 #include <cmath>

@@ -96,28 +96,47 @@ TILTROTOR_NOINLINE Vec3<T> steady_velocity(const SteadyFlight<Real<T>>& flight, 
           flight.speed * (cg * (cr * sp * ck - sr * sk) - sg * cr * cp)};
 }
 
-// Whether the steady flight is possible at that attitude: Q > 0 above.
+// cos(k + d)^2 = (Q / D)^2 above: 1 where the aircraft flies straight ahead, 0 where its path is square to
+// its nose. Negative where no heading has that path and sideslip at that attitude.
 template <class R>
-bool has_attitude(const SteadyFlight<R>& flight, R roll, R pitch) {
-  if (!is_finite(roll) || !is_finite(pitch)) return false;
-  if (is_vertical(flight)) return true;
+R attitude_margin(const SteadyFlight<R>& flight, R roll, R pitch) {
+  if (is_vertical(flight)) return R(1);
   const R a = sin(roll) * sin(pitch);
   const R b = cos(roll);
-  const R c = (sin(flight.sideslip) + sin(flight.climb) * sin(roll) * cos(pitch)) / cos(flight.climb);
-  return a * a + b * b - c * c > R(0);
+  const R c =
+      (sin(flight.sideslip) + sin(flight.climb) * sin(roll) * cos(pitch)) * (R(1) / cos(flight.climb));
+  const R square_d = a * a + b * b;
+  return square_d > R(0) ? R(1) - c * c / square_d : R(-1);
 }
 
-// The roll angle nearest to the one given, in steps of 3 deg, at which the flight is possible.
+// Whether the steady flight is possible at that attitude, rounding apart.
 template <class R>
-R possible_roll(const SteadyFlight<R>& flight, R roll, R pitch) {
+bool has_attitude(const SteadyFlight<R>& flight, R roll, R pitch) {
+  return attitude_margin(flight, roll, pitch) > R(64) * std::numeric_limits<R>::epsilon();
+}
+
+// The attitude nearest to the one given at which the flight is possible: first roll in steps of 3 deg, then
+// pitch nearer to level. Level pitch has one for every flight: the wing turned against the sideslip, by no
+// more than the climb. Angles finite.
+template <class R>
+void find_attitude(const SteadyFlight<R>& flight, R& roll, R& pitch) {
   const R step = R(3) * kRadian<R>;
-  for (int k = 0; k <= 60; ++k) {
-    for (const R side : {R(1), R(-1)}) {
-      const R trial = roll + side * static_cast<R>(k) * step;
-      if (has_attitude(flight, trial, pitch)) return trial;
+  const int pitch_steps = 8;
+  for (int down = 0; down < pitch_steps; ++down) {
+    const R trial_pitch = pitch * static_cast<R>(pitch_steps - down) / R(pitch_steps);
+    for (int k = 0; k <= 60; ++k) {
+      const R trial_roll = roll + static_cast<R>(k % 2 == 0 ? k / 2 : -(k + 1) / 2) * step;
+      if (!has_attitude(flight, trial_roll, trial_pitch)) continue;
+      roll = trial_roll;
+      pitch = trial_pitch;
+      return;
     }
   }
-  return R(0);
+  const R sideslip = std::fabs(flight.sideslip);
+  const R climb = std::fabs(flight.climb);
+  const bool same_sign = (flight.sideslip < R(0)) == (flight.climb < R(0));
+  roll = (same_sign ? R(-1) : R(1)) * (sideslip < climb ? sideslip : climb);
+  pitch = R(0);
 }
 
 template <class R>

@@ -15,6 +15,13 @@
 
 namespace tiltrotor {
 
+// What stopped the search for a trim, where that is known.
+enum class TrimObstacle : unsigned char {
+  none,
+  attitude,    // no attitude near the balance of forces has the flight path, turn and sideslip
+  upside_down  // a solution was found, with the aircraft on its back or past the vertical
+};
+
 // What came out, with enough to explain it: trim_explanation.hpp makes a sentence of it.
 template <class R>
 struct TrimResult {
@@ -23,7 +30,7 @@ struct TrimResult {
   int attempts;        // 1: the cold start converged; more: continuation was used
   R residual;          // largest scaled residual: accelerations over g, angular accelerations over 1 rad/s^2
   int residual_state;  // place in kStateVariables of the state whose rate is left over
-  SteadyFlightField invalid;  // with out_of_range: the first bad input
+  SteadyFlightField invalid;  // with out_of_range and not_finite: the first bad input
 
   State<R> state;           // yaw and position 0
   Controls<R> controls;     // the four inceptors, and the gust asked for; increments 0
@@ -39,8 +46,9 @@ struct TrimResult {
   R download_fraction;  // force of the rotor wakes on the wing against the thrust, over the rotors' force (at
                         // least a tenth of the weight); 0 where the wing in the wake pulls forward
 
-  R weight_carried;      // 1; with rotor_stall the largest part of the weight that it can carry
-  LimitCheck<R> limits;  // all that are exceeded, the decisive first
+  TrimObstacle obstacle;  // of the search
+  R weight_carried;       // 1; with rotor_stall the largest part of the weight that it can carry
+  LimitCheck<R> limits;   // all that are exceeded, the decisive first
 };
 
 inline constexpr int kMaxTrimIterations = 200;
@@ -54,8 +62,8 @@ struct TrimOptions {
 // equations of motion to the tolerance (1e-10 in double), otherwise it describes the best point of the first
 // attempt. rotor_stall: there is none short of the rotors' stall, and result.weight_carried is the part of
 // the weight that can be carried; looked for below kWingborneMast. not_converged: no trim found;
-// result.residual_state tells which equation is left, result.limits what the last point exceeds, often the
-// reason. not_finite: a field of `flight` is NaN or infinite. No call raises a floating-point exception for
+// result.residual_state tells which equation is left, result.obstacle and result.limits, what the last point
+// exceeds, often the reason. not_finite: a field of `flight` is NaN or infinite. No call raises a floating-point exception for
 // an invalid operation, a division by zero or an overflow. Cost: typically 3 to 9 Jacobians; at most about
 // 1800 Jacobians, each with 12 derivatives, with the default options.
 template <class R, class Policy>
@@ -146,12 +154,19 @@ void finish(const Configuration<R>& c, const SteadyFlight<R>& flight, const Newt
             TrimWorkspace<R, Policy>& work, TrimResult<R>& result) {
   const R right_angle = R(0.5) * kPi<R>;
   const bool upright = std::fabs(work.z[0]) < right_angle && std::fabs(work.z[1]) < right_angle;
-  result.status = outcome.status == TrimStatus::ok && !upright ? TrimStatus::not_converged : outcome.status;
+  const bool solved = outcome.status == TrimStatus::ok;
+  result.status = solved && !upright ? TrimStatus::not_converged : outcome.status;
   result.residual = outcome.residual;
   result.residual_state = work.equations.row[outcome.worst].rate;
   if (result.status == TrimStatus::not_finite) {
     for (int j = 0; j < work.equations.count; ++j) work.z[j] = is_finite(work.z[j]) ? work.z[j] : R(0);
+    find_attitude(flight, work.z[kRollRow], work.z[kPitchRow]);
   }
+  const R square_path = R(0.01);  // of cos^2: the path is within 6 deg of square to the nose
+  const bool squeezed = attitude_margin(flight, work.z[kRollRow], work.z[kPitchRow]) < square_path;
+  result.obstacle = solved     ? (upright ? TrimObstacle::none : TrimObstacle::upside_down)
+                    : squeezed ? TrimObstacle::attitude
+                               : TrimObstacle::none;
   describe(c, flight, work, result);
 }
 
@@ -177,6 +192,7 @@ bool begin(const Configuration<R>& c, const SteadyFlight<R>& flight, const TrimO
   result.attempts = 0;
   result.residual = std::numeric_limits<R>::quiet_NaN();
   result.residual_state = kStateIndex.velocity.x;
+  result.obstacle = TrimObstacle::none;
   result.weight_carried = R(1);
   result.limits = LimitCheck<R>{};
   result.invalid = first_invalid(flight);
@@ -237,7 +253,8 @@ TrimStatus trim_from(const Configuration<R>& c, const SteadyFlight<R>& flight, T
                      TrimResult<R>& result, const TrimOptions& options) {
   if (!trim_detail::begin(c, flight, options, work, result)) return result.status;
   trim_detail::pack_unknowns(result.state, result.controls, work);
-  work.z[kRollRow] = possible_roll(flight, work.z[kRollRow], work.z[kPitchRow]);
+  if (is_finite(work.z[kRollRow]) && is_finite(work.z[kPitchRow]))
+    find_attitude(flight, work.z[kRollRow], work.z[kPitchRow]);
   result.attempts = 1;
   const auto outcome = trim_detail::newton(c, flight, work, options.max_iterations, result.iterations);
   trim_detail::finish(c, flight, outcome, work, result);

@@ -210,7 +210,7 @@ void trim_first_guess(const Configuration<R>& c, const SteadyFlight<R>& flight,
     if (row.state == kStateIndex.coning[right].angle || row.state == kStateIndex.coning[left].angle)
       z[j] = c.coning;
   }
-  z[kRollRow] = possible_roll(flight, z[kRollRow], z[kPitchRow]);
+  find_attitude(flight, z[kRollRow], z[kPitchRow]);
 }
 
 // Speed up the shaft in the first guess's attitude, m/s.

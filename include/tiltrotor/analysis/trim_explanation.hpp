@@ -109,7 +109,7 @@ void write_limits(const LimitCheck<R>& check, Sentence& sentence) {
 }  // namespace trim_detail
 
 // Writes at most capacity - 1 characters and a terminating zero; returns the length. 160 characters are
-// enough.
+// enough but for a long list of limits, which then ends in their number.
 template <class R>
 int explain(const TrimResult<R>& r, char* text, int capacity) {
   trim_detail::Sentence sentence(text, capacity);
@@ -134,6 +134,19 @@ int explain(const TrimResult<R>& r, char* text, int capacity) {
       break;
     case TrimStatus::not_converged:
     case TrimStatus::singular:
+      if (r.obstacle == TrimObstacle::upside_down) {
+        sentence << "no trim found but with the aircraft on its back or past the vertical: roll ";
+        sentence.fixed(static_cast<double>(r.state.roll) * kDegree<double>) << " deg, pitch ";
+        sentence.fixed(static_cast<double>(r.state.pitch) * kDegree<double>) << " deg";
+        break;
+      }
+      if (r.obstacle == TrimObstacle::attitude) {
+        sentence << "no trim found: climb, turn and sideslip leave no attitude that balances the forces; "
+                    "scaled residual ";
+        sentence.scientific(static_cast<double>(r.residual))
+            << " left in the rate of " << kStateVariables[r.residual_state].name;
+        break;
+      }
       sentence << "no trim found in " << r.iterations << " Newton steps: scaled residual ";
       sentence.scientific(static_cast<double>(r.residual))
           << " left in the rate of " << kStateVariables[r.residual_state].name;

@@ -86,7 +86,8 @@ void limit_step(const TrimEquations<R>& equations, R* step) {
 template <class R>
 inline constexpr R kNearlyConverged = R(1e-4);
 
-// Newton from work.z, which holds the best point found when it returns.
+// Newton from work.z, which holds the best point found when it returns: an attitude that the flight may have,
+// if the start was one.
 template <class R, class Policy>
 NewtonOutcome<R> newton(const Configuration<R>& c, const SteadyFlight<R>& flight,
                         TrimWorkspace<R, Policy>& work, int max_iterations, int& iterations) {
@@ -102,6 +103,8 @@ NewtonOutcome<R> newton(const Configuration<R>& c, const SteadyFlight<R>& flight
                      [&work](int i, int j, R slope) { work.jacobian(i, j) = slope; });
   };
 
+  for (int j = 0; j < n; ++j)
+    if (!is_finite(work.z[j])) return {TrimStatus::not_finite, std::numeric_limits<R>::infinity(), j};
   if (!has_attitude(flight, work.z[kRollRow], work.z[kPitchRow]))
     return {TrimStatus::not_converged, std::numeric_limits<R>::infinity(), 0};
   differentiate(work.z, work.residual);

@@ -1,0 +1,149 @@
+// Isolated rotors in descent: the windmill where there is one, otherwise the truth.
+#include <cfenv>
+#include <cmath>
+#include <vector>
+
+#include "check.hpp"
+#include "cli/csv_text.hpp"
+#include "rotor_stand.hpp"
+#include "run_program.hpp"
+
+using check::CsvText;
+using check::run_tiltrotor;
+using namespace tiltrotor;
+using rotor_stand::flow;
+
+namespace {
+
+Options realtime() {
+  Options options;
+  options.grid = BladeGrid::realtime;
+  return options;
+}
+
+double hover_speed(double thrust, const Configuration<double>& c) {
+  return std::sqrt(std::fabs(thrust) /
+                   (2 * c.air.density * kPi<double> * std::pow(c.aircraft->rotor.radius, 2)));
+}
+
+// In axial flow the balance of the mean inflow is the whole problem. Its roots on a grid of inflows, least
+// first: m/s, where the rate changes sign.
+std::vector<double> roots(const Configuration<double>& c, double axial, double collective_deg) {
+  static RotorRoom<double> room;
+  std::vector<double> found;
+  double before = 0;
+  const double step = 0.1;  // m/s
+  for (double v = -10; v < 90; v += step) {
+    RotorInput<double> in{};
+    RotorResponse<double> out;
+    in.velocity = {0, 0, axial};
+    in.collective = collective_deg * kRadian<double>;
+    in.coning.angle = c.coning;
+    in.state.n0 = v / c.tip_speed;
+    rotor_response(c, in, c.azimuth, room, out);
+    if (before * out.inflow.n0 < 0) found.push_back(v - step / 2);
+    before = out.inflow.n0;
+  }
+  return found;
+}
+
+}  // namespace
+
+// The solver against a search of the whole range of inflow. At 40 m/s the blades balance a windmill up to 4
+// deg; from 6 deg on they give more thrust than its wake can carry, and the one root left is no flow that
+// exists: 6 m/s down through a rotor that descends at 40, its wake faster still, against the air.
+TEST(isolated_rotor_finds_the_windmill) {
+  rotor_stand::Stand stand(0, realtime());
+  const Configuration<double>& c = stand.configuration;
+  int windmills = 0, none = 0, two_stable = 0;
+  for (const double axial : {-30.0, -36.0, -40.0, -44.0, -50.0, -60.0}) {
+    for (double collective = -4; collective <= 12; collective += 2) {
+      const std::vector<double> at = roots(c, axial, collective);
+      if (!CHECK(!at.empty())) continue;
+      const Status status = stand.run(flow(collective, axial));
+      const double v = stand.rotor.input.state.n0 * c.tip_speed;
+      const double h = hover_speed(stand.rotor.figures.thrust, c);
+      const bool windmill = at[0] < -0.6 * axial;  // half in theory, and less than twice the other
+      windmills += windmill;
+      none += !windmill;
+      two_stable += at.size() >= 3;
+      if (windmill) {
+        CHECK_NEAR(v, at[0], 0.1);
+        if (std::fabs(axial / h + 2) > 0.005)
+          CHECK(status == (-axial > 2 * h ? Status::ok : Status::vortex_ring));
+      } else {
+        if (!CHECK(status == Status::vortex_ring && stand.rotor.momentum != MomentumRange::holds))
+          NOTE(axial << " m/s, " << collective << " deg: " << status_word(status) << ", " << v);
+        CHECK_EQ(at.size(), std::size_t{1});
+      }
+      if (status != Status::ok) continue;
+      CHECK_NEAR(v, -axial / 2 - std::sqrt(axial * axial / 4 - h * h), 0.1 * h);
+    }
+  }
+  CHECK(windmills > 20 && none > 10 && two_stable > 20);
+  CHECK(stand.run(flow(4, -40)) == Status::ok);
+  CHECK_NEAR(stand.rotor.input.state.n0 * c.tip_speed, 17.7, 0.1);
+  CHECK(stand.run(flow(8, -40)) == Status::vortex_ring);
+  CHECK(stand.rotor.momentum == MomentumRange::other_branch);
+}
+
+// Collective down, rotor pulled up the shaft: the same with the signs turned, and never ok on the other
+// branch.
+TEST(isolated_rotor_pushed_against_its_thrust_says_so) {
+  rotor_stand::Stand stand(0, realtime());
+  const Configuration<double>& c = stand.configuration;
+  int beyond = 0, windmills = 0;
+  for (double axial = 10; axial <= 60; axial += 10) {
+    for (double collective = -24; collective <= 0; collective += 3) {
+      const Status status = stand.run(flow(collective, axial));
+      if (status == Status::vortex_ring) ++beyond;
+      if (status != Status::ok || stand.rotor.figures.thrust > 0) continue;
+      const double h = hover_speed(stand.rotor.figures.thrust, c);
+      const double v = -stand.rotor.input.state.n0 * c.tip_speed;
+      CHECK(axial < 0.45 * h || (axial > 2 * h && v < axial / 2));
+      windmills += axial > 2 * h;
+    }
+  }
+  CHECK(beyond > 5 && windmills > 3);
+}
+
+// What is printed without an equilibrium that could be flown is empty and explained.
+TEST(cli_rotor_without_a_windmill_prints_no_figures) {
+  const auto run = run_tiltrotor("rotor --collective75 4,8 --speed-axial -10,-40 --grid realtime");
+  CHECK_EQ(run.exit_status, 1);
+  const CsvText csv(run.out);
+  const char* status[] = {"vortex_ring", "vortex_ring", "ok", "vortex_ring"};
+  for (std::size_t i = 0; i < 4; ++i) {
+    CHECK_EQ(csv.text(i, "status"), std::string(status[i]));
+    for (const char* column : {"n0", "thrust_n", "power_kw", "ct"})
+      CHECK_EQ(csv.text(i, column).empty(), std::string(status[i]) != "ok");
+    CHECK(!csv.text(i, "axial_ratio").empty());
+  }
+  CHECK(run.err.find("collective 8 deg, axial -40 m/s: no windmill found") != std::string::npos);
+  CHECK(run.err.find("collective 8 deg, axial -10 m/s: the rotor descends in its own wake") !=
+        std::string::npos);
+}
+
+// Over the whole range of flow, pitch and cyclic, found or not.
+TEST(isolated_rotor_raises_no_floating_point_exception) {
+  std::uint32_t seed = 77;
+  const auto random = [&seed](double low, double high) {
+    seed = seed * 1664525u + 1013904223u;
+    return low + (high - low) * seed / 4294967296.0;
+  };
+  for (const double mast_deg : {0.0, 90.0}) {
+    rotor_stand::Stand stand(mast_deg, realtime());
+    for (int k = 0; k < 500; ++k) {
+      const double part = k % 4 == 0 ? 1 : 0.3;
+      RotorFlow<double> f =
+          flow(random(-90, 90) * part, random(-150, 150) * part, k % 3 == 0 ? 0 : random(-150, 150) * part);
+      if (k % 5 == 0) f.cyclic = CyclicUse::cancels_tilt;
+      if (k % 5 == 1) f.long_cyclic = random(-0.5, 0.5);
+      std::feclearexcept(FE_ALL_EXCEPT);
+      const Status status = stand.run(f);
+      const int raised = std::fetestexcept(FE_INVALID | FE_DIVBYZERO | FE_OVERFLOW);
+      if (!CHECK_EQ(raised, 0)) NOTE("case " << k << ": " << status_word(status));
+      CHECK(status != Status::not_finite && status != Status::out_of_range);
+    }
+  }
+}
