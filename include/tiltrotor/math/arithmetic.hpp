@@ -11,10 +11,18 @@
 
 #include <limits>
 
-#if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__) || \
-    (defined(__GCC_IEC_559) && __GCC_IEC_559 == 0)
+// __GCC_IEC_559 tells of every part, but is 0 as well where a processor computes only single precision.
+#if defined(__arm__) && !(defined(__ARM_FP) && (__ARM_FP & 8))
+#define TILTROTOR_DOUBLE_IN_SOFTWARE 1
+#else
+#define TILTROTOR_DOUBLE_IN_SOFTWARE 0
+#endif
+#if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__) ||             \
+    defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__) || defined(__NO_SIGNED_ZEROS__) || \
+    (defined(__GCC_IEC_559) && __GCC_IEC_559 == 0 && !TILTROTOR_DOUBLE_IN_SOFTWARE)
 #error "tiltrotor needs IEEE arithmetic: compile without -ffast-math, -Ofast and their parts"
 #endif
+#undef TILTROTOR_DOUBLE_IN_SOFTWARE
 // 16: only half precision, which is not used, is widened.
 #if defined(__FLT_EVAL_METHOD__) && __FLT_EVAL_METHOD__ != 0 && __FLT_EVAL_METHOD__ != 16
 #error \

@@ -131,50 +131,15 @@ struct Located {
   using Index = decltype(find_interval(std::declval<Axis<Real<T>>>(), std::declval<V>()));
   Index interval;
   W weight[4];
-  V slope[ScalarTraits<T>::kTakesSlopes ? 4 : 1];  // d weight / d argument
-  bool any_outside;                                // in any lane: beyond the end knots
-  const T* argument;                               // must outlive this
+  V slope[ScalarTraits<T>::kTakesSlopes ? 4 : 1];           // d weight / d argument
+  decltype(std::declval<V>() < std::declval<V>()) outside;  // beyond the end knots
+  const T* argument;                                        // must outlive this
 };
 
-namespace detail {
-
-// Weights outside the grid: those of the end knot, with the fading end slope of
-// a C1 axis. `before` and `beyond`: which lanes lie there; `held`: the end in
-// these lanes.
-template <class T, class V, class Mask>
-TILTROTOR_NOINLINE void locate_outside(const Axis<Real<T>>& axis, Interpolation mode, const V& held,
-                                       const Mask& before, const Mask& beyond, Located<T>& at) {
-  using R = Real<T>;
-  using W = typename Located<T>::W;
-  const V zero = R(0);
-  if constexpr (ScalarTraits<T>::kTakesSlopes)
-    for (V& slope : at.slope) slope = select(before | beyond, zero, slope);
-  if (mode == Interpolation::linear || !(axis.end_width > R(0))) return;
-  const W d = [&at] {
-    if constexpr (ScalarTraits<T>::kTakesSlopes) {
-      return value(*at.argument);
-    } else {
-      return *at.argument;
-    }
-  }() - held;
-  const V size = select(before, -value(d), value(d));
-  const auto fading = (before | beyond) & (size < V(axis.end_width));
-  if (!any(fading)) return;
-  const W left = R(1) - select(before, W(-d), d) * (R(1) / axis.end_width);
-  const W added = d * left * left;
-  at.weight[2] = select(before & fading, added, at.weight[2]);
-  at.weight[3] = select(beyond & fading, added, at.weight[3]);
-  if constexpr (ScalarTraits<T>::kTakesSlopes) {
-    const V slope = left * (R(3) * left - R(2));
-    at.slope[2] = select(before & fading, slope, at.slope[2]);
-    at.slope[3] = select(beyond & fading, slope, at.slope[3]);
-  }
-}
-
-}  // namespace detail
-
+// An argument on the grid, or at its end. What changes beyond the end is left to fade_outside(), so that
+// several arguments are asked at once whether any lies there: few do.
 template <class T>
-TILTROTOR_INLINE Located<T> locate(const Axis<Real<T>>& axis, Interpolation mode, const T& x) {
+TILTROTOR_INLINE Located<T> locate_on_grid(const Axis<Real<T>>& axis, Interpolation mode, const T& x) {
   using R = Real<T>;
   using V = typename Located<T>::V;
   using W = typename Located<T>::W;
@@ -186,6 +151,7 @@ TILTROTOR_INLINE Located<T> locate(const Axis<Real<T>>& axis, Interpolation mode
   const V held = select(before, low, select(beyond, high, plain));
   Located<T> at;
   at.argument = &x;
+  at.outside = before | beyond;
   V left = low;
   V width = R(1);
   if (axis.count > 1) {
@@ -194,6 +160,7 @@ TILTROTOR_INLINE Located<T> locate(const Axis<Real<T>>& axis, Interpolation mode
     width = pick(axis.knot + 1, at.interval) - left;
   } else {  // a constant
     at.interval = typename Located<T>::Index();
+    at.outside = low < low;
   }
   W t = (held - left) / width;
   if constexpr (!std::is_same_v<V, W>) {
@@ -223,8 +190,49 @@ TILTROTOR_INLINE Located<T> locate(const Axis<Real<T>>& axis, Interpolation mode
       at.slope[3] = t * (t - R(2) * s);
     }
   }
-  at.any_outside = axis.count > 1 && any(before | beyond);
-  if (at.any_outside) detail::locate_outside(axis, mode, held, before, beyond, at);
+  return at;
+}
+
+// Beyond the end knots the weights have no slope, but the end slope of a C1 axis fades.
+template <class T>
+TILTROTOR_INLINE void fade_outside(const Axis<Real<T>>& axis, Interpolation mode, Located<T>& at) {
+  using R = Real<T>;
+  using V = typename Located<T>::V;
+  using W = typename Located<T>::W;
+  if constexpr (ScalarTraits<T>::kTakesSlopes)
+    for (V& slope : at.slope) slope = select(at.outside, V(R(0)), slope);
+  if (mode == Interpolation::linear) return;
+  const V low = axis.knot[0];
+  const V high = axis.knot[axis.count - 1];
+  const V plain = value(*at.argument);
+  const auto before = plain < low;
+  const V distance = select(before, low - plain, plain - high);
+  const auto fading = at.outside & (distance < V(axis.end_width));
+  if (!any(fading)) return;
+  const V end = select(before, low, high);
+  const W d = [&at] {
+    if constexpr (ScalarTraits<T>::kTakesSlopes) {
+      return value(*at.argument);
+    } else {
+      return *at.argument;
+    }
+  }() - end;
+  const W left = R(1) - select(before, W(-d), d) * (R(1) / axis.end_width);
+  const W added = d * left * left;
+  const auto beyond = high < plain;
+  at.weight[2] = select(before & fading, added, at.weight[2]);
+  at.weight[3] = select(beyond & fading, added, at.weight[3]);
+  if constexpr (ScalarTraits<T>::kTakesSlopes) {
+    const V slope = left * (R(3) * left - R(2));
+    at.slope[2] = select(before & fading, slope, at.slope[2]);
+    at.slope[3] = select(beyond & fading, slope, at.slope[3]);
+  }
+}
+
+template <class T>
+TILTROTOR_INLINE Located<T> locate(const Axis<Real<T>>& axis, Interpolation mode, const T& x) {
+  Located<T> at = locate_on_grid(axis, mode, x);
+  if (any(at.outside)) fade_outside(axis, mode, at);
   return at;
 }
 

@@ -67,8 +67,13 @@ TILTROTOR_INLINE SectionCoefficients<T> section_coefficients(const RotorTables<R
   const Table<R, 2>& lift = rotor.section_lift[region];
   const Table<R, 2>& drag = rotor.section_drag[region];
   const T alpha_deg = alpha * kDegree<R>;
-  const Located<T> at_alpha = locate(lift.smooth[0], mode, alpha_deg);
-  const Located<T> at_mach = locate(lift.smooth[1], mode, mach);
+  Located<T> at_alpha = locate_on_grid(lift.smooth[0], mode, alpha_deg);
+  Located<T> at_mach = locate_on_grid(lift.smooth[1], mode, mach);
+  const bool outside = any(at_alpha.outside | at_mach.outside);
+  if (outside) {
+    fade_outside(lift.smooth[0], mode, at_alpha);
+    fade_outside(lift.smooth[1], mode, at_mach);
+  }
   SectionCoefficients<T> c;
   c.lift = lookup(lift, at_alpha, at_mach);
   Located<T> drag_alpha = at_alpha;
@@ -81,7 +86,7 @@ TILTROTOR_INLINE SectionCoefficients<T> section_coefficients(const RotorTables<R
   const R low = range.knot[0];
   const R high = range.knot[range.count - 1];
   const auto a = value(alpha_deg);
-  if (!at_alpha.any_outside) return c;  // the blend starts with zero slope and curvature at the ends
+  if (!outside) return c;  // the blend starts with zero slope and curvature at the ends
   const T beyond = select(a >= high, T(alpha_deg - high), T(low - alpha_deg));
   const T plate = smooth_step(T(beyond * (R(1) / rotor.stall_blend)));
   const T sine = sin(alpha);
