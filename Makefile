@@ -14,7 +14,7 @@
 #             V=1                      show complete commands
 #             PREFIX, DESTDIR          where `make install` copies to
 
-VERSION  := 0.1.0
+VERSION  := 0.2.0
 AIRCRAFT ?= xv15
 TARGET   ?=
 BUILD    ?= build$(TARGET:%=/%)
@@ -29,7 +29,12 @@ V        ?=
 one_of = $(if $(and $(filter 1,$(words $($(1)))),$(filter $(2),$($(1)))),,$(error $(1)=$($(1)) is none of: $(2)))
 $(call one_of,PRECISION,double single)
 $(if $(TARGET),$(call one_of,TARGET,cortex-m7 cortex-m4f))
-$(call one_of,AIRCRAFT,$(notdir $(wildcard tables/*)))
+$(call one_of,AIRCRAFT,$(patsubst tables/%/aircraft.csv,%,$(wildcard tables/*/aircraft.csv)))
+$(if $(WERROR),$(call one_of,WERROR,1))
+$(if $(V),$(call one_of,V,1))
+# Emptied by `make clean`, and one word for make.
+$(if $(filter 1,$(words $(BUILD))),,$(error BUILD='$(BUILD)' is no name of a folder without blanks))
+$(if $(filter . .. / include src tables tests bench,$(BUILD:%/=%) $(BUILD)),$(error BUILD=$(BUILD) holds the sources))
 
 # ---- tools and flags ----
 

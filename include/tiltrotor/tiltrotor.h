@@ -379,7 +379,7 @@ const char* tr_state_name(int32_t index);
 const char* tr_state_unit(int32_t index);
 const char* tr_control_name(int32_t index);
 const char* tr_control_unit(int32_t index);
-const char* tr_version(void); /* of the library, "0.1.0" */
+const char* tr_version(void); /* of the library, "0.2.0" */
 
 #define TR_HASH_START UINT64_C(14695981039346656037)
 

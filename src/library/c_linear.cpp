@@ -93,7 +93,7 @@ tr_status tr_eigenvalues(tr_work* work, const tr_real* a, size_t n, tr_real* rea
   if (work == nullptr || a == nullptr || real == nullptr || imag == nullptr) return TR_BAD_ARGUMENT;
   if (n < 1 || n > kMaxLinearStates) return TR_BAD_ARGUMENT;
   if (length < n) return TR_SHORT_BUFFER;
-  if (!rounds_once_to_nearest<R>()) return TR_BAD_ARITHMETIC;
+  if (!processor_runs(kInstructions) || !rounds_once_to_nearest<R>()) return TR_BAD_ARITHMETIC;
   EigenRoom& room = place<EigenRoom>(work);
   const int order = static_cast<int>(n);
   set_zero(room.a);
@@ -114,7 +114,7 @@ tr_status tr_modes(tr_work* work, const tr_linear_shape* shape, const tr_real* a
     return TR_BAD_ARGUMENT;
   if (!plausible(*shape)) return TR_BAD_ARGUMENT;
   if (a_length < entries(shape->states, shape->states)) return TR_SHORT_BUFFER;
-  if (!rounds_once_to_nearest<R>()) return TR_BAD_ARITHMETIC;
+  if (!processor_runs(kInstructions) || !rounds_once_to_nearest<R>()) return TR_BAD_ARITHMETIC;
   ModesRoom& room = place<ModesRoom>(work);
   LinearModel<R>& model = room.model;
   clear(model);

@@ -247,3 +247,32 @@ TEST(trim_says_that_no_attitude_is_left) {
   CHECK(dive.status == TrimStatus::not_converged && dive.obstacle == TrimObstacle::upside_down);
   CHECK(contains(explanation(dive), "on its back or past the vertical"));
 }
+
+// The same descents and hover in air that rises and sinks: what counts is the motion through the air.
+TEST(trim_limits_are_those_of_still_air) {
+  const Configuration<double> c = realtime(0);
+  int descents = 0;
+  for (const double climb : {0.0, -30.0, -60.0, -90.0}) {
+    const SteadyFlight<double> still = {climb == 0 ? 0.0 : 10.0, climb * kDeg, 0, 0};
+    const TrimStatus expected = trimmed(c, still).status;
+    descents += expected == TrimStatus::vortex_ring;
+    for (const double gust : {-15.0, 10.0, 15.0}) {
+      SteadyFlight<double> moving = still;
+      moving.gust = {0, 0, gust};
+      if (!CHECK(trimmed(c, moving).status == expected)) NOTE(climb << " deg, gust " << gust << " m/s");
+    }
+  }
+  CHECK_LE(1, descents);
+}
+
+// Steep descents in airplane mode, where the rotors would drive the engines: by the sign of the shaft power
+// and by the size of the torque, whatever its sign (163,000 in lbf).
+TEST(trim_windmilling_rotors_drive_nothing) {
+  const TrimResult<double> steep = trimmed(realtime(90), {100, -20 * kDeg, 0, 0});
+  CHECK_LT(total_power(steep), -0.07 * 2 * 1550 * kHorsepower);
+  CHECK(names(steep, TrimLimit::windmill_power));
+  CHECK(steep.status != TrimStatus::ok);
+  const TrimResult<double> dive = trimmed(realtime(90), {150, -45 * kDeg, 0, 0});
+  CHECK_LT(dive.power[right] / realtime(90).setup.rotor_speed, -18416.5);
+  CHECK(names(dive, TrimLimit::torque_right) && names(dive, TrimLimit::torque_left));
+}

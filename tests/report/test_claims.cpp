@@ -88,7 +88,7 @@ TEST(validation_causes_fit_their_side) {
 TEST(cli_version_names_aircraft_and_json_names_the_program) {
   const std::string version = run_tiltrotor("version").out;
   CHECK(contains(version, "tiltrotor ") && contains(version, "aircraft "));
-  const std::string numbered = version.substr(0, version.find(','));  // "tiltrotor 0.1.0"
+  const std::string numbered = version.substr(0, version.find(','));  // "tiltrotor 0.2.0"
   const std::string number = numbered.substr(numbered.find(' ') + 1);
   const std::string program = "\"program\": {\"name\": \"tiltrotor\", \"version\": \"" + number + "\", ";
   for (const char* command :

@@ -39,6 +39,7 @@ enum class TrimLimit : unsigned char {
   gimbal_right,
   gimbal_left,
   power,
+  windmill_power,
   torque_right,
   torque_left,
   count
@@ -71,6 +72,7 @@ inline constexpr LimitName kLimitNames[] = {
     {"gimbal_right", "right gimbal tilt", "deg", kDegree<double>},
     {"gimbal_left", "left gimbal tilt", "deg", kDegree<double>},
     {"power", "power", "kW", 1e-3, "take-off rating "},
+    {"windmill_power", "power", "kW", 1e-3, "what the drive absorbs, "},
     {"torque_right", "right mast torque", "kN m", 1e-3, "steady rating "},
     {"torque_left", "left mast torque", "kN m", 1e-3, "steady rating "}};
 static_assert(sizeof(kLimitNames) / sizeof(kLimitNames[0]) == static_cast<unsigned>(TrimLimit::count),
@@ -133,12 +135,12 @@ struct LimitCheck {
   }
 };
 
-// Vortex ring or the wrong root of momentum theory at one rotor.
+// Vortex ring or the wrong root of momentum theory at one rotor. `velocity`: relative to the air, m/s.
 template <class R>
-void check_descent(const Configuration<R>& c, const State<R>& x, const BladeControls<R>& blades, R thrust,
-                   int side, LimitCheck<R>& check) {
+void check_descent(const Configuration<R>& c, const State<R>& x, const Vec3<R>& velocity,
+                   const BladeControls<R>& blades, R thrust, int side, LimitCheck<R>& check) {
   RotorInput<R> in;
-  detail::rotor_input(c, x, x.velocity, blades, side, in);
+  detail::rotor_input(c, x, velocity, blades, side, in);
   const R in_plane = std::sqrt(square(in.velocity.x) + square(in.velocity.y));
   const AxialFlow<R> flow = axial_flow(c.air.density, c.aircraft->rotor.radius, thrust, in.velocity.z,
                                        in_plane, in.state.n0 * c.tip_speed);
@@ -158,7 +160,9 @@ LimitCheck<R> check_limits(const Configuration<R>& c, R speed, R wing_angle, con
   const Aircraft<R>& aircraft = *c.aircraft;
   const ControlTables<R>& t = aircraft.controls;
   LimitCheck<R> check;
-  for (int side = 0; side < 2; ++side) check_descent(c, x, blades, rotor[side].loads.force.z, side, check);
+  const Vec3<R> velocity = x.velocity - u.gust;
+  for (int side = 0; side < 2; ++side)
+    check_descent(c, x, velocity, blades, rotor[side].loads.force.z, side, check);
 
   const R pressure_lift = R(0.5) * c.air.density * speed * speed * aircraft.wing.area;
   const bool wingborne =
@@ -186,11 +190,14 @@ LimitCheck<R> check_limits(const Configuration<R>& c, R speed, R wing_angle, con
   const R power = (rotor[right].loads.torque + rotor[left].loads.torque) * c.setup.rotor_speed;
   const R available = shaft_power(c, t.engine_power);
   if (power > available) check.add(TrimStatus::power_limit, TrimLimit::power, power, available);
+  // Rotors that drive the shafts speed up: nothing takes more than the losses of the transmission.
+  const R absorbed = R(2) * t.engine_power * (R(1) - t.transmission_efficiency);
+  if (power < -absorbed) check.add(TrimStatus::power_limit, TrimLimit::windmill_power, power, -absorbed);
   for (int side = 0; side < 2; ++side) {
     const R torque = rotor[side].loads.torque;
-    if (torque > t.mast_torque)
+    if (std::fabs(torque) > t.mast_torque)
       check.add(TrimStatus::torque_limit, side == right ? TrimLimit::torque_right : TrimLimit::torque_left,
-                torque, t.mast_torque);
+                torque, torque < R(0) ? -t.mast_torque : t.mast_torque);
   }
   return check;
 }

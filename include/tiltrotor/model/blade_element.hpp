@@ -121,8 +121,7 @@ TILTROTOR_INLINE ElementLoads<T> element_loads(const Configuration<Real<T>>& c, 
   const T alpha = wrapped_difference(flow.pitch, atan2(up, ut));
   const SectionCoefficients<T> k = section_coefficients(c.aircraft->rotor, c.setup.options.tables, region,
                                                         alpha, T(speed * (R(1) / c.air.speed_of_sound)));
-  // dF_n = 1/2 rho U c dr (cl U_T - cd U_P),  dF_t = -1/2 rho U c dr (cl U_P +
-  // cd U_T)
+  // dF_n = 1/2 rho U c dr (cl U_T - cd U_P),  dF_t = -1/2 rho U c dr (cl U_P + cd U_T)
   const T scale = (c.air.density * station.half_chord_dr) * speed;
   const T lift = station.lift_weight * k.lift;
   return {scale * (lift * ut - k.drag * up), -(scale * (lift * up + k.drag * ut))};
