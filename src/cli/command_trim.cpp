@@ -157,7 +157,7 @@ Command trim_command() {
           "makes the exit status 1: trimmed beyond a limit (vortex_ring, wing_stall, control_limit, "
           "flap_limit,\n"
           "power_limit, torque_limit: the first that holds; `limits` lists all), or no trim\n"
-          "(rotor_stall, not_converged, singular).\n",
+          "(rotor_stall, not_converged, singular; out_of_range where the flight asked for cannot be).\n",
           "tiltrotor trim --mast 0,30 --speed 0,40,50 --format csv",
           flight_list() + SetupOptions::list() + Output::list(),
           run};

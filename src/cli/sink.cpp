@@ -93,6 +93,11 @@ Sink::Sink(const std::string& path, const std::string& where) : path_(path), fil
     if (access(path_.c_str(), W_OK) != 0)
       throw UsageError(where + ": cannot write " + path + ": " + reason());
   }
+  if (!std::filesystem::exists(existing)) {
+    const std::filesystem::path folder =
+        std::filesystem::canonical(std::filesystem::absolute(path).parent_path(), error);
+    if (!error) path_ = (folder / std::filesystem::path(path).filename()).string();  // one name a file
+  }
   if (!std::filesystem::is_other(existing)) temporary_path_ = temporary_name(path_);
   if (std::count(unfinished_files.begin(), unfinished_files.end(), temporary_path_) > 0)
     throw UsageError(where + ": " + path + " is written twice in one run");

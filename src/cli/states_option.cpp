@@ -33,7 +33,8 @@ OptionList states_option() {
            "and controls th75_rad lon_in lat_in ped_in, in any order; SI\n"
            "units, radians, inches from neutral; or as trim and respond print.\n"
            "Optional: case, mast_deg, altitude_m, flap_deg, rotor_rpm,\n"
-           "mass_kg, cg_sl_in, d_* (ignored)"}};
+           "mass_kg, cg_sl_in; what follows from these is not read\n(speed_mps, alpha_deg, ..., d_*); --grid "
+           "and --option must be\nthose the file was made with"}};
 }
 
 GivenStates::GivenStates(const Arguments& arguments, const SetupOptions& setup)

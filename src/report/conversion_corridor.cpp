@@ -43,7 +43,7 @@ Slowest slowest(const Modes& modes) {
   return found;
 }
 
-// ok, power (trimmed, beyond the transmission), or the reason why there is no flight.
+// ok, power (trimmed, beyond the transmission), the limit exceeded, or why there is no trim.
 std::string state_word(const Configured& c, const Trimmed& t) {
   if (t.status == TrimStatus::ok && total_power_kw(t) > kWatt * transmission_power(c)) return "power";
   return trim_status_word(t.status);
@@ -72,8 +72,8 @@ Table grid_table() {
   Table table({"mast_deg", "speed_mps", "state", "iterations", "power_kw", "pitch_deg", "wing_alpha_deg",
                "least_stable_real", "least_stable_mode", "least_damping_ratio", "least_damped_mode"});
   table.comment(
-      "state: ok, power (needs more than the transmission takes), why there is no trim, or beyond (not "
-      "tried).");
+      "state: ok, power (needs more than the transmission takes), the limit that a trim exceeds, why there "
+      "is no trim, or beyond (not tried).");
   const int last = static_cast<int>(kHighestSpeed / kSpeedStep);
   for (double mast = 0; mast <= 90; mast += kMastStep) {
     const Configured c = configured(mast);

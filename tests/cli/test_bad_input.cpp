@@ -262,4 +262,7 @@ TEST(cli_bad_usage_leaves_no_file) {
       "respond --speed 40 --output " + folder.write("a.csv", "") + " --matrices " + folder.path("."),
       "a.csv is written twice in one run");
   CHECK_EQ(folder.read("a.csv"), "");
+  // A file that is not there yet, by two names.
+  check_refused("respond --speed 40 --output " + folder.path("./b.csv") + " --matrices " + folder.path("."),
+                "b.csv is written twice in one run");
 }
