@@ -99,7 +99,8 @@ Command linearize_command() {
           "A = df/dx and B = df/du with names and units of every row and column, at every combination of "
           "--mast and\n"
           "--speed or at the states of a file. JSON is an object for one case and an array for several:\n"
-          "  case mast_deg speed_mps status program{name,version,aircraft} states[{name,unit}] controls[{name,unit}] x0 u0 A B\n",
+          "  case mast_deg speed_mps status program{name,version,aircraft} states[{name,unit}] "
+          "controls[{name,unit}] x0 u0 A B\n",
           "tiltrotor linearize --mast 90 --speed 80 --format json",
           reduce_option() + control_set_option() + states_option() + flight_list() + SetupOptions::list() +
               LinearOutput::list(),

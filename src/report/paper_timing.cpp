@@ -55,8 +55,8 @@ Times measure_policy() {
     Trimmed found;
     const SteadyFlight<double> flight{at.speed_mps, 0, 0, 0};
     times.trim.push_back(fastest([&] { (void)trim(c, flight, *trim_work, found, TrimOptions{}); }));
-    times.derivatives.push_back(fastest(
-        [&] { (void)linearize(c, found.state, found.controls, kInceptors, *linear_work, *model); }));
+    times.derivatives.push_back(
+        fastest([&] { (void)linearize(c, found.state, found.controls, kInceptors, *linear_work, *model); }));
   }
   return times;
 }

@@ -141,8 +141,7 @@ class ScaledAircraft {
     ControlTables<double>& c = aircraft_.controls;
     times(1, c.pedal_cyclic, {s_.speed()});
     times(1, c.lateral_cyclic, {s_.speed()});
-    times(s_.force() * s_.speed(), c.power_limit, c.engine_power,
-          c.engine_power_continuous);
+    times(s_.force() * s_.speed(), c.power_limit, c.engine_power, c.engine_power_continuous);
     times(s_.moment(), c.mast_torque);
   }
   void scale_smoothing() {

@@ -63,9 +63,9 @@ struct TrimOptions {
 // attempt. rotor_stall: there is none short of the rotors' stall, and result.weight_carried is the part of
 // the weight that can be carried; looked for below kWingborneMast. not_converged: no trim found;
 // result.residual_state tells which equation is left, result.obstacle and result.limits, what the last point
-// exceeds, often the reason. not_finite: a field of `flight` is NaN or infinite. No call raises a floating-point exception for
-// an invalid operation, a division by zero or an overflow. Cost: typically 3 to 9 Jacobians; at most about
-// 1800 Jacobians, each with 12 derivatives, with the default options.
+// exceeds, often the reason. not_finite: a field of `flight` is NaN or infinite. No call raises a
+// floating-point exception for an invalid operation, a division by zero or an overflow. Cost: typically 3 to
+// 9 Jacobians; at most about 1800 Jacobians, each with 12 derivatives, with the default options.
 template <class R, class Policy>
 TrimStatus trim(const Configuration<R>& c, const SteadyFlight<R>& flight, TrimWorkspace<R, Policy>& work,
                 TrimResult<R>& result, const TrimOptions& options = {});

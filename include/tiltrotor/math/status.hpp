@@ -10,14 +10,7 @@
 namespace tiltrotor {
 
 enum class [[nodiscard]] Status : unsigned char{
-    ok,
-    not_converged,
-    singular,
-    not_finite,
-    out_of_range,
-    bad_argument,
-    bad_arithmetic,
-    vortex_ring,
+    ok,   not_converged, singular, not_finite, out_of_range, bad_argument, bad_arithmetic, vortex_ring,
     count  // number of words above; never returned
 };
 
