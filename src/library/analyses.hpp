@@ -4,8 +4,9 @@
 // that calls them here is compiled once and linked with either build/libanalyses.a or build/libanalyses-nd.a.
 // The work areas lie in memory of the caller:
 //
-//   void* memory = ...;                                // analyses_size() bytes, aligned to
-//   analyses_alignment() Analyses& work = *place_analyses(memory); trim(configuration, flight, work, result);
+//   void* memory = ...;  // analyses_size() bytes, aligned to analyses_alignment()
+//   Analyses& work = *place_analyses(memory);
+//   trim(configuration, flight, work, result);
 #pragma once
 
 #include <cstddef>

@@ -1,5 +1,4 @@
-// Smaller and clearer linear models: residualised rotors, and symmetric and antisymmetric halves
-//.
+// Smaller and clearer linear models: residualised rotors, and symmetric and antisymmetric halves.
 #pragma once
 
 #include "tiltrotor/analysis/linear_model.hpp"

@@ -1,5 +1,5 @@
-// The complete aircraft: xdot = f(x, u). Flapping, inflow and
-// downwash are states, so every step below uses only what stands above it: no loop is closed inside.
+// The complete aircraft: xdot = f(x, u). Flapping, inflow and downwash are states, so every step below uses
+// only what stands above it: no loop is closed inside.
 #pragma once
 
 #include <type_traits>

@@ -1,5 +1,5 @@
-// Three-state Pitt-Peters dynamic inflow in the angle-free hub-axis form: Pitt and
-// Peters, Vertica 5 (1981); Peters and HaQuang, J. AHS 33 (1988).
+// Three-state Pitt-Peters dynamic inflow in the angle-free hub-axis form: Pitt and Peters, Vertica 5 (1981);
+// Peters and HaQuang, J. AHS 33 (1988).
 //
 // All quantities in the rotor frame A, over tip speed. The wake skew enters through the vector
 // (X_c, X_s) = (mu_x, mu_y) / (V_T + lambda_+), of length tan(chi/2) pointing downstream: no angle, no
