@@ -103,4 +103,18 @@ inline Point reference_point(const std::string& name) {
   return p;
 }
 
+// Not trimmed, not symmetric.
+inline Point slanted_point() {
+  const check::CsvFile file("tests/reference/state_derivatives_c1.csv");
+  const int row = 1;  // mast 30
+  double x[state_count] = {};
+  double u[control_count] = {};
+  for (int i = 0; i <= kStateIndex.downwash; ++i) x[i] = file.number(row, kStateVariables[i].name);
+  for (int j = 0; j < 4; ++j) u[kInceptors.index[j]] = file.number(row, kReferenceControls[j]);
+  Point p;
+  unpack(x, p.x);
+  unpack(u, p.u);
+  return p;
+}
+
 }  // namespace analysis_case
