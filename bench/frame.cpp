@@ -13,7 +13,7 @@ namespace {
 constexpr int kFrames = 100000;
 constexpr int kFramesOfFlight =
     400;  // 2 s, then again from the next trim point: nothing stabilises the aircraft
-constexpr double kInput = 0.5 * kRadian<double>;
+constexpr double kInput = 0.5 * kRadPerDeg<double>;
 
 }  // namespace
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "flights.hpp"
-#include "tiltrotor/analysis/linear_eigenvalues.hpp"
+#include "tiltrotor/analysis/linear/linear_eigenvalues.hpp"
 
 namespace bench {
 

@@ -16,7 +16,7 @@
 #include <vector>
 
 #include "tiltrotor/analysis/instances.hpp"
-#include "tiltrotor/math/eigen.hpp"
+#include "tiltrotor/math/algebra/eigen.hpp"
 #include "tiltrotor/model/aircraft_data.hpp"
 
 namespace {
@@ -151,9 +151,9 @@ Errors errors(const Quadrature& q, const std::vector<Flight>& flights, Workspace
       ++e.lost;
       continue;
     }
-    e.pitch = std::max(e.pitch, std::fabs(trim.state.pitch - flight.trim.state.pitch) * kDegree<double>);
-    e.collective = std::max(e.collective,
-                            std::fabs(trim.collective_root - flight.trim.collective_root) * kDegree<double>);
+    e.pitch = std::max(e.pitch, std::fabs(trim.state.pitch - flight.trim.state.pitch) * kDegPerRad<double>);
+    e.collective = std::max(
+        e.collective, std::fabs(trim.collective_root - flight.trim.collective_root) * kDegPerRad<double>);
     const Spectrum s = rigid_spectrum(c, trim, work);
     const double d = s.ok ? distance(flight.spectrum, s) : 1;
     e.each_eigenvalue.push_back(d);

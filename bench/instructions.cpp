@@ -45,7 +45,7 @@ int main(int argc, char** argv) {
   Rooms& r = *rooms;
   r.c = configuration(kMiddleMast, with_grid(argc == 3 ? BladeGrid::specification : BladeGrid::realtime));
   r.flight = trimmed(r.c, kMiddleSpeed);
-  r.simulation = flight_with_input(r.c, r.flight, InputShape::step, kRadian<double>);
+  r.simulation = flight_with_input(r.c, r.flight, InputShape::step, kRadPerDeg<double>);
   if (std::strcmp(argv[1], "derivative") == 0) counted_derivative(r);
   if (std::strcmp(argv[1], "jacobian") == 0) counted_jacobian(r);
   if (std::strcmp(argv[1], "trim") == 0) counted_trim(r);

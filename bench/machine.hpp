@@ -9,7 +9,7 @@
 #include <thread>
 
 #include "harness.hpp"
-#include "tiltrotor/math/lanes.hpp"
+#include "tiltrotor/math/differentiation/lanes.hpp"
 
 #ifndef TILTROTOR_FLAGS
 #define TILTROTOR_FLAGS "unknown"

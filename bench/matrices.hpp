@@ -3,8 +3,8 @@
 
 #include <random>
 
-#include "tiltrotor/math/eigen.hpp"
-#include "tiltrotor/math/lu.hpp"
+#include "tiltrotor/math/algebra/eigen.hpp"
+#include "tiltrotor/math/algebra/lu.hpp"
 
 namespace bench {
 

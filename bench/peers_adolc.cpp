@@ -44,7 +44,7 @@ auto traced_jacobian(const PeerCase& p) {
   return [&p](PeerJacobian& out) {
     trace_on(kTag);
     {
-      ModelRoom<Traced> room;
+      ModelWorkspace<Traced> room;
       Traced z[kPeerInputs];
       Traced y[kMaxLinearStates];
       for (int j = 0; j < kPeerInputs; ++j) z[j].n <<= p.input[j];

@@ -2,10 +2,10 @@
 // numbers.
 //
 // Our own scalars compute several blades at once on plain numbers and chain their slopes
-// (model/blade_group.hpp). With that the peers would differentiate next to nothing themselves.
+// (model/rotor/blade_group.hpp). With that the peers would differentiate next to nothing themselves.
 #pragma once
 
-#include "tiltrotor/model/blade_group.hpp"
+#include "tiltrotor/model/rotor/blade_group.hpp"
 
 namespace bench {
 

@@ -28,11 +28,11 @@ struct PeerCase {
 
   // y[i] = rate of state i at the inputs z. `room` is the caller's.
   template <class T>
-  void rates(ModelRoom<T>& room, const T* z, T* y) const {
+  void rates(ModelWorkspace<T>& room, const T* z, T* y) const {
     double x[state_count];
     double u[control_count];
-    pack(flight.state, x);
-    pack(flight.controls, u);
+    flatten(flight.state, x);
+    flatten(flight.controls, u);
     for (int i = 0; i < state_count; ++i) room.x[i] = T(x[i]);
     for (int j = 0; j < control_count; ++j) room.u[j] = T(u[j]);
     for (int i = 0; i < exact.states; ++i) room.x[exact.state[i]] = z[i];
@@ -75,7 +75,7 @@ inline double difference(const PeerCase& p, const PeerJacobian& theirs) {
 template <class T, class Seed, class Partial>
 auto forward_pass(const PeerCase& p, Seed seed, Partial partial) {
   struct Room {
-    ModelRoom<T> model;
+    ModelWorkspace<T> model;
     T z[kPeerInputs];
     T y[kMaxLinearStates];
   };

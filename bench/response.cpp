@@ -11,7 +11,7 @@ using namespace bench;
 namespace {
 
 constexpr int kLongest = 3;  // s
-constexpr double kDegreeOfCollective = kRadian<double>;
+constexpr double kDegreeOfCollective = kRadPerDeg<double>;
 
 int frames(int seconds) { return static_cast<int>(seconds / kFrameTime + 0.5); }
 

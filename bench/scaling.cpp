@@ -90,12 +90,12 @@ void over_elements(Results& results, std::ostringstream& csv) {
 template <int N>
 int enter_seeds(Contest& contest, const Configuration<double>& c, const TrimResult<double>& flight) {
   using D = Dual<double, N>;
-  static ModelRoom<D> room;
+  static ModelWorkspace<D> room;
   return contest.enter("seeds", [&c, &flight] {
     double x[state_count];
     double u[control_count];
-    pack(flight.state, x);
-    pack(flight.controls, u);
+    flatten(flight.state, x);
+    flatten(flight.controls, u);
     const ActiveStates active = active_states(c.setup.options, false);
     for (int i = 0; i < state_count; ++i) room.x[i] = D(x[i]);
     for (int j = 0; j < control_count; ++j) room.u[j] = D(u[j]);

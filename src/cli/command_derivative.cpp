@@ -40,7 +40,7 @@ int run(const Arguments& arguments) {
     State<double> rates;
     derivative(given.configuration(row), row.state, row.controls, rates);
     double flat[state_count];
-    pack(rates, flat);
+    flatten(rates, flat);
     Row cells = row.cells;
     for (const int i : states) cells.emplace_back(flat[i]);
     records.add(cells);

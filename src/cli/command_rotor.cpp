@@ -13,7 +13,7 @@ namespace tiltrotor::cli {
 
 namespace {
 
-constexpr double radian = kRadian<double>;
+constexpr double radian = kRadPerDeg<double>;
 constexpr double rpm_unit = kPi<double> / 30;
 constexpr double kilo = 1000;
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
@@ -42,11 +42,11 @@ const Column numbers[] = {
     {"power_kw", [](Setting, Rotor r) { return r.figures.power / kilo; }},
     {"b1c_deg", [](Setting, Rotor r) { return r.input.state.b1c / radian; }},
     {"b1s_deg", [](Setting, Rotor r) { return r.input.state.b1s / radian; }},
-    {"n0", [](Setting, Rotor r) { return r.input.state.n0; }},
+    {"n0", [](Setting, Rotor r) { return r.input.state.lambda_0; }},
     {"efficiency", [](Setting, Rotor r) { return r.figures.efficiency; }},
     {"cp_sigma", [](Setting, Rotor r) { return r.figures.power_coefficient / r.figures.solidity; }},
-    {"nc", [](Setting, Rotor r) { return r.input.state.nc; }},
-    {"ns", [](Setting, Rotor r) { return r.input.state.ns; }},
+    {"nc", [](Setting, Rotor r) { return r.input.state.lambda_c; }},
+    {"ns", [](Setting, Rotor r) { return r.input.state.lambda_s; }},
     {"lateral_cyclic_deg", [](Setting, Rotor r) { return given_as(r.input.lateral_cyclic, radian); }},
     {"long_cyclic_deg", [](Setting, Rotor r) { return given_as(r.input.long_cyclic, radian); }},
     {"coning_deg", [](Setting, Rotor r) { return r.input.coning.angle / radian; }},

@@ -13,7 +13,7 @@ namespace tiltrotor::cli {
 
 namespace {
 
-constexpr double radian = kRadian<double>;
+constexpr double radian = kRadPerDeg<double>;
 constexpr double kilo = 1000;
 
 using Flight = const TrimmedFlight&;
@@ -80,8 +80,8 @@ const Column columns_after_status[] = {
     {"b1s_right_deg", [](Flight f) { return f.trim.state.rotor[right].b1s / radian; }},
     {"b1c_left_deg", [](Flight f) { return f.trim.state.rotor[left].b1c / radian; }},
     {"b1s_left_deg", [](Flight f) { return f.trim.state.rotor[left].b1s / radian; }},
-    {"n0_right", [](Flight f) { return f.trim.state.rotor[right].n0; }},
-    {"n0_left", [](Flight f) { return f.trim.state.rotor[left].n0; }},
+    {"n0_right", [](Flight f) { return f.trim.state.rotor[right].lambda_0; }},
+    {"n0_left", [](Flight f) { return f.trim.state.rotor[left].lambda_0; }},
     {"flap_deg", [](Flight f) { return f.configuration.setup.flap_deg; }, true},
     {"rotor_rpm", [](Flight f) { return given_as(f.configuration.setup.rotor_speed, kPi<double> / 30); },
      true},

@@ -10,7 +10,7 @@ namespace tiltrotor::cli {
 
 namespace {
 
-constexpr double radian = kRadian<double>;
+constexpr double radian = kRadPerDeg<double>;
 constexpr double rpm = kPi<double> / 30;
 
 constexpr Range climb_range{-90, 90, "deg"};

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "cli/arguments.hpp"
-#include "tiltrotor/analysis/steady_flight.hpp"
+#include "tiltrotor/analysis/trim/steady_flight.hpp"
 #include "tiltrotor/model/configuration.hpp"
 
 namespace tiltrotor::cli {

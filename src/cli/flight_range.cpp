@@ -5,8 +5,8 @@
 
 #include "cli/errors.hpp"
 #include "cli/number.hpp"
-#include "tiltrotor/math/waist.hpp"
-#include "tiltrotor/model/control_range.hpp"
+#include "tiltrotor/math/differentiation/preaccumulate.hpp"
+#include "tiltrotor/model/variables/control_range.hpp"
 
 namespace tiltrotor::cli {
 
@@ -26,10 +26,10 @@ struct Shown {
   }
   std::string text(double value) const {
     if (std::abs(value) < rounding) value = 0;
-    return number_text(angle ? given_as(value, kRadian<double>) : value, digits) + " " + unit();
+    return number_text(angle ? given_as(value, kRadPerDeg<double>) : value, digits) + " " + unit();
   }
   Range range(double low, double high) const {
-    const double size = angle ? kRadian<double> : 1;
+    const double size = angle ? kRadPerDeg<double> : 1;
     return {low / size, high / size, unit()};
   }
   bool angle;
@@ -47,7 +47,7 @@ double largest_amplitude(int control) {
 
 void require_inputs(const Simulation<double>& simulation, const std::string& where) {
   double trimmed[control_count];
-  pack(simulation.controls, trimmed);
+  flatten(simulation.controls, trimmed);
   for (int i = 0; i < simulation.inputs; ++i) {
     const InputSignal<double>& signal = simulation.input[i];
     const int control = signal.control;
@@ -73,7 +73,7 @@ std::string fault_text(const Simulation<double>& simulation) {
   const int state = simulation.fault_state;
   if (state < 0) return "";
   double x[state_count];
-  pack(simulation.state, x);
+  flatten(simulation.state, x);
   const Variable& variable = kStateVariables[state];
   const double bound = response_detail::state_bound<double>(state);
   return std::string(", state ") + variable.name + ", " + number_text(x[state], digits) + " " +

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "tiltrotor/analysis/response.hpp"
+#include "tiltrotor/analysis/flight/response.hpp"
 
 namespace tiltrotor::cli {
 

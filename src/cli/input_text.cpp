@@ -32,7 +32,7 @@ struct Unit {
 
 std::vector<Unit> units_of(int control) {
   const std::string unit = kControlVariables[control].unit();
-  if (unit == "rad") return {{"deg", kRadian<double>}, {"rad", 1}};
+  if (unit == "rad") return {{"deg", kRadPerDeg<double>}, {"rad", 1}};
   if (unit == "in") return {{"in", 1}};
   return {{"mps", 1}};
 }

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "tiltrotor/analysis/input_signal.hpp"
+#include "tiltrotor/analysis/flight/input_signal.hpp"
 
 namespace tiltrotor::cli {
 

@@ -2,7 +2,7 @@
 
 #include <memory>
 
-#include "tiltrotor/analysis/reduction.hpp"
+#include "tiltrotor/analysis/linear/reduction.hpp"
 
 namespace tiltrotor::cli {
 

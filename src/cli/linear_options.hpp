@@ -2,7 +2,7 @@
 #pragma once
 
 #include "cli/arguments.hpp"
-#include "tiltrotor/analysis/linear_model.hpp"
+#include "tiltrotor/analysis/linear/linear_model.hpp"
 
 namespace tiltrotor::cli {
 

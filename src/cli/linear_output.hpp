@@ -6,7 +6,7 @@
 #include "cli/arguments.hpp"
 #include "cli/shard.hpp"
 #include "cli/sink.hpp"
-#include "tiltrotor/analysis/linear_model.hpp"
+#include "tiltrotor/analysis/linear/linear_model.hpp"
 
 namespace tiltrotor::cli {
 

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "cli/sink.hpp"
-#include "tiltrotor/analysis/linear_model.hpp"
+#include "tiltrotor/analysis/linear/linear_model.hpp"
 
 namespace tiltrotor::cli {
 

@@ -9,7 +9,7 @@ namespace tiltrotor::cli {
 
 namespace {
 
-constexpr double radian = kRadian<double>;
+constexpr double radian = kRadPerDeg<double>;
 
 constexpr int shown_modes = kRigidStates + 1;
 
@@ -64,10 +64,10 @@ const Column columns[] = {
     {"pedal_in", [](Now m) { return m.u.pedal; }},
     {"b1c_right_deg", [](Now m) { return m.x.rotor[right].b1c / radian; }},
     {"b1s_right_deg", [](Now m) { return m.x.rotor[right].b1s / radian; }},
-    {"n0_right", [](Now m) { return m.x.rotor[right].n0; }},
+    {"n0_right", [](Now m) { return m.x.rotor[right].lambda_0; }},
     {"b1c_left_deg", [](Now m) { return m.x.rotor[left].b1c / radian; }},
     {"b1s_left_deg", [](Now m) { return m.x.rotor[left].b1s / radian; }},
-    {"n0_left", [](Now m) { return m.x.rotor[left].n0; }},
+    {"n0_left", [](Now m) { return m.x.rotor[left].lambda_0; }},
     {"downwash_deg", [](Now m) { return m.x.downwash / radian; }},
 };
 

@@ -6,7 +6,7 @@
 #include "cli/number.hpp"
 #include "cli/response_columns.hpp"
 #include "cli/trim_columns.hpp"
-#include "tiltrotor/math/waist.hpp"
+#include "tiltrotor/math/differentiation/preaccumulate.hpp"
 #include "tiltrotor/model/aircraft_data.hpp"
 
 namespace tiltrotor::cli {
@@ -87,7 +87,7 @@ constexpr SettingColumn setting_columns[] = {
     {"cg_sl_in", {Target::sl_cg, 0, kInch, 0, "in"}, [](const FlightSetup<double>& s) { return s.sl_cg; }},
 };
 
-double unit_size(const std::string& unit) { return unit.compare(0, 3, "deg") == 0 ? kRadian<double> : 1; }
+double unit_size(const std::string& unit) { return unit.compare(0, 3, "deg") == 0 ? kRadPerDeg<double> : 1; }
 
 std::string increment_column(int control) {
   const std::string unit = kControlVariables[control].unit();
@@ -107,7 +107,7 @@ std::optional<Target> find_control(const std::string& column) {
   for (int i = kControlIndex.pedal + 1; i < control_count; ++i) {
     if (column == increment_column(i)) return Target{Target::control, i, 1, 0, kControlVariables[i].unit()};
     if (i < kControlIndex.gust.x && column == printed_increment(i))
-      return Target{Target::control, i, kRadian<double>, 0, "deg"};
+      return Target{Target::control, i, kRadPerDeg<double>, 0, "deg"};
   }
   return std::nullopt;
 }
@@ -196,8 +196,8 @@ double completing_value(const std::string& column, const Configuration<double>& 
                         const Controls<double>& u) {
   const Target target = *find_target(column);
   double states[state_count], controls[control_count];
-  pack(x, states);
-  pack(u, controls);
+  flatten(x, states);
+  flatten(u, controls);
   if (target.kind == Target::state) return target.shown(states[target.index]);
   if (target.kind == Target::control) return target.shown(controls[target.index]);
   const auto setting = std::find_if(std::begin(setting_columns), std::end(setting_columns),

@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "tiltrotor/model/configuration.hpp"
-#include "tiltrotor/model/controls.hpp"
-#include "tiltrotor/model/state.hpp"
+#include "tiltrotor/model/variables/controls.hpp"
+#include "tiltrotor/model/variables/state.hpp"
 
 namespace tiltrotor::cli {
 

@@ -7,9 +7,9 @@
 #include "cli/flight_options.hpp"
 #include "cli/nearest.hpp"
 #include "text/csv_line.hpp"
-#include "tiltrotor/analysis/response.hpp"
-#include "tiltrotor/math/waist.hpp"
-#include "tiltrotor/model/control_range.hpp"
+#include "tiltrotor/analysis/flight/response.hpp"
+#include "tiltrotor/math/differentiation/preaccumulate.hpp"
+#include "tiltrotor/model/variables/control_range.hpp"
 
 namespace tiltrotor::cli {
 
@@ -169,8 +169,8 @@ void StateFile::read_row(std::size_t number, StateRow& row) {
     if (target.kind == Target::state) x[target.index] = value;
     if (target.kind == Target::control) u[target.index] = value;
   }
-  unpack(x, row.state);
-  unpack(u, row.controls);
+  unflatten(x, row.state);
+  unflatten(u, row.controls);
 }
 
 }  // namespace tiltrotor::cli

@@ -21,7 +21,7 @@ int main() {
       return 1;
     }
     std::printf("%d m/s: pitch %6.2f deg, collective %5.2f deg, %4.0f kW, %s\n", speed,
-                trimmed.state.pitch * kDegree<double>, trimmed.controls.collective * kDegree<double>,
+                trimmed.state.pitch * kDegPerRad<double>, trimmed.controls.collective * kDegPerRad<double>,
                 (trimmed.power[right] + trimmed.power[left]) / 1000, trim_status_word(status));
   }
   return 0;

@@ -4,7 +4,7 @@
 #include "library/c_state.hpp"
 #include "library/c_words.hpp"
 #include "library/processor.hpp"
-#include "tiltrotor/model/control_range.hpp"
+#include "tiltrotor/model/variables/control_range.hpp"
 
 namespace tiltrotor::c_interface {
 
@@ -67,7 +67,7 @@ bool choice(Options& options, const tr_setup& setup) {
 
 tr_status wanted_setup(const tr_setup& setup, FlightSetup<R>& wanted) {
   if (setup.aircraft != TR_XV15) return TR_BAD_ARGUMENT;
-  if (!detail::within(setup.mast_deg, R(0), R(90))) return TR_OUT_OF_RANGE;
+  if (!configuration_detail::within(setup.mast_deg, R(0), R(90))) return TR_OUT_OF_RANGE;
   wanted = flight_setup(aircraft_data<R>(), setup.mast_deg);
   wanted.flap_deg = setup.flap_deg;
   wanted.altitude = setup.altitude_m;
@@ -118,8 +118,8 @@ tr_status check_state(const tr_state& state) {
 void get_state(const Sim& s, tr_state& state) {
   state.time_s = s.time;
   state.steps = s.steps;
-  pack(s.x, state.x);
-  pack(s.u, state.u);
+  flatten(s.x, state.x);
+  flatten(s.u, state.u);
   const double* sum = s.travel.sum;
   state.roll_rad = *sum++;
   state.yaw_rad = *sum++;
@@ -129,8 +129,8 @@ void get_state(const Sim& s, tr_state& state) {
 void put_state(const tr_state& state, Sim& s) {
   s.time = state.time_s;
   s.steps = state.steps;
-  unpack(state.x, s.x);
-  unpack(state.u, s.u);
+  unflatten(state.x, s.x);
+  unflatten(state.u, s.u);
   const double* north = state.position_m;
   s.travel = {{state.roll_rad, state.yaw_rad, north[0], north[1], north[2]}};
   follow(s.x, s.travel);
@@ -145,7 +145,7 @@ tr_status tr_default_setup(tr_setup* setup, uint32_t version, int32_t aircraft, 
   if (version != TR_API_VERSION) return TR_WRONG_VERSION;
   if (!processor_runs(kInstructions) || !rounds_once_to_nearest<R>()) return TR_BAD_ARITHMETIC;
   if (setup == nullptr || aircraft != TR_XV15) return TR_BAD_ARGUMENT;
-  if (!detail::within(mast_deg, R(0), R(90))) return TR_OUT_OF_RANGE;
+  if (!configuration_detail::within(mast_deg, R(0), R(90))) return TR_OUT_OF_RANGE;
   const FlightSetup<R> defaults = flight_setup(aircraft_data<R>(), mast_deg);
   setup->aircraft = aircraft;
   setup->grid = TR_GRID_REALTIME;
@@ -182,13 +182,13 @@ tr_status tr_set_controls(tr_sim* sim, const tr_real* controls, size_t length) {
   if (!all_finite(controls, length)) return TR_NOT_FINITE;
   for (std::size_t j = 0; j < length; ++j) {
     const ControlRange<R> range = control_range<R>(static_cast<int>(j));
-    if (!detail::within(controls[j], range.low, range.high)) return TR_OUT_OF_RANGE;
+    if (!configuration_detail::within(controls[j], range.low, range.high)) return TR_OUT_OF_RANGE;
   }
   Sim& s = *opened(sim);
   R u[control_count];
-  pack(s.u, u);
+  flatten(s.u, u);
   for (std::size_t j = 0; j < length; ++j) u[j] = controls[j];
-  unpack(u, s.u);
+  unflatten(u, s.u);
   return TR_OK;
 }
 
@@ -218,7 +218,7 @@ tr_status tr_derivative(const tr_sim* sim, tr_real* rates, size_t length) {
   Configuration<R> room;
   State<R> xdot;
   derivative(equipped(s, room), evaluated_state(s), s.u, xdot);
-  pack(xdot, rates);
+  flatten(xdot, rates);
   return all_finite(rates, TR_STATES) ? TR_OK : TR_NOT_FINITE;
 }
 

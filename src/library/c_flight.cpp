@@ -18,7 +18,7 @@ tr_status check_step(const tr_work* work, R dt) {
 
 // One step; `xdot`: the rates at its beginning, or nullptr.
 tr_status step(Sim& s, tr_work* work, R dt, const R* xdot) {
-  StepRoom& room = place<StepRoom>(work);
+  StepCallWorkspace& room = place<StepCallWorkspace>(work);
   const Configuration<R>& c = equipped(s, room.configuration);
   const Integrator integrator = dt <= kLongestOfRk3 ? Integrator::rk3 : Integrator::rk4;
   const double time = s.time + static_cast<double>(dt);
@@ -48,7 +48,7 @@ tr_status tr_trim(tr_sim* sim, tr_work* work, const tr_flight* flight, tr_trim_r
   if (ready != TR_OK) return ready;
   if (work == nullptr || flight == nullptr) return TR_BAD_ARGUMENT;
   Sim& s = *opened(sim);
-  TrimRoom& room = place<TrimRoom>(work);
+  TrimCallWorkspace& room = place<TrimCallWorkspace>(work);
   const SteadyFlight<R> wanted = {flight->speed_mps, flight->climb_rad, flight->turn_rate_radps,
                                   flight->sideslip_rad, s.u.gust};
   const TrimStatus status = trim(equipped(s, room.configuration), wanted, room.workspace, room.result);

@@ -50,7 +50,7 @@ tr_status linearize_here(const Sim& s, tr_work* work, std::int32_t columns, tr_l
                          const LinearArrays& to, R* xdot) {
   const ControlSet* set = control_set(columns);
   if (work == nullptr || shape == nullptr || set == nullptr) return TR_BAD_ARGUMENT;
-  LinearRoom& room = place<LinearRoom>(work);
+  LinearCallWorkspace& room = place<LinearCallWorkspace>(work);
   LinearModel<R>& model = room.model;
   linear_states(s.configuration.setup.options, model);
   shape->states = model.states;
@@ -94,7 +94,7 @@ tr_status tr_eigenvalues(tr_work* work, const tr_real* a, size_t n, tr_real* rea
   if (n < 1 || n > kMaxLinearStates) return TR_BAD_ARGUMENT;
   if (length < n) return TR_SHORT_BUFFER;
   if (!processor_runs(kInstructions) || !rounds_once_to_nearest<R>()) return TR_BAD_ARITHMETIC;
-  EigenRoom& room = place<EigenRoom>(work);
+  EigenCallWorkspace& room = place<EigenCallWorkspace>(work);
   const int order = static_cast<int>(n);
   set_zero(room.a);
   for (int i = 0; i < order; ++i)
@@ -115,7 +115,7 @@ tr_status tr_modes(tr_work* work, const tr_linear_shape* shape, const tr_real* a
   if (!plausible(*shape)) return TR_BAD_ARGUMENT;
   if (a_length < entries(shape->states, shape->states)) return TR_SHORT_BUFFER;
   if (!processor_runs(kInstructions) || !rounds_once_to_nearest<R>()) return TR_BAD_ARITHMETIC;
-  ModesRoom& room = place<ModesRoom>(work);
+  ModesCallWorkspace& room = place<ModesCallWorkspace>(work);
   LinearModel<R>& model = room.model;
   clear(model);
   model.states = shape->states;

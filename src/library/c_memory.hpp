@@ -42,27 +42,27 @@ inline State<R> evaluated_state(const Sim& s) { return without_turns(s.x, s.trav
 
 // One group of members at a time. The explicit integrator needs no Jacobian, hence the small workspace of
 // NumDiff.
-struct StepRoom {
+struct StepCallWorkspace {
   Configuration<R> configuration;
   SimulationWorkspace<R, NumDiff> workspace;
   Simulation<R> simulation;
 };
-struct TrimRoom {
+struct TrimCallWorkspace {
   Configuration<R> configuration;
   TrimWorkspace<R> workspace;
   TrimResult<R> result;
 };
-struct LinearRoom {
+struct LinearCallWorkspace {
   Configuration<R> configuration;
   LinearizationWorkspace<R> workspace;
   LinearModel<R> model;
 };
-struct EigenRoom {
+struct EigenCallWorkspace {
   EigenWorkspace<R, kMaxLinearStates> workspace;
   Matrix<R, kMaxLinearStates, kMaxLinearStates> a;
   Eigenvalues<R, kMaxLinearStates> values;
 };
-struct ModesRoom {
+struct ModesCallWorkspace {
   ModesWorkspace<R> workspace;
   LinearModel<R> model;
   ModeSet<R> set;
@@ -71,8 +71,9 @@ inline constexpr std::size_t kWorkAlignment = 64;
 
 inline constexpr std::size_t larger(std::size_t a, std::size_t b) { return a > b ? a : b; }
 inline constexpr std::size_t kWorkBytes =
-    larger(larger(sizeof(StepRoom), sizeof(TrimRoom)),
-           larger(sizeof(LinearRoom), larger(sizeof(EigenRoom), sizeof(ModesRoom)))) +
+    larger(
+        larger(sizeof(StepCallWorkspace), sizeof(TrimCallWorkspace)),
+        larger(sizeof(LinearCallWorkspace), larger(sizeof(EigenCallWorkspace), sizeof(ModesCallWorkspace)))) +
     kWorkAlignment - alignof(tr_work);
 static_assert(kWorkBytes <= sizeof(tr_work));
 

@@ -5,7 +5,7 @@
 #include <cstring>
 #include <type_traits>
 
-#include "tiltrotor/model/state.hpp"
+#include "tiltrotor/model/variables/state.hpp"
 
 namespace tiltrotor::c_interface {
 

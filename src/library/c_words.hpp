@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "tiltrotor/analysis/trim_limits.hpp"
+#include "tiltrotor/analysis/trim/trim_limits.hpp"
 #include "tiltrotor/math/status.hpp"
 #include "tiltrotor/tiltrotor.h"
 

@@ -10,7 +10,7 @@
 #include "report/sections.hpp"
 #include "report/svg_plot.hpp"
 #include "report/wording.hpp"
-#include "tiltrotor/analysis/response.hpp"
+#include "tiltrotor/analysis/flight/response.hpp"
 #include "tiltrotor/model/frames.hpp"
 
 namespace tiltrotor::report {
@@ -87,7 +87,7 @@ void fly(const Case& which, Records& records) {
   Simulation<double> flight;
   const auto work = std::make_unique<SimulationWorkspace<double>>();
   cli::ModeTracker tracker;
-  const double one_degree = kRadian<double>;
+  const double one_degree = kRadPerDeg<double>;
   Status status = start(c, trim.state, trim.controls, kStep, Integrator::rk4, flight);
   if (status == Status::ok)
     status = add_input(flight, {InputShape::step, kControlIndex.collective, one_degree, 0.0, 0.0});

@@ -4,7 +4,7 @@
 
 #include "report/flights.hpp"
 #include "report/reference_points.hpp"
-#include "tiltrotor/model/airframe.hpp"
+#include "tiltrotor/model/airframe/airframe.hpp"
 
 namespace tiltrotor::report {
 
@@ -38,9 +38,9 @@ LoadRecord<double> replayed(const Table& states, std::size_t row) {
   in.rotor_force = 2 * kPoundForce * states.number(row, "rotor_force_lbf") /
                    (c.air.density * kPi<double> * c.tip_speed * c.tip_speed * radius * radius);
   in.advance_ratio = states.number(row, "advance_ratio");
-  in.elevator = states.number(row, "elevator_deg") * kRadian<double>;
+  in.elevator = states.number(row, "elevator_deg") * kRadPerDeg<double>;
   LoadRecord<double> loads{};
-  AirframeRoom<double> room;
+  AirframeWorkspace<double> room;
   AirframeResponse<double> sum;
   airframe_response(c, in, room, sum, [&](Component k, const Loads<double>& l) { loads.component[k] = l; });
   return loads;

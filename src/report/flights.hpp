@@ -3,12 +3,12 @@
 
 #include <vector>
 
-#include "tiltrotor/analysis/trim.hpp"
+#include "tiltrotor/analysis/trim/trim.hpp"
 #include "tiltrotor/model/aircraft_data.hpp"
 
 namespace tiltrotor::report {
 
-inline double degrees(double radians) { return radians * tiltrotor::kDegree<double>; }
+inline double degrees(double radians) { return radians * tiltrotor::kDegPerRad<double>; }
 inline constexpr double kStickNeutral = 4.8;  // in, where the pilot's scale 0..9.6 has its middle
 inline constexpr double kStickTravel = 9.6;   // in
 inline constexpr double kWatt = 1e-3;         // kW

@@ -16,7 +16,7 @@ namespace {
 
 using Complex = std::complex<double>;
 
-constexpr double kDegreesPerRadian = tiltrotor::kDegree<double>;
+constexpr double kDegreesPerRadian = tiltrotor::kDegPerRad<double>;
 constexpr int kPoints = 57;
 constexpr double kGainTolerance = 2;    // dB
 constexpr double kPhaseTolerance = 15;  // deg

@@ -41,7 +41,7 @@ std::vector<Sample> collective_sweep(double tip_speed, double axial, double in_p
     RotorFlow<double> flow{};
     flow.axial = axial;
     flow.in_plane = in_plane;
-    flow.collective = deg * kRadian<double>;
+    flow.collective = deg * kRadPerDeg<double>;
     flow.cyclic = cyclic;
     IsolatedRotor<double> rotor;
     if (isolated_rotor(c, flow, *work, rotor) != Status::ok) continue;
@@ -173,7 +173,7 @@ void forward_flight(Section& section) {
   std::size_t within = 0;
   double worst = 0;
   for (std::size_t i = 0; i < set.rows(); ++i) {
-    const double shaft = set.number(i, "shaft_angle_deg") * kRadian<double>;
+    const double shaft = set.number(i, "shaft_angle_deg") * kRadPerDeg<double>;
     const double in_plane = set.number(i, "advance_ratio") * tip_speed;
     const double axial = -in_plane * std::tan(shaft);  // forward tilt: flow down through the disk
     const std::vector<Sample> sweep =

@@ -5,9 +5,9 @@
 
 #include "cli/mode_tracker.hpp"
 #include "report/flights.hpp"
-#include "tiltrotor/analysis/linear_model.hpp"
-#include "tiltrotor/analysis/mode_names.hpp"
-#include "tiltrotor/analysis/modes.hpp"
+#include "tiltrotor/analysis/linear/linear_model.hpp"
+#include "tiltrotor/analysis/linear/mode_names.hpp"
+#include "tiltrotor/analysis/linear/modes.hpp"
 
 namespace tiltrotor::report {
 

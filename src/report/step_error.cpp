@@ -33,13 +33,13 @@ double worst_error(const Configured& c, const Trimmed& trim, const Linear& exact
   std::vector<double> error(static_cast<std::size_t>(n), 0.0);
   const auto rates_at = [&](int state, double value, double* rates) {
     double x[state_count];
-    pack(trim.state, x);
+    flatten(trim.state, x);
     x[state] = value;
     State<double> moved{};
     State<double> xdot{};
-    unpack(x, moved);
+    unflatten(x, moved);
     derivative(c, moved, trim.controls, xdot);
-    pack(xdot, rates);
+    flatten(xdot, rates);
   };
   for (int j = 0; j < n; ++j) {
     const int state = exact.state[j];

@@ -12,7 +12,7 @@
 #include "tablegen/aircraft_fields.hpp"
 #include "tablegen/compose.hpp"
 #include "tablegen/fault.hpp"
-#include "tiltrotor/math/table_slopes.hpp"
+#include "tiltrotor/math/tables/table_slopes.hpp"
 
 namespace tablegen {
 

@@ -4,7 +4,7 @@
 
 #include "tablegen/fault.hpp"
 #include "tablegen/units.hpp"
-#include "tiltrotor/math/table.hpp"
+#include "tiltrotor/math/tables/table.hpp"
 
 namespace tablegen {
 

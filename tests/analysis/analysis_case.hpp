@@ -14,7 +14,7 @@ namespace analysis_case {
 
 using namespace tiltrotor;
 
-inline constexpr double kDeg = kRadian<double>;
+inline constexpr double kDeg = kRadPerDeg<double>;
 
 inline Configuration<double> configuration(double mast_deg, const Options& options = Options{}) {
   FlightSetup<double> setup = flight_setup(aircraft_data<double>(), mast_deg);
@@ -98,8 +98,8 @@ inline Point reference_point(const std::string& name) {
   for (int i = 0; i <= kStateIndex.downwash; ++i) x[i] = file.number(0, kStateVariables[i].name);
   for (int j = 0; j < 4; ++j) u[kInceptors.index[j]] = file.number(0, kReferenceControls[j]);
   Point p;
-  unpack(x, p.x);
-  unpack(u, p.u);
+  unflatten(x, p.x);
+  unflatten(u, p.u);
   return p;
 }
 
@@ -112,8 +112,8 @@ inline Point slanted_point() {
   for (int i = 0; i <= kStateIndex.downwash; ++i) x[i] = file.number(row, kStateVariables[i].name);
   for (int j = 0; j < 4; ++j) u[kInceptors.index[j]] = file.number(row, kReferenceControls[j]);
   Point p;
-  unpack(x, p.x);
-  unpack(u, p.u);
+  unflatten(x, p.x);
+  unflatten(u, p.u);
   return p;
 }
 

@@ -28,7 +28,7 @@ struct Stand {
 
 inline RotorFlow<double> flow(double collective_deg, double axial = 0, double in_plane = 0) {
   RotorFlow<double> f{};
-  f.collective = collective_deg * kRadian<double>;
+  f.collective = collective_deg * kRadPerDeg<double>;
   f.axial = axial;
   f.in_plane = in_plane;
   return f;

@@ -1,12 +1,12 @@
 // Both policies on functions of a few numbers whose derivatives are known in closed form: what they return,
 // where they evaluate, and that every entry is delivered once.
-#include "tiltrotor/analysis/differentiation.hpp"
+#include "tiltrotor/analysis/linear/differentiation.hpp"
 
 #include <string>
 #include <vector>
 
 #include "check.hpp"
-#include "tiltrotor/model/controls.hpp"
+#include "tiltrotor/model/variables/controls.hpp"
 
 using namespace tiltrotor;
 

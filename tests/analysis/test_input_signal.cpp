@@ -1,6 +1,6 @@
 // Test inputs by what they sum to: sampled at steps that divide the duration, a pulse has exactly amplitude
 // times duration and a doublet nothing, wherever they begin.
-#include "tiltrotor/analysis/input_signal.hpp"
+#include "tiltrotor/analysis/flight/input_signal.hpp"
 
 #include "check.hpp"
 

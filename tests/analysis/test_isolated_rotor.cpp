@@ -22,9 +22,9 @@ TEST(isolated_rotor_range_of_each_field) {
   using F = RotorFlow<double>;
   const Field fields[] = {{&F::axial, 150},
                           {&F::in_plane, 150},
-                          {&F::collective, 90 * kRadian<double>},
-                          {&F::lateral_cyclic, 30 * kRadian<double>},
-                          {&F::long_cyclic, 30 * kRadian<double>}};
+                          {&F::collective, 90 * kRadPerDeg<double>},
+                          {&F::lateral_cyclic, 30 * kRadPerDeg<double>},
+                          {&F::long_cyclic, 30 * kRadPerDeg<double>}};
   for (const Field& field : fields) {
     for (double part : {-1.001, -1.0, 1.0, 1.001, kNan}) {
       RotorFlow<double> f = flow(8);
@@ -61,7 +61,7 @@ TEST(isolated_rotor_first_inflow) {
 
 // A step keeps its direction; no angle moves more than 5 deg and no inflow more than 0.02.
 TEST(isolated_rotor_steps_are_limited) {
-  const double angle = 5 * kRadian<double>, inflow = 0.02;
+  const double angle = 5 * kRadPerDeg<double>, inflow = 0.02;
   for (int harmonics : {1, 3}) {
     for (bool coning : {false, true}) {
       const d::Unknowns set{harmonics, coning};

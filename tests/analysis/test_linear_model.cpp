@@ -4,8 +4,8 @@
 #include <cstring>
 
 #include "analysis_case.hpp"
-#include "tiltrotor/analysis/linear_eigenvalues.hpp"
-#include "tiltrotor/math/complex_step.hpp"
+#include "tiltrotor/analysis/linear/linear_eigenvalues.hpp"
+#include "tiltrotor/math/differentiation/complex_step.hpp"
 
 using namespace analysis_case;
 
@@ -60,8 +60,8 @@ TEST(linearize_equals_complex_step) {
   const Point p = slanted_point();
   linear_model(c, p.x, p.u, kAllControls, model);
   double x[state_count], u[control_count];
-  pack(p.x, x);
-  pack(p.u, u);
+  flatten(p.x, x);
+  flatten(p.u, u);
   const double h = 1e-30;
   static double expected[kMaxLinearStates][kMaxLinearStates + kMaxLinearControls];
   const int n = model.states, m = model.controls;
@@ -72,10 +72,10 @@ TEST(linearize_equals_complex_step) {
     (j < n ? cx[model.state[j]] : cu[model.control[j - n]]) += Complex(0, h);
     State<Complex> state, xdot;
     Controls<Complex> controls;
-    unpack(cx, state);
-    unpack(cu, controls);
+    unflatten(cx, state);
+    unflatten(cu, controls);
     derivative(c, state, controls, xdot);
-    pack(xdot, rates);
+    flatten(xdot, rates);
     for (int i = 0; i < n; ++i) expected[i][j] = rates[model.state[i]].imag() / h;
   }
   double worst = 0;

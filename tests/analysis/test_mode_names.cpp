@@ -6,7 +6,7 @@
 
 #include "check.hpp"
 #include "tiltrotor/analysis/instances.hpp"
-#include "tiltrotor/analysis/mode_search.hpp"
+#include "tiltrotor/analysis/linear/mode_search.hpp"
 
 using namespace tiltrotor;
 

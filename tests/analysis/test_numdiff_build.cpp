@@ -56,13 +56,13 @@ TEST(numdiff_trims_to_the_same_point) {
     const TrimResult<double> a = trimmed(c, level(at.speed_mps));
     const TrimResult<double> n = numerically_trimmed(c, level(at.speed_mps));
     double x[state_count], y[state_count];
-    pack(a.state, x);
-    pack(n.state, y);
+    flatten(a.state, x);
+    flatten(n.state, y);
     for (int i = 0; i < state_count; ++i)
       worst = std::max(worst, std::abs(x[i] - y[i]) / state_scale<double>(i));
     double u[control_count], w[control_count];
-    pack(a.controls, u);
-    pack(n.controls, w);
+    flatten(a.controls, u);
+    flatten(n.controls, w);
     for (int j = 0; j < control_count; ++j)
       worst = std::max(worst, std::abs(u[j] - w[j]) / control_scale<double>(j));
   }

@@ -19,8 +19,8 @@ TEST(trim_automatic_and_numerical_agree) {
     CHECK(trim(c, flight, numerical, b) == TrimStatus::ok);
     CHECK_LE(std::abs(a.iterations - b.iterations), 1);
     double x[state_count], y[state_count];
-    pack(a.state, x);
-    pack(b.state, y);
+    flatten(a.state, x);
+    flatten(b.state, y);
     for (int i = 0; i < state_count; ++i) worst = std::max(worst, std::abs(x[i] - y[i]));
     CHECK_NEAR(a.controls.pedal, b.controls.pedal, 1e-7);
   }

@@ -6,7 +6,7 @@
 
 #include "check.hpp"
 #include "tiltrotor/analysis/instances.hpp"
-#include "tiltrotor/math/eigen.hpp"
+#include "tiltrotor/math/algebra/eigen.hpp"
 #include "tiltrotor/model/aircraft_data.hpp"
 
 namespace {
@@ -57,8 +57,8 @@ TEST(realtime_grid_keeps_its_bounds) {
     CHECK(is_trimmed(trim(fine, flight, rooms->trim, rooms->fine)));
     rooms->realtime = rooms->fine;
     CHECK(is_trimmed(trim_from(realtime, flight, rooms->trim, rooms->realtime)));
-    CHECK_NEAR(rooms->realtime.state.pitch, rooms->fine.state.pitch, 0.02 * kRadian<double>);
-    CHECK_NEAR(rooms->realtime.collective_root, rooms->fine.collective_root, 0.02 * kRadian<double>);
+    CHECK_NEAR(rooms->realtime.state.pitch, rooms->fine.state.pitch, 0.02 * kRadPerDeg<double>);
+    CHECK_NEAR(rooms->realtime.collective_root, rooms->fine.collective_root, 0.02 * kRadPerDeg<double>);
 
     const double half_weight = fine.setup.mass * kGravity<double> / 2;
     evaluate(fine, rooms->fine.state, rooms->fine.controls, rooms->evaluation);

@@ -27,8 +27,8 @@ void run(const Configuration<double>& c, Simulation<double>& s, double duration)
 
 double difference(const State<double>& a, const State<double>& b) {
   double x[state_count], y[state_count];
-  pack(a, x);
-  pack(b, y);
+  flatten(a, x);
+  flatten(b, y);
   double worst = 0;
   for (int i = 0; i < state_count; ++i) worst = std::max(worst, std::abs(x[i] - y[i]));
   return worst;
@@ -171,8 +171,8 @@ TEST(response_of_small_inputs_is_linear) {
     }
   }
   double flat[state_count], base[state_count];
-  pack(s.state, flat);
-  pack(r.state, base);
+  flatten(s.state, flat);
+  flatten(r.state, base);
   double scale = 0;
   for (int i = 0; i < n; ++i) scale = std::max(scale, std::abs(x[i]));
   for (int i = 0; i < n; ++i) CHECK_NEAR(flat[model.state[i]] - base[model.state[i]], x[i], 1e-4 * scale);
@@ -270,7 +270,7 @@ TEST(response_reports_a_lost_flight) {
   CHECK_LT(0.5, s.fault_time);
   CHECK_NEAR(s.fault_time, current_time(s) + s.dt, 1e-9);
   double flat[state_count];
-  pack(s.state, flat);
+  flatten(s.state, flat);
   for (double x : flat) CHECK(std::isfinite(x));  // the last good state
   const Simulation<double> stopped = s;
   CHECK(advance(c, work, s) == status);
@@ -279,7 +279,7 @@ TEST(response_reports_a_lost_flight) {
 
   Simulation<double> bad;
   State<double> x = r.state;
-  x.rotor[right].n0 = std::nan("");
+  x.rotor[right].lambda_0 = std::nan("");
   CHECK(start(c, x, r.controls, 0.01, Integrator::rk4, bad) == Status::not_finite);
   CHECK(start(c, r.state, r.controls, 0.0, Integrator::rk4, bad) == Status::out_of_range);
   CHECK(start(c, r.state, r.controls, std::nan(""), Integrator::rk4, bad) == Status::out_of_range);

@@ -122,14 +122,14 @@ TEST(response_to_inputs_between_steps_is_that_of_fine_steps) {
   CHECK(prepare(aircraft_data<double>(), setup, c) == Status::ok);
   const TrimResult<double> r = trimmed(c, level(40));
   double base[state_count];
-  pack(r.state, base);
+  flatten(r.state, base);
   using Inputs = std::vector<InputSignal<double>>;
   const auto flown = [&](Integrator integrator, double dt, const Inputs& inputs, double* x) {
     Simulation<double> s;
     CHECK(start(c, r.state, r.controls, dt, integrator, s) == Status::ok);
     for (const InputSignal<double>& input : inputs) CHECK(add_input(s, input) == Status::ok);
     for (int k = 0; k < std::lround(0.2 / dt); ++k) CHECK(advance(c, work, s) == Status::ok);
-    pack(s.state, x);
+    flatten(s.state, x);
   };
   const double deg = kDeg;
   const Inputs cases[] = {
@@ -182,8 +182,8 @@ TEST(response_ends_between_steps) {
   const Simulation<double> s = flown(0.005, 2, 0.0025);
   CHECK_EQ(current_time(s), 0.0125);
   double found[state_count], fine[state_count];
-  pack(s.state, found);
-  pack(flown(0.0005, 25, 0).state, fine);
+  flatten(s.state, found);
+  flatten(flown(0.0005, 25, 0).state, fine);
   for (int i = kStateIndex.velocity.x; i <= kStateIndex.rates.z; ++i) CHECK_NEAR(found[i], fine[i], 1e-6);
   Simulation<double> refused = s;
   for (double dt : {0.0, -0.01, 1.001, std::nan("")}) CHECK(change_step(refused, dt) == Status::out_of_range);

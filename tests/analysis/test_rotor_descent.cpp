@@ -29,7 +29,7 @@ double hover_speed(double thrust, const Configuration<double>& c) {
 // In axial flow the balance of the mean inflow is the whole problem. Its roots on a grid of inflows, least
 // first: m/s, where the rate changes sign.
 std::vector<double> roots(const Configuration<double>& c, double axial, double collective_deg) {
-  static RotorRoom<double> room;
+  static RotorWorkspace<double> room;
   std::vector<double> found;
   double before = 0;
   const double step = 0.1;  // m/s
@@ -37,12 +37,12 @@ std::vector<double> roots(const Configuration<double>& c, double axial, double c
     RotorInput<double> in{};
     RotorResponse<double> out;
     in.velocity = {0, 0, axial};
-    in.collective = collective_deg * kRadian<double>;
+    in.collective = collective_deg * kRadPerDeg<double>;
     in.coning.angle = c.coning;
-    in.state.n0 = v / c.tip_speed;
+    in.state.lambda_0 = v / c.tip_speed;
     rotor_response(c, in, c.azimuth, room, out);
-    if (before * out.inflow.n0 < 0) found.push_back(v - step / 2);
-    before = out.inflow.n0;
+    if (before * out.inflow.lambda_0 < 0) found.push_back(v - step / 2);
+    before = out.inflow.lambda_0;
   }
   return found;
 }
@@ -61,7 +61,7 @@ TEST(isolated_rotor_finds_the_windmill) {
       const std::vector<double> at = roots(c, axial, collective);
       if (!CHECK(!at.empty())) continue;
       const Status status = stand.run(flow(collective, axial));
-      const double v = stand.rotor.input.state.n0 * c.tip_speed;
+      const double v = stand.rotor.input.state.lambda_0 * c.tip_speed;
       const double h = hover_speed(stand.rotor.figures.thrust, c);
       const bool windmill = at[0] < -0.6 * axial;  // half in theory, and less than twice the other
       windmills += windmill;
@@ -82,7 +82,7 @@ TEST(isolated_rotor_finds_the_windmill) {
   }
   CHECK(windmills > 20 && none > 10 && two_stable > 20);
   CHECK(stand.run(flow(4, -40)) == Status::ok);
-  CHECK_NEAR(stand.rotor.input.state.n0 * c.tip_speed, 17.7, 0.1);
+  CHECK_NEAR(stand.rotor.input.state.lambda_0 * c.tip_speed, 17.7, 0.1);
   CHECK(stand.run(flow(8, -40)) == Status::vortex_ring);
   CHECK(stand.rotor.momentum == MomentumRange::other_branch);
 }
@@ -99,7 +99,7 @@ TEST(isolated_rotor_pushed_against_its_thrust_says_so) {
       if (status == Status::vortex_ring) ++beyond;
       if (status != Status::ok || stand.rotor.figures.thrust > 0) continue;
       const double h = hover_speed(stand.rotor.figures.thrust, c);
-      const double v = -stand.rotor.input.state.n0 * c.tip_speed;
+      const double v = -stand.rotor.input.state.lambda_0 * c.tip_speed;
       CHECK(axial < 0.45 * h || (axial > 2 * h && v < axial / 2));
       windmills += axial > 2 * h;
     }

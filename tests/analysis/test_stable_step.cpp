@@ -7,8 +7,8 @@
 #include <random>
 
 #include "analysis_case.hpp"
-#include "tiltrotor/analysis/stable_step.hpp"
-#include "tiltrotor/math/eigen.hpp"
+#include "tiltrotor/analysis/flight/stable_step.hpp"
+#include "tiltrotor/math/algebra/eigen.hpp"
 
 using namespace analysis_case;
 
@@ -161,9 +161,9 @@ TEST(response_longest_step_is_stable_out_of_trim) {
       rotor.b1s = between(-tilt, tilt);
       rotor.b1c_rate = between(-10 * tilt, 10 * tilt);
       rotor.b1s_rate = between(-10 * tilt, 10 * tilt);
-      rotor.n0 = between(-inflow, inflow);
-      rotor.nc = between(-inflow, inflow);
-      rotor.ns = between(-inflow, inflow);
+      rotor.lambda_0 = between(-inflow, inflow);
+      rotor.lambda_c = between(-inflow, inflow);
+      rotor.lambda_s = between(-inflow, inflow);
       x.coning[side].angle = between(0, 0.1);
     }
     u.collective = between(-0.35, 1.4);
@@ -195,7 +195,7 @@ TEST(response_parts_are_few_in_any_state) {
   x.velocity = {300, 300, 300};
   x.rates = {20, 20, 20};
   u.gust = {-50, -50, -50};
-  for (RotorState<double>& rotor : x.rotor) rotor.n0 = rotor.nc = rotor.ns = 2;
+  for (RotorState<double>& rotor : x.rotor) rotor.lambda_0 = rotor.lambda_c = rotor.lambda_s = 2;
   CHECK_LE(parts_at(c, x, u, Integrator::rk4, 0.02), 45);
   CHECK_LE(parts_at(c, x, u, Integrator::rk3, 0.01), 45);
   CHECK_LT(20, parts_at(c, x, u, Integrator::rk4, 0.02));
@@ -219,7 +219,7 @@ TEST(response_long_steps_follow_short_ones) {
     if (!prepared(flight.settings, c)) return;
     if (!CHECK(is_trimmed(trim(c, level(flight.speed), trim_work, r)))) continue;
     State<double> begin = r.state;
-    begin.rotor[right].nc += 0.002;
+    begin.rotor[right].lambda_c += 0.002;
     begin.rotor[left].b1c_rate += 0.1;
     const auto flown = [&](Integrator integrator, double dt) {
       Simulation<double> s;
@@ -228,11 +228,11 @@ TEST(response_long_steps_follow_short_ones) {
       return s.state;
     };
     double fine[state_count], found[state_count];
-    pack(flown(Integrator::rk4, 0.002), fine);
+    flatten(flown(Integrator::rk4, 0.002), fine);
     double worst = 0;
     for (Integrator integrator : {Integrator::rk3, Integrator::rk4}) {
       for (double dt : {0.01, 0.02, 0.1, 1.0}) {
-        pack(flown(integrator, dt), found);
+        flatten(flown(integrator, dt), found);
         for (int i = 0; i < state_count; ++i) worst = std::max(worst, std::abs(found[i] - fine[i]));
       }
     }

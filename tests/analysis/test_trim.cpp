@@ -39,8 +39,9 @@ TEST(trim_reference_grid) {
     for (const RotorState<double>& rotor : r.state.rotor) {
       angle(rotor.b1c, "b1c_deg");
       angle(rotor.b1s, "b1s_deg");
-      const double difference[] = {rotor.n0 - grid.number(row, "n0"), rotor.nc - grid.number(row, "nc"),
-                                   rotor.ns - grid.number(row, "ns")};
+      const double difference[] = {rotor.lambda_0 - grid.number(row, "n0"),
+                                   rotor.lambda_c - grid.number(row, "nc"),
+                                   rotor.lambda_s - grid.number(row, "ns")};
       for (double d : difference) {
         CHECK_NEAR(d, 0, 1e-9);
         worst_inflow = std::max(worst_inflow, std::abs(d));
@@ -123,7 +124,7 @@ TEST(trim_fulfils_newtons_law_in_earth_axes) {
     CHECK_NEAR(e.rates.downwash, 0, 1e-10);
     for (const RotorState<double>& rotor : e.rates.rotor) {
       CHECK_NEAR(rotor.b1c_rate, 0, 1e-6);
-      CHECK_NEAR(rotor.n0, 0, 1e-8);
+      CHECK_NEAR(rotor.lambda_0, 0, 1e-8);
     }
   }
 }
@@ -136,7 +137,7 @@ TEST(trim_coordinated_turn_load_factor) {
   const double lateral = speed * rate / 9.80665;
   CHECK_REL(r.load_factor, std::sqrt(1 + lateral * lateral), 0.03);
   CHECK_NEAR(r.state.roll, std::atan(lateral), 1.5 * kDeg);
-  CHECK_LT(r.state.rotor[left].n0 - r.state.rotor[right].n0, 1e-2);
+  CHECK_LT(r.state.rotor[left].lambda_0 - r.state.rotor[right].lambda_0, 1e-2);
 }
 
 // Energy: shaft power above level flight goes into weight times rate of climb, with the rotors' efficiency.
@@ -177,7 +178,7 @@ TEST(trim_mirrored_flight_is_mirrored) {
     CHECK_NEAR(a.state.pitch, b.state.pitch, 1e-9);
     CHECK_NEAR(a.controls.lat_stick, -b.controls.lat_stick, 1e-8);
     CHECK_NEAR(a.controls.pedal, -b.controls.pedal, 1e-8);
-    CHECK_NEAR(a.state.rotor[right].ns, b.state.rotor[left].ns, 1e-9);
+    CHECK_NEAR(a.state.rotor[right].lambda_s, b.state.rotor[left].lambda_s, 1e-9);
     CHECK_LT(std::abs(b.controls.lat_stick) * 0 + 1e-6, std::abs(a.state.roll));
   }
 }
@@ -197,7 +198,7 @@ TEST(trim_under_every_set_of_states) {
     State<double> rates;
     derivative(c, r.state, r.controls, rates);
     double flat[state_count];
-    pack(rates, flat);
+    flatten(rates, flat);
     const ActiveStates active = active_states(options, false);
     const double omega = c.setup.rotor_speed;
     for (int i = 0; i < active.count; ++i) CHECK_NEAR(flat[active.index[i]], 0, 1e-9 * omega * omega);

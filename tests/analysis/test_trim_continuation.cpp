@@ -53,8 +53,8 @@ TEST(trim_beyond_stalled_rotors_has_no_use) {
       r.controls.long_stick = between(-4, 4);
       r.state.pitch = between(-10, 10) * kDeg;
       for (RotorState<double>& rotor : r.state.rotor) {
-        rotor.n0 = between(0.02, 0.12);
-        rotor.nc = between(-0.02, 0.05);
+        rotor.lambda_0 = between(0.02, 0.12);
+        rotor.lambda_c = between(-0.02, 0.05);
         rotor.b1c = between(-5, 5) * kDeg;
       }
       count += is_trimmed(trim_from(c, level(6), work, r)) && r.power[right] + r.power[left] < power;
@@ -80,7 +80,7 @@ TEST(trim_over_less_weight_is_the_trim_of_the_cold_start) {
     CHECK(trim_detail::from_less_weight(c, level(speed), work, iterations, carried).status == TrimStatus::ok);
     State<double> x;
     Controls<double> u;
-    trim_detail::unpack_unknowns(level(speed), work, x, u);
+    trim_detail::unflatten_unknowns(level(speed), work, x, u);
     CHECK_NEAR(u.collective, cold.controls.collective, 1e-8);
     CHECK_NEAR(u.long_stick, cold.controls.long_stick, 1e-7);
     CHECK_NEAR(x.pitch, cold.state.pitch, 1e-8);
@@ -135,7 +135,7 @@ TEST(trim_of_stalled_rotors_in_every_build) {
 // A vertical force in place of weight, turned back into axes level with the ground.
 TEST(trim_relief_is_vertical) {
   const double roll = 0.3, pitch = -0.2, part = 0.25;
-  static ModelRoom<double> room;
+  static ModelWorkspace<double> room;
   for (double& x : room.x) x = 0;
   relieve_weight(roll, pitch, part, room);
   const Vector level_axes = to_earth(

@@ -57,7 +57,7 @@ TEST(trim_from_a_guess_that_is_no_number) {
   CHECK(contains(explanation(r), "is not a number at the first guess"));
   CHECK_EQ(r.iterations, 0);
   double x[state_count];
-  pack(r.state, x);
+  flatten(r.state, x);
   for (const double value : x) CHECK(std::isfinite(value));
   CHECK(trim_from(c, level(-1), work, r) == TrimStatus::out_of_range);
   CHECK(r.invalid == SteadyFlightField::speed);
@@ -84,8 +84,8 @@ TEST(trim_first_guess_obeys_momentum_theory) {
     trim_first_guess(c, flight, equations, z);
     double n0[2] = {0, 0}, bank = 0;
     for (int j = 0; j < equations.count; ++j) {
-      if (equations.row[j].state == kStateIndex.rotor[right].n0) n0[right] = z[j];
-      if (equations.row[j].state == kStateIndex.rotor[left].n0) n0[left] = z[j];
+      if (equations.row[j].state == kStateIndex.rotor[right].lambda_0) n0[right] = z[j];
+      if (equations.row[j].state == kStateIndex.rotor[left].lambda_0) n0[left] = z[j];
       if (equations.row[j].state == kStateIndex.roll) bank = z[j];
     }
     CHECK_EQ(n0[right], n0[left]);
@@ -113,7 +113,7 @@ TEST(trim_first_guess_of_an_aircraft_without_weight) {
   trim_first_guess(c, level(0), equations, z);
   for (int j = 0; j < equations.count; ++j) {
     CHECK(std::isfinite(z[j]));
-    if (equations.row[j].state == kStateIndex.rotor[right].n0) CHECK_NEAR(z[j], 0, 0.01);
+    if (equations.row[j].state == kStateIndex.rotor[right].lambda_0) CHECK_NEAR(z[j], 0, 0.01);
   }
 }
 

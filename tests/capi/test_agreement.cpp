@@ -24,8 +24,8 @@ TEST(capi_agrees_with_the_analyses) {
     tr_sim sim = trimmed_sim(mast, speed);
     tr_real x[state_count];
     tr_real u[control_count];
-    pack(trimmed->state, x);
-    pack(trimmed->controls, u);
+    flatten(trimmed->state, x);
+    flatten(trimmed->controls, u);
     tr_state state = state_of(sim);
     CHECK(std::memcmp(state.x, x, sizeof x) == 0);
     CHECK(std::memcmp(state.u, u, sizeof u) == 0);
@@ -97,7 +97,7 @@ TEST(capi_agrees_with_the_analyses) {
       CHECK(advance(*c, *step_work, *simulation) == Status::ok);
       CHECK_EQ(tr_step(&sim, work.get(), dt), TR_OK);
     }
-    pack(simulation->state, x);
+    flatten(simulation->state, x);
     state = state_of(sim);
     CHECK(std::memcmp(state.x, x, sizeof x) == 0);
     CHECK_NEAR(state.time_s, 0.25, 1e-7);

@@ -16,7 +16,7 @@ TEST(isolated_rotor_hover_obeys_momentum_theory) {
   Stand stand(0);
   for (const double collective : {4.0, 8.0, 12.0}) {
     if (!CHECK(stand.run(flow(collective, 0, 0)) == Status::ok)) return;
-    const double n0 = stand.rotor.input.state.n0;
+    const double n0 = stand.rotor.input.state.lambda_0;
     const double kappa = stand.configuration.induced_power_factor;
     CHECK_REL(n0, kappa * std::sqrt(stand.rotor.figures.thrust_coefficient / (2 * kappa)), 2e-3);
     CHECK_NEAR(stand.rotor.input.state.b1c, 0.0, 1e-9);
@@ -32,7 +32,7 @@ TEST(isolated_rotor_does_not_prefer_a_side) {
   CHECK(behind.run(flow(8, 3, -40)) == Status::ok);
   CHECK_REL(behind.rotor.figures.thrust, ahead.rotor.figures.thrust, 1e-10);
   CHECK_REL(behind.rotor.input.state.b1c, -ahead.rotor.input.state.b1c, 1e-9);
-  CHECK_REL(behind.rotor.input.state.ns, -ahead.rotor.input.state.ns, 1e-9);
+  CHECK_REL(behind.rotor.input.state.lambda_s, -ahead.rotor.input.state.lambda_s, 1e-9);
 }
 
 TEST(isolated_rotor_cyclic_holds_the_disk) {
@@ -46,7 +46,7 @@ TEST(isolated_rotor_cyclic_holds_the_disk) {
   RotorFlow<double> given = flow(8, 0, 40);
   given.lateral_cyclic = stand.rotor.input.lateral_cyclic;
   given.long_cyclic = stand.rotor.input.long_cyclic;
-  CHECK(std::abs(given.long_cyclic) > 0.5 * kRadian<double>);
+  CHECK(std::abs(given.long_cyclic) > 0.5 * kRadPerDeg<double>);
   Stand free(0);
   CHECK(free.run(given) == Status::ok);
   CHECK_NEAR(free.rotor.input.state.b1c, 0.0, 1e-8);
@@ -68,7 +68,7 @@ TEST(isolated_rotor_switches) {
   options.inflow = InflowShape::uniform;
   Stand coning(0, options);
   CHECK(coning.run(flow(8, 0, 40)) == Status::ok);
-  CHECK(coning.rotor.input.coning.angle > 0.5 * kRadian<double>);
+  CHECK(coning.rotor.input.coning.angle > 0.5 * kRadPerDeg<double>);
   CHECK_NEAR(coning.rotor.response.coning_acceleration, 0.0, 1e-6);
 }
 
@@ -120,7 +120,7 @@ TEST(isolated_rotor_converges_over_its_range) {
     for (const double in_plane : {0.0, 20.0, 60.0}) {
       for (const double axial : {0.0, 5.0, 20.0}) {
         const double inflow_angle =
-            std::atan(axial / (0.75 * stand.configuration.tip_speed)) / kRadian<double>;
+            std::atan(axial / (0.75 * stand.configuration.tip_speed)) / kRadPerDeg<double>;
         for (const double angle : {2.0, 6.0, 10.0}) {
           CHECK(stand.run(flow(inflow_angle + angle, axial, in_plane)) == Status::ok);
           iterations = stand.rotor.iterations > iterations ? stand.rotor.iterations : iterations;

@@ -82,7 +82,7 @@ TEST(cli_numbers_of_a_range_are_those_of_a_list) {
 
 // Every number of up to four decimals within 150 comes back from radians, inches and revolutions per minute.
 TEST(cli_numbers_survive_their_unit) {
-  const double degree = tiltrotor::kRadian<double>;
+  const double degree = tiltrotor::kRadPerDeg<double>;
   for (const double unit : {degree, 0.0254, tiltrotor::kPi<double> / 30}) {
     int changed = 0;
     for (int i = -1500000; i <= 1500000; i += 7) {

@@ -2,11 +2,11 @@
 #include <cmath>
 
 #include "fuzz/target.hpp"
-#include "tiltrotor/math/dual.hpp"
-#include "tiltrotor/math/eigen.hpp"
-#include "tiltrotor/math/lu.hpp"
+#include "tiltrotor/math/algebra/eigen.hpp"
+#include "tiltrotor/math/algebra/lu.hpp"
+#include "tiltrotor/math/differentiation/dual.hpp"
 #include "tiltrotor/math/smooth.hpp"
-#include "tiltrotor/math/table.hpp"
+#include "tiltrotor/math/tables/table.hpp"
 #include "tiltrotor/model/aircraft_data.hpp"
 
 namespace {

@@ -4,7 +4,7 @@
 #include "cli/errors.hpp"
 #include "cli/state_file.hpp"
 #include "fuzz/target.hpp"
-#include "tiltrotor/math/waist.hpp"
+#include "tiltrotor/math/differentiation/preaccumulate.hpp"
 
 FUZZ_TARGET(state_file) {
   using namespace tiltrotor;

@@ -1,6 +1,6 @@
 // Balancing by what it promises: A P D = P D B bit for bit, rows and columns of the active block alike in
 // size, whatever the size of the entries.
-#include "tiltrotor/math/balance.hpp"
+#include "tiltrotor/math/algebra/balance.hpp"
 
 #include <algorithm>
 #include <random>

@@ -1,6 +1,6 @@
 // Dual numbers against algebra, analytic derivatives, complex steps and duals with a single partial, for the
 // lane counts that matter: below, at and beyond one vector, odd and even, double and float.
-#include "tiltrotor/math/dual.hpp"
+#include "tiltrotor/math/differentiation/dual.hpp"
 
 #include <array>
 #include <complex>
@@ -8,7 +8,7 @@
 #include <random>
 
 #include "check.hpp"
-#include "tiltrotor/math/complex_step.hpp"
+#include "tiltrotor/math/differentiation/complex_step.hpp"
 
 using namespace tiltrotor;
 

@@ -1,6 +1,6 @@
 // Eigenvalues and eigenvectors. Expected values: closed forms (rotations, companion, Toeplitz, Jordan,
 // Clement and circulant matrices), invariants (trace, |A v - lambda v|), exact similarity transforms.
-#include "tiltrotor/math/eigen.hpp"
+#include "tiltrotor/math/algebra/eigen.hpp"
 
 #include <algorithm>
 #include <complex>
@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "check.hpp"
-#include "tiltrotor/math/lu.hpp"
+#include "tiltrotor/math/algebra/lu.hpp"
 
 using namespace tiltrotor;
 using Cplx = std::complex<double>;

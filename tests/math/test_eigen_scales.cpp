@@ -1,6 +1,6 @@
 // Eigenvalues whatever the size of the entries: closed forms of blocks and
 // diagonals, and exact scaling by powers of two.
-#include "tiltrotor/math/eigen.hpp"
+#include "tiltrotor/math/algebra/eigen.hpp"
 
 #include <algorithm>
 #include <cmath>

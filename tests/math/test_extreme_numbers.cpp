@@ -8,10 +8,10 @@
 #include <random>
 
 #include "check.hpp"
-#include "tiltrotor/math/complex_step.hpp"
-#include "tiltrotor/math/dual.hpp"
-#include "tiltrotor/math/lu.hpp"
-#include "tiltrotor/math/pack.hpp"
+#include "tiltrotor/math/algebra/lu.hpp"
+#include "tiltrotor/math/differentiation/batch.hpp"
+#include "tiltrotor/math/differentiation/complex_step.hpp"
+#include "tiltrotor/math/differentiation/dual.hpp"
 #include "tiltrotor/math/smooth.hpp"
 
 using namespace tiltrotor;
@@ -109,7 +109,7 @@ TEST(elementary_sine_next_to_its_zeros) {
 // Packs see the operations of plain numbers over their stated range.
 TEST(pack_of_extreme_numbers_gives_the_plain_bits) {
   AnyNumber<double> number;
-  using P = Pack<double>;
+  using P = Batch<double>;
   for (int n = 0; n < 5000; ++n) {
     const auto within = [&number] { return std::fmod(std::log2(std::fabs(number())), 400.0); };
     P y = std::exp2(within()), x = -std::exp2(within());

@@ -1,5 +1,5 @@
 // The QR iteration itself, without balancing: blocks of two in closed form, and where it ends.
-#include "tiltrotor/math/eigen.hpp"
+#include "tiltrotor/math/algebra/eigen.hpp"
 
 #include <complex>
 #include <limits>

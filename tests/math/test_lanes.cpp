@@ -1,5 +1,5 @@
 // Lanes of partials: vector and portable form give the same bits; operations against scalar loops; layout.
-#include "tiltrotor/math/lanes.hpp"
+#include "tiltrotor/math/differentiation/lanes.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -7,7 +7,7 @@
 
 #include "check.hpp"
 #include "lane_program.hpp"
-#include "tiltrotor/math/dual.hpp"
+#include "tiltrotor/math/differentiation/dual.hpp"
 
 using namespace tiltrotor;
 

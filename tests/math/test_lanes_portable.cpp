@@ -6,7 +6,7 @@
 
 #define TILTROTOR_PORTABLE_LANES
 #define tiltrotor tiltrotor_portable_lanes
-#include "tiltrotor/math/dual.hpp"
+#include "tiltrotor/math/differentiation/dual.hpp"
 #undef tiltrotor
 
 using tiltrotor_portable_lanes::Dual;

@@ -1,6 +1,6 @@
 // LU. Expected values: componentwise backward error (Oettli and Prager), known inverses, known condition
 // numbers.
-#include "tiltrotor/math/lu.hpp"
+#include "tiltrotor/math/algebra/lu.hpp"
 
 #include <random>
 

@@ -1,5 +1,5 @@
 // Matrix, its padding, and the status words. Expected values: by hand, and algebraic identities.
-#include "tiltrotor/math/matrix.hpp"
+#include "tiltrotor/math/algebra/matrix.hpp"
 
 #include <cstdint>
 #include <cstring>

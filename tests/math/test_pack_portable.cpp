@@ -9,7 +9,7 @@
 #define TILTROTOR_PORTABLE_LANES
 #define tiltrotor tiltrotor_portable_packs
 #define pack_program portable_pack_program
-#include "pack_program.hpp"
+#include "batch_program.hpp"
 #undef pack_program
 #undef tiltrotor
 

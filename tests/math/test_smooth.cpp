@@ -7,8 +7,8 @@
 #include <limits>
 
 #include "check.hpp"
-#include "tiltrotor/math/complex_step.hpp"
-#include "tiltrotor/math/dual.hpp"
+#include "tiltrotor/math/differentiation/complex_step.hpp"
+#include "tiltrotor/math/differentiation/dual.hpp"
 
 using namespace tiltrotor;
 

@@ -7,18 +7,18 @@
 #include <vector>
 
 #include "check.hpp"
-#include "tiltrotor/math/complex_step.hpp"
-#include "tiltrotor/math/dual.hpp"
-#include "tiltrotor/math/table.hpp"
-#include "tiltrotor/math/table_slopes.hpp"
+#include "tiltrotor/math/differentiation/complex_step.hpp"
+#include "tiltrotor/math/differentiation/dual.hpp"
+#include "tiltrotor/math/tables/table.hpp"
+#include "tiltrotor/math/tables/table_slopes.hpp"
 
 namespace {
 
 using tiltrotor::Axis;
 using tiltrotor::Dual;
+using tiltrotor::grid_point;
 using tiltrotor::Interpolation;
-using tiltrotor::Place;
-using tiltrotor::place_on;
+using tiltrotor::GridPoint;
 using tiltrotor::Table;
 
 constexpr Interpolation kModes[] = {Interpolation::c1, Interpolation::linear};
@@ -98,8 +98,8 @@ T look(const Sample<Smooth, 0>& s, Interpolation mode, const std::vector<T>& x) 
 template <class T, int Smooth, int Linear>
 T look(const Sample<Smooth, Linear>& s, Interpolation mode, const std::vector<T>& x, const Numbers& p) {
   const Table<double, Smooth, Linear> t = s.table();
-  Place<double> place[Linear];
-  for (std::size_t a = 0; a < Linear; ++a) place[a] = place_on(t.linear[a], p[a]);
+  GridPoint<double> place[Linear];
+  for (std::size_t a = 0; a < Linear; ++a) place[a] = grid_point(t.linear[a], p[a]);
   T arguments[Smooth];
   std::copy(x.begin(), x.end(), arguments);
   return tiltrotor::lookup(t, mode, place, arguments);
@@ -546,7 +546,7 @@ TEST(table_linear_axis_of_one_knot) {
   const double knot[] = {3};
   const Axis<double> axis{1, knot};
   for (double x : {-1e9, 2.9, 3.0, 3.1, 1e9}) {
-    const Place<double> p = place_on(axis, x);
+    const GridPoint<double> p = grid_point(axis, x);
     CHECK(p.interval == 0 && p.fraction == 0);
   }
 }

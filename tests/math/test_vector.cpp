@@ -4,7 +4,7 @@
 #include <random>
 
 #include "check.hpp"
-#include "tiltrotor/math/dual.hpp"
+#include "tiltrotor/math/differentiation/dual.hpp"
 
 using namespace tiltrotor;
 

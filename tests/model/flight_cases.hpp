@@ -8,7 +8,7 @@
 #include <random>
 
 #include "check.hpp"
-#include "tiltrotor/math/complex_step.hpp"
+#include "tiltrotor/math/differentiation/complex_step.hpp"
 #include "tiltrotor/model/aircraft_data.hpp"
 #include "tiltrotor/model/derivative.hpp"
 
@@ -84,9 +84,9 @@ inline StateAndControls<double> random_case(Generator& random, const Configurati
     r.b1s = random.between(-0.06, 0.06);
     r.b1c_rate = random.between(-0.3, 0.3);
     r.b1s_rate = random.between(-0.3, 0.3);
-    r.n0 = random.between(0.01, 0.08);
-    r.nc = random.between(-0.02, 0.03);
-    r.ns = random.between(-0.02, 0.02);
+    r.lambda_0 = random.between(0.01, 0.08);
+    r.lambda_c = random.between(-0.02, 0.03);
+    r.lambda_s = random.between(-0.02, 0.02);
     s.x.coning[side] = {random.between(0.02, 0.06), random.between(-0.2, 0.2)};
   }
   s.x.downwash = random.between(-0.05, 0.15);
@@ -109,7 +109,7 @@ inline StateAndControls<double> random_case(Generator& random, const Configurati
 template <template <class> class S, class T, class Table>
 S<T> mirrored(const S<T>& s, const Table& variables) {
   T flat[sizeof variables.row / sizeof variables.row[0]];
-  pack(s, flat);
+  flatten(s, flat);
   S<T> m;
   std::size_t i = 0;
   S<T>::each(m, [&](T& x) {

@@ -81,7 +81,7 @@ inline Replay replay(const Point& p) {
   r.in.rotor_force =
       2 * p.rotor_force_lb * kPound / (r.c.air.density * kPi<double> * tip * tip * radius * radius);
   r.in.advance_ratio = p.advance_ratio;
-  r.in.elevator = p.elevator_deg * kRadian<double>;
+  r.in.elevator = p.elevator_deg * kRadPerDeg<double>;
   r.stream = free_stream(r.c, r.in.velocity);
   for (const int side : {right, left}) r.wake[side] = wing_in_wake(r.c, r.in, r.stream, side);
   return r;

@@ -46,14 +46,14 @@ inline RotorInput<double> settled(const Configuration<double>& c, RotorInput<dou
   double residual = 1;
   for (int iteration = 0; iteration < 60 && residual > 1e-13; ++iteration) {
     RotorInput<T> seeded = flight_cases::converted<T>(in);
-    T* const unknown[5] = {&seeded.state.b1c, &seeded.state.b1s, &seeded.state.n0, &seeded.state.nc,
-                           &seeded.state.ns};
+    T* const unknown[5] = {&seeded.state.b1c, &seeded.state.b1s, &seeded.state.lambda_0,
+                           &seeded.state.lambda_c, &seeded.state.lambda_s};
     for (int k = 0; k < 5; ++k) *unknown[k] = T::variable(unknown[k]->v, k);
     const RotorResponse<T> out = rotor_response(c, seeded, c.azimuth);
     const double omega = c.setup.rotor_speed;
     const T equation[5] = {out.flapping.b1c_acceleration / (omega * omega),
-                           out.flapping.b1s_acceleration / (omega * omega), out.inflow.n0 / omega,
-                           out.inflow.nc / omega, out.inflow.ns / omega};
+                           out.flapping.b1s_acceleration / (omega * omega), out.inflow.lambda_0 / omega,
+                           out.inflow.lambda_c / omega, out.inflow.lambda_s / omega};
     std::array<std::array<double, 5>, 5> jacobian{};
     std::array<double, 5> right_side{};
     for (std::size_t i = 0; i < 5; ++i) {
@@ -71,7 +71,8 @@ inline RotorInput<double> settled(const Configuration<double>& c, RotorInput<dou
     double longest = 0;
     for (const double x : step) longest = std::max(longest, std::abs(x));
     const double damping = std::min(1.0, 0.02 / longest);
-    double* const place[5] = {&in.state.b1c, &in.state.b1s, &in.state.n0, &in.state.nc, &in.state.ns};
+    double* const place[5] = {&in.state.b1c, &in.state.b1s, &in.state.lambda_0, &in.state.lambda_c,
+                              &in.state.lambda_s};
     for (std::size_t k = 0; k < 5; ++k) *place[k] += damping * step[k];
   }
   CHECK_LE(residual, 1e-12);
@@ -95,7 +96,7 @@ inline RotorInput<double> hover_input(const Configuration<double>& c) {
   RotorInput<double> in{};
   in.coning.angle = c.coning;
   in.collective = 0.2;
-  in.state.n0 = 0.07;
+  in.state.lambda_0 = 0.07;
   return in;
 }
 

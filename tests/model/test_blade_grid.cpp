@@ -75,11 +75,11 @@ TEST(blade_grid_chord_and_twist) {
   // Solidity 0.0891 with the outboard chord.
   CHECK_NEAR(3 * blade_chord(rotor, ChordSource::cutout, 0.75) / (kPi<double> * kRadius), 0.0891, 1e-4);
   // Root collective stands 34.43 deg above that at 0.75 R; the blade is twisted nose down outboard.
-  CHECK_NEAR(blade_twist(rotor, TwistSource::table, 0.0) * kDegree<double>, 34.43, 0.006);
+  CHECK_NEAR(blade_twist(rotor, TwistSource::table, 0.0) * kDegPerRad<double>, 34.43, 0.006);
   CHECK_EQ(blade_twist(rotor, TwistSource::table, 0.75), 0.0);
   CHECK_LT(blade_twist(rotor, TwistSource::table, 1.0), 0.0);
   CHECK_NEAR((blade_twist(rotor, TwistSource::linear, 1.0) - blade_twist(rotor, TwistSource::linear, 0.0)) *
-                 kDegree<double>,
+                 kDegPerRad<double>,
              -41.0, 1e-9);
   CHECK_EQ(blade_twist(rotor, TwistSource::linear, 0.75), 0.0);
 }

@@ -7,7 +7,7 @@ using namespace flight_cases;
 
 namespace {
 
-constexpr double kDeg = kRadian<double>;
+constexpr double kDeg = kRadPerDeg<double>;
 
 BladeControls<double> mixed(double mast, const Controls<double>& u, double speed_kt,
                             const Options& options = Options{}) {
@@ -86,7 +86,7 @@ TEST(control_mixing_signs_of_the_aircraft) {
     const Configuration<double> c = configuration(mast);
     StateAndControls<double> s{};
     s.x.velocity = mast > 0 ? Vec3<double>{90, 0, 4} : Vec3<double>{0, 0, 0};
-    for (int side = 0; side < 2; ++side) s.x.rotor[side].n0 = mast > 0 ? 0.002 : 0.07;
+    for (int side = 0; side < 2; ++side) s.x.rotor[side].lambda_0 = mast > 0 ? 0.002 : 0.07;
     s.u.collective = mast > 0 ? 0.54 : 0.2;
     for (const Sign& test :
          {Sign{&Controls<double>::long_stick, 1, -1}, Sign{&Controls<double>::lat_stick, 0, 1},

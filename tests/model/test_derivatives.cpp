@@ -223,7 +223,7 @@ Loads<Dual<double, 1>> sideslip_derivative(Component component, double mast_deg,
   s.x.rates = {0, 0, 0};
   s.u.gust = {0, 0, 0};
   s.x.rotor[left] = s.x.rotor[right];
-  if (at_zero_wash) s.x.rotor[left].n0 = s.x.rotor[right].n0 = 0;
+  if (at_zero_wash) s.x.rotor[left].lambda_0 = s.x.rotor[right].lambda_0 = 0;
   s.u = {};
   State<T> x = converted<T>(s.x);
   x.velocity.y = T::variable(0.0, 0);
@@ -246,7 +246,7 @@ TEST(derivatives_fuselage_at_zero_sideslip) {
   const double u = 40;
   const double w = 0;
   const auto d = sideslip_derivative(fuselage, 0, u, w, true);
-  const double beta = 10 * kRadian<double>;
+  const double beta = 10 * kRadPerDeg<double>;
   const double side_slope = -14.5 * foot * foot / beta;
   const double roll_slope = -75.0 * foot * foot * foot / beta;
   const double yaw_slope = -202.0 * foot * foot * foot / beta;

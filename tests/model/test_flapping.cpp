@@ -172,7 +172,7 @@ TEST(flapping_textbook_limit) {
   const double gamma = rotor.lock_number(c);
   RotorInput<double> in{};
   in.collective = 0.03;
-  in.state.n0 = 0.01;  // small inflow angles, as the closed form assumes
+  in.state.lambda_0 = 0.01;  // small inflow angles, as the closed form assumes
   const auto tilt = [&](double a1, double b1, double wx, double wy) {
     RotorInput<double> moved = in;
     moved.lateral_cyclic = a1;
@@ -287,13 +287,13 @@ TEST(flapping_coning_balance) {
     in.coning.angle = angle;
     in = settled(c, in);
     const double m0 = rotor_response(c, in, c.azimuth).loads.m0;
-    angle = (m0 / (3 * 102.5 * 1.3558180) + w2 * 2.5 * kRadian<double>) / (omega2 + w2);
+    angle = (m0 / (3 * 102.5 * 1.3558180) + w2 * 2.5 * kRadPerDeg<double>) / (omega2 + w2);
   }
   in.coning.angle = angle;
   CHECK_NEAR(rotor_response(c, in, c.azimuth).coning_acceleration, 0.0, 1e-6 * omega2);
-  CHECK_NEAR(angle * kDegree<double>, 2.7, 0.06);
-  CHECK_NEAR(configuration(0).coning * kDegree<double>, 2.7, 1e-9);
-  CHECK_NEAR(configuration(90).coning * kDegree<double>, 1.9, 1e-9);
+  CHECK_NEAR(angle * kDegPerRad<double>, 2.7, 0.06);
+  CHECK_NEAR(configuration(0).coning * kDegPerRad<double>, 2.7, 1e-9);
+  CHECK_NEAR(configuration(90).coning * kDegPerRad<double>, 1.9, 1e-9);
   // Free vibration at 1.85 per rev.
   const double still = coning_acceleration(c, ConingState<double>{0.05, 0}, 0.0);
   const double moved = coning_acceleration(c, ConingState<double>{0.06, 0}, 0.0);

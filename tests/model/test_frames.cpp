@@ -22,7 +22,7 @@ TEST(frames_hub_axes_are_a_rotation) {
     for (const double cant_deg : {0.0, 1.0, 5.0}) {
       for (const int side : {right, left}) {
         const HubFrame<double> f =
-            hub_frame(mast * kRadian<double>, cant_deg * kRadian<double>, side, V{0, 0, 0}, 1.0);
+            hub_frame(mast * kRadPerDeg<double>, cant_deg * kRadPerDeg<double>, side, V{0, 0, 0}, 1.0);
         const Rotation<double>& r = f.from_body;
         for (const V& row : {r.row_x, r.row_y, r.row_z}) CHECK_NEAR(dot(row, row), 1.0, 1e-15);
         check_vector(cross(r.row_x, r.row_y), r.row_z, 1e-15);  // right-handed
@@ -42,7 +42,7 @@ TEST(frames_helicopter_and_airplane_axes) {
   check_vector(forward.thrust_axis, V{1, 0, 0}, 1e-15);
   check_vector(forward.from_body.row_x, V{0, 0, 1}, 1e-15);  // hub x axis points down in airplane mode
   // Cant leans both rotors outboard.
-  const double cant = 1 * kRadian<double>;
+  const double cant = 1 * kRadPerDeg<double>;
   CHECK_NEAR(hub_frame(0.0, cant, right, V{0, 0, 0}, 1.0).thrust_axis.y, std::sin(cant), 1e-15);
   CHECK_NEAR(hub_frame(0.0, cant, left, V{0, 0, 0}, 1.0).thrust_axis.y, -std::sin(cant), 1e-15);
 }
@@ -53,8 +53,8 @@ TEST(frames_hub_stations) {
   options.mast_cant = false;
   for (const double mast : {0.0, 30.0, 90.0}) {
     const Configuration<double> c = configuration(mast, options);
-    const double sine = std::sin(mast * kRadian<double>);
-    const double cosine = std::cos(mast * kRadian<double>);
+    const double sine = std::sin(mast * kRadPerDeg<double>);
+    const double cosine = std::cos(mast * kRadPerDeg<double>);
     for (const int side : {right, left}) {
       CHECK_NEAR((c.mass.sl_cg - c.hub[side].arm.x) / kInch, 300 - 56.004 * sine, 1e-9);
       CHECK_NEAR((c.mass.wl_cg - c.hub[side].arm.z) / kInch, 100 + 56.004 * cosine, 1e-9);
@@ -62,7 +62,7 @@ TEST(frames_hub_stations) {
     }
   }
   // With 1 deg of cant at mast 0 the hubs stand 56 in x sin 1 deg further outboard, none at mast 90.
-  CHECK_NEAR(configuration(0).hub[right].arm.y / kInch, 193 + 56.004 * std::sin(kRadian<double>), 1e-9);
+  CHECK_NEAR(configuration(0).hub[right].arm.y / kInch, 193 + 56.004 * std::sin(kRadPerDeg<double>), 1e-9);
   CHECK_NEAR(configuration(90).hub[left].arm.y / kInch, -193, 1e-9);
 }
 
@@ -92,7 +92,7 @@ TEST(frames_hub_velocity_from_positions) {
     const StateAndControls<double> s = random_case(random, c);
     for (const int side : {right, left}) {
       const BladeControls<double> blades = mix_controls(c, s.u, s.x.velocity);
-      const RotorInput<double> in = detail::rotor_input(c, s.x, s.x.velocity, blades, side);
+      const RotorInput<double> in = derivative_detail::rotor_input(c, s.x, s.x.velocity, blades, side);
       // Hub in body axes turns about the pivot as the mast moves; body axes turn about the CG.
       const double h = 1e-5;
       const auto hub_at = [&](double t) {

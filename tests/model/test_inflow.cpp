@@ -12,9 +12,9 @@ constexpr double kGain = 15 * kPi<double> / 64;
 InflowRates<double> rates(const Configuration<double>& c, double n0, double nc, double ns,
                           const InflowForcing<double>& f) {
   RotorState<double> x{};
-  x.n0 = n0;
-  x.nc = nc;
-  x.ns = ns;
+  x.lambda_0 = n0;
+  x.lambda_c = nc;
+  x.lambda_s = ns;
   return inflow_rates(c, x, f);
 }
 
@@ -43,7 +43,8 @@ TEST(inflow_gain_matrix_by_inversion_and_rotation) {
       }
     }
     const InflowGainInverse<double> g = inflow_gain_inverse(x * cosine, x * sine, kappa);
-    const double actual[3][3] = {{g.m00, g.m0c, g.m0s}, {g.mc0, g.mcc, g.mcs}, {g.ms0, g.mcs, g.mss}};
+    const double actual[3][3] = {
+        {g.inv_00, g.inv_0c, g.inv_0s}, {g.inv_c0, g.inv_cc, g.inv_cs}, {g.inv_s0, g.inv_cs, g.inv_ss}};
     for (std::size_t j = 0; j < 3; ++j) {
       std::array<double, 3> unit{};
       unit[j] = 1;
@@ -63,17 +64,18 @@ TEST(inflow_hover_is_momentum_theory) {
     // C_T = 2 lambda^2; the smoothed speed adds (1e-3)^2 under the root.
     const double thrust = 2 * n0 * std::sqrt(n0 * n0 + 1e-6);
     const InflowRates<double> r = rates(c, n0, 0, 0, {thrust, 0, 0, 0, 0, 0});
-    CHECK_NEAR(r.n0, 0.0, 1e-13);
-    CHECK_EQ(r.nc, 0.0);
-    CHECK_EQ(r.ns, 0.0);
+    CHECK_NEAR(r.lambda_0, 0.0, 1e-13);
+    CHECK_EQ(r.lambda_c, 0.0);
+    CHECK_EQ(r.lambda_s, 0.0);
   }
   // Hover of the isolated rotor at 7334 lb: lambda_h = sqrt(C_T / 2) = 0.0727.
   const double area = kPi<double> * 3.81 * 3.81;
   const double thrust = 7334 * settled_rotor::kPound;
   const RotorInput<double> in = settled_rotor::settled_at_thrust(c, settled_rotor::hover_input(c), thrust);
-  CHECK_REL(in.state.n0, std::sqrt(thrust / (2 * 1.225 * area)) / c.tip_speed, 2e-4);
-  CHECK_NEAR(in.state.n0, 0.0727, 5e-5);
-  CHECK_LT(std::hypot(in.state.nc, in.state.ns), 0.003);  // only what the coned, tilted disk makes
+  CHECK_REL(in.state.lambda_0, std::sqrt(thrust / (2 * 1.225 * area)) / c.tip_speed, 2e-4);
+  CHECK_NEAR(in.state.lambda_0, 0.0727, 5e-5);
+  CHECK_LT(std::hypot(in.state.lambda_c, in.state.lambda_s),
+           0.003);  // only what the coned, tilted disk makes
 }
 
 TEST(inflow_axial_climb_and_forward_flight) {
@@ -81,7 +83,8 @@ TEST(inflow_axial_climb_and_forward_flight) {
   for (const double climb : {0.02, 0.1, 0.4}) {
     const double thrust = 0.01;
     const double n0 = -climb / 2 + std::sqrt(climb * climb / 4 + thrust / 2);  // momentum theory
-    CHECK_NEAR(rates(c, n0, 0, 0, {thrust, 0, 0, 0, 0, climb}).n0, 0.0, 1e-3 * thrust * c.setup.rotor_speed);
+    CHECK_NEAR(rates(c, n0, 0, 0, {thrust, 0, 0, 0, 0, climb}).lambda_0, 0.0,
+               1e-3 * thrust * c.setup.rotor_speed);
   }
   // Edgewise: thrust alone makes n_c/n_0 = 2 k X downstream; X -> 1 gives 1.47.
   const double mu = 0.3;
@@ -95,9 +98,9 @@ TEST(inflow_axial_climb_and_forward_flight) {
     const double thrust = 2 * vt * n0;
     const InflowRates<double> r = rates(c, n0, 2 * kGain * x * n0 * cosine, 2 * kGain * x * n0 * sine,
                                         {thrust, 0, 0, mu * cosine, mu * sine, 0});
-    CHECK_NEAR(r.n0, 0.0, 1e-12);
-    CHECK_NEAR(r.nc, 0.0, 1e-12);
-    CHECK_NEAR(r.ns, 0.0, 1e-12);
+    CHECK_NEAR(r.lambda_0, 0.0, 1e-12);
+    CHECK_NEAR(r.lambda_c, 0.0, 1e-12);
+    CHECK_NEAR(r.lambda_s, 0.0, 1e-12);
   }
   CHECK_NEAR(2 * kGain, 1.47, 0.005);
 }
@@ -117,12 +120,13 @@ TEST(inflow_turns_with_the_wind) {
     const double nc = random.between(-0.03, 0.03);
     const double ns = random.between(-0.03, 0.03);
     const InflowRates<double> a = rates(c, n0, nc, ns, f);
-    const InflowRates<double> b = rates(c, n0, cosine * nc - sine * ns, sine * nc + cosine * ns,
-                                        {f.c0, cosine * f.cc - sine * f.cs, sine * f.cc + cosine * f.cs,
-                                         cosine * f.mx - sine * f.my, sine * f.mx + cosine * f.my, f.mz});
-    CHECK_NEAR(b.n0, a.n0, 1e-12);
-    CHECK_NEAR(b.nc, cosine * a.nc - sine * a.ns, 1e-12);
-    CHECK_NEAR(b.ns, sine * a.nc + cosine * a.ns, 1e-12);
+    const InflowRates<double> b =
+        rates(c, n0, cosine * nc - sine * ns, sine * nc + cosine * ns,
+              {f.c0, cosine * f.cc - sine * f.cs, sine * f.cc + cosine * f.cs,
+               cosine * f.mu_x - sine * f.mu_y, sine * f.mu_x + cosine * f.mu_y, f.mu_z});
+    CHECK_NEAR(b.lambda_0, a.lambda_0, 1e-12);
+    CHECK_NEAR(b.lambda_c, cosine * a.lambda_c - sine * a.lambda_s, 1e-12);
+    CHECK_NEAR(b.lambda_s, sine * a.lambda_c + cosine * a.lambda_s, 1e-12);
   }
 }
 
@@ -138,9 +142,9 @@ TEST(inflow_apparent_mass) {
     const InflowRates<double> b = rates(c, 0.05, 0.01, 0.01, pushed);
     const double m0 = mass == ApparentMass::impermeable ? 8 / (3 * kPi<double>) : 128 / (75 * kPi<double>);
     const double m1 = 16 / (45 * kPi<double>);
-    CHECK_NEAR(b.n0 - a.n0, omega * 0.01 / m0, 1e-12);
-    CHECK_NEAR(b.nc - a.nc, omega * 0.002 / m1, 1e-12);
-    CHECK_NEAR(b.ns - a.ns, -omega * 0.001 / m1, 1e-12);
+    CHECK_NEAR(b.lambda_0 - a.lambda_0, omega * 0.01 / m0, 1e-12);
+    CHECK_NEAR(b.lambda_c - a.lambda_c, omega * 0.002 / m1, 1e-12);
+    CHECK_NEAR(b.lambda_s - a.lambda_s, -omega * 0.001 / m1, 1e-12);
   }
 }
 
@@ -153,15 +157,15 @@ TEST(inflow_uniform_and_induced_power_factor) {
     const double n0 = 0.05;
     const double vt = std::sqrt(n0 * n0 + mu * mu + 1e-6);
     const InflowRates<double> r = rates(c, n0, 0.02, -0.01, {2 * vt * n0 / 1.1, 0.001, 0.001, mu, 0, 0});
-    CHECK_NEAR(r.n0, 0.0, 1e-12);  // n0 = kappa C0 / (2 V_T)
-    CHECK_EQ(r.nc, 0.0);
-    CHECK_EQ(r.ns, 0.0);
+    CHECK_NEAR(r.lambda_0, 0.0, 1e-12);  // n0 = kappa C0 / (2 V_T)
+    CHECK_EQ(r.lambda_c, 0.0);
+    CHECK_EQ(r.lambda_s, 0.0);
   }
   // In the three-state form the factor multiplies the mean gain alone: hover n0 = sqrt(kappa C0 / 2).
   options.inflow = InflowShape::pitt_peters;
   const Configuration<double> three = configuration(0, options);
   const double n0 = 0.07;
-  CHECK_NEAR(rates(three, n0, 0, 0, {2 * n0 * std::sqrt(n0 * n0 + 1e-6) / 1.1, 0, 0, 0, 0, 0}).n0, 0.0,
+  CHECK_NEAR(rates(three, n0, 0, 0, {2 * n0 * std::sqrt(n0 * n0 + 1e-6) / 1.1, 0, 0, 0, 0, 0}).lambda_0, 0.0,
              1e-12);
 }
 
@@ -172,17 +176,17 @@ TEST(inflow_is_finite_everywhere) {
   for (const double mz : {0.0, -0.03, -0.05, -0.0727, -0.1, -0.3}) {
     for (const double n0 : {0.0, 0.0727}) {
       RotorState<T> x{};
-      x.n0 = T::variable(n0, 0);
-      x.nc = T::variable(0, 1);
+      x.lambda_0 = T::variable(n0, 0);
+      x.lambda_c = T::variable(0, 1);
       const InflowForcing<T> f{T(0.01),           T(0.0), T(0.0), T::variable(0, 2), T::variable(0, 3),
                                T::variable(mz, 4)};
       const InflowRates<T> r = inflow_rates(c, x, f);
-      for (const T& rate : {r.n0, r.nc, r.ns}) {
+      for (const T& rate : {r.lambda_0, r.lambda_c, r.lambda_s}) {
         CHECK(std::isfinite(rate.v));
         for (int j = 0; j < 5; ++j) CHECK(std::isfinite(rate.d.get(j)));
       }
       // In-plane wind at hover drives nc at once: the wake skew has a slope there.
-      if (n0 > 0 && mz == 0) CHECK_LT(0.1, r.nc.d.get(2));
+      if (n0 > 0 && mz == 0) CHECK_LT(0.1, r.lambda_c.d.get(2));
     }
   }
 }

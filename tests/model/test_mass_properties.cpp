@@ -36,7 +36,7 @@ TEST(mass_properties_printed_stations) {
 // Explicit rotation of that point, nose down, and the moment balance of fixed and turning part.
 TEST(mass_properties_by_rotation_of_the_nacelles) {
   for (double mast = 0; mast <= 90; mast += 7.5) {
-    const double angle = mast * kRadian<double>;
+    const double angle = mast * kRadPerDeg<double>;
     const double aft = 291.7 - 300;
     const double up = 118 - 100;
     const double aft_turned =

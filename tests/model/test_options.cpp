@@ -70,8 +70,8 @@ unsigned changed(const Evaluation<double>& a, const Evaluation<double>& b) {
     const RotorState<double>& x = a.rates.rotor[side];
     const RotorState<double>& y = b.rates.rotor[side];
     mark(x.b1c == y.b1c && x.b1s == y.b1s && x.b1c_rate == y.b1c_rate && x.b1s_rate == y.b1s_rate, tilt);
-    mark(x.n0 == y.n0, mean_inflow);
-    mark(x.nc == y.nc && x.ns == y.ns, cyclic_inflow);
+    mark(x.lambda_0 == y.lambda_0, mean_inflow);
+    mark(x.lambda_c == y.lambda_c && x.lambda_s == y.lambda_s, cyclic_inflow);
     mark(a.rates.coning[side].angle == b.rates.coning[side].angle &&
              a.rates.coning[side].rate == b.rates.coning[side].rate,
          coning_rates);
@@ -228,7 +228,7 @@ TEST(options_sizes_in_closed_form) {
   in.state.b1c = 0.05;
   in.state.b1s = -0.03;
   const RotorLoads<double> loads{{0, 0, 3e4}, 0, 0, 0, 0};
-  const double through = inflow_forcing(tilted, in, loads).mz - inflow_forcing(shaft, in, loads).mz;
+  const double through = inflow_forcing(tilted, in, loads).mu_z - inflow_forcing(shaft, in, loads).mu_z;
   CHECK_NEAR(through, (30 * 0.05 + 4 * 0.03) / shaft.tip_speed, 1e-15);
   // Side-by-side factor: nothing below mu 0.05, -0.085 above 0.2.
   Options pair_options;

@@ -95,13 +95,13 @@ void replay_rotor_loads(const Replay& replay, const std::string& tables) {
     setup.options = table_options(tables);
     Configuration<double> c;
     if (!CHECK(prepare(replay.aircraft, setup, c) == Status::ok)) return;
-    CHECK_NEAR(c.coning, at("b0_deg") * kRadian<double>, 1e-12);
+    CHECK_NEAR(c.coning, at("b0_deg") * kRadPerDeg<double>, 1e-12);
 
     RotorInput<double> in{};
     in.velocity = {at("Vx_A"), at("Vy_A"), at("Vz_A")};
     in.rates = {at("wx_A"), at("wy_A"), at("wz_A")};
     in.state = {at("b1c"), at("b1s"), at("db1c"), at("db1s"), at("n0"), at("nc"), at("ns")};
-    in.coning = {at("b0_deg") * kRadian<double>, 0};
+    in.coning = {at("b0_deg") * kRadPerDeg<double>, 0};
     in.collective = at("th75_rad");
     in.lateral_cyclic = at("A1_rad");
     in.long_cyclic = at("B1_rad");
@@ -122,8 +122,8 @@ void replay_rotor_loads(const Replay& replay, const std::string& tables) {
           Entry{"Mc_nm", out.loads.mc, moment}, Entry{"Ms_nm", out.loads.ms, moment},
           Entry{"M0_nm", out.loads.m0, moment}, Entry{"d_b1c", out.flapping.b1c_rate, 0},
           Entry{"d_b1s", out.flapping.b1s_rate, 0}, Entry{"dd_b1c", out.flapping.b1c_acceleration, flap},
-          Entry{"dd_b1s", out.flapping.b1s_acceleration, flap}, Entry{"d_n0", out.inflow.n0, inflow},
-          Entry{"d_nc", out.inflow.nc, inflow}, Entry{"d_ns", out.inflow.ns, inflow}}) {
+          Entry{"dd_b1s", out.flapping.b1s_acceleration, flap}, Entry{"d_n0", out.inflow.lambda_0, inflow},
+          Entry{"d_nc", out.inflow.lambda_c, inflow}, Entry{"d_ns", out.inflow.lambda_s, inflow}}) {
       difference.add(e.value, at(e.column), e.kind_scale, place(file, row, e.column));
     }
   }

@@ -67,7 +67,8 @@ MassProperties<double> brick() {
   return mass;
 }
 Body tumbling() {
-  return {{0, 0, 0}, {10 * kRadian<double>, 20 * kRadian<double>, 30 * kRadian<double>}, 0, 0, 0, {0, 0, 0}};
+  return {{0, 0, 0}, {10 * kRadPerDeg<double>, 20 * kRadPerDeg<double>, 30 * kRadPerDeg<double>}, 0, 0, 0,
+          {0, 0, 0}};
 }
 
 template <std::size_t N, class LoadsAt>
@@ -81,9 +82,9 @@ void check_body_rates(const Point (&points)[N], double tolerance, LoadsAt&& load
       body = step(brick(), body, steps * h, h, loads);
       body.roll = body.pitch = body.yaw = 0;
     }
-    CHECK_NEAR(body.rates.x * kDegree<double>, p.roll_rate, tolerance);
-    CHECK_NEAR(body.rates.y * kDegree<double>, p.pitch_rate, tolerance);
-    CHECK_NEAR(body.rates.z * kDegree<double>, p.yaw_rate, tolerance);
+    CHECK_NEAR(body.rates.x * kDegPerRad<double>, p.roll_rate, tolerance);
+    CHECK_NEAR(body.rates.y * kDegPerRad<double>, p.pitch_rate, tolerance);
+    CHECK_NEAR(body.rates.z * kDegPerRad<double>, p.yaw_rate, tolerance);
   }
 }
 

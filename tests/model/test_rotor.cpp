@@ -55,7 +55,7 @@ TEST(rotor_section_velocities_from_positions) {
       const StateAndControls<double> s = random_case(random, c);
       const BladeControls<double> controls = mix_controls(c, s.u, s.x.velocity);
       for (const int side : {right, left}) {
-        const RotorInput<double> in = detail::rotor_input(c, s.x, s.x.velocity, controls, side);
+        const RotorInput<double> in = derivative_detail::rotor_input(c, s.x, s.x.velocity, controls, side);
         const RotorState<double>& x = s.x.rotor[side];
         const RotorAxes axes = rotor_axes(c, side);
         const double azimuth = random.between(0, 6.28);
@@ -73,7 +73,9 @@ TEST(rotor_section_velocities_from_positions) {
         const V velocity =
             s.x.velocity + cross(s.x.rates, here) + (1 / (2 * h)) * (position(h) - position(-h));
         const double wash =
-            c.tip_speed * (x.n0 + radius / kRadius * (x.nc * std::cos(azimuth) + x.ns * std::sin(azimuth)));
+            c.tip_speed *
+            (x.lambda_0 +
+             radius / kRadius * (x.lambda_c * std::cos(azimuth) + x.lambda_s * std::sin(azimuth)));
         const V relative = velocity + wash * axes.up;  // the air goes down the shaft
         const Blade blade = blade_axes(axes, azimuth, flap_at(0));
         const BladeFlow<double> flow = blade_flow(c, in, std::sin(flap_at(0)), std::cos(flap_at(0)),
@@ -95,7 +97,7 @@ TEST(rotor_hub_loads_by_hand_in_body_axes) {
     const StateAndControls<double> s = random_case(random, c);
     const BladeControls<double> controls = mix_controls(c, s.u, s.x.velocity);
     for (const int side : {right, left}) {
-      const RotorInput<double> in = detail::rotor_input(c, s.x, s.x.velocity, controls, side);
+      const RotorInput<double> in = derivative_detail::rotor_input(c, s.x, s.x.velocity, controls, side);
       const RotorAxes axes = rotor_axes(c, side);
       const RotorState<double>& x = s.x.rotor[side];
       V force{0, 0, 0};
@@ -108,7 +110,7 @@ TEST(rotor_hub_loads_by_hand_in_body_axes) {
         const BladeFlow<double> flow =
             blade_flow(c, in, std::sin(flap), std::cos(flap), std::cos(psi), std::sin(psi));
         const double pitch = in.collective - in.lateral_cyclic * std::cos(psi) -
-                             in.long_cyclic * std::sin(psi) + std::tan(15 * kRadian<double>) * gimbal;
+                             in.long_cyclic * std::sin(psi) + std::tan(15 * kRadPerDeg<double>) * gimbal;
         CHECK_NEAR(flow.pitch, pitch, 1e-14);
         int region = 0;
         for (int i = 0; i < c.blade.count; ++i) {
@@ -161,7 +163,7 @@ TEST(rotor_energy_balance) {
     in.velocity = velocity;
     in.collective = 0.2 + std::atan(velocity.z / (0.75 * c.tip_speed));
     in.long_cyclic = 0.04;
-    in.state.n0 = 0.05;
+    in.state.lambda_0 = 0.05;
     const RotorLoads<double> loads = rotor_loads(c, in, c.azimuth);
     double profile = 0;
     for (int k = 0; k < 24; ++k) {
@@ -172,7 +174,7 @@ TEST(rotor_energy_balance) {
         const BladeStation<double>& s = c.blade.station[i];
         const double ut =
             c.setup.rotor_speed * s.radius - velocity.x * std::sin(psi) + velocity.y * std::cos(psi);
-        const double up = velocity.z + c.tip_speed * in.state.n0;
+        const double up = velocity.z + c.tip_speed * in.state.lambda_0;
         const double speed = std::sqrt(ut * ut + up * up + 0.01);
         const double alpha = std::remainder(
             in.collective - in.long_cyclic * std::sin(psi) + s.twist - std::atan2(up, ut), 2 * kPi<double>);
@@ -183,7 +185,7 @@ TEST(rotor_energy_balance) {
       }
     }
     const double power = loads.torque * c.setup.rotor_speed;
-    const double work = dot(loads.force, velocity) + loads.force.z * c.tip_speed * in.state.n0;
+    const double work = dot(loads.force, velocity) + loads.force.z * c.tip_speed * in.state.lambda_0;
     CHECK_NEAR(power, work + profile, 1e-9 * (std::abs(power) + std::abs(work) + profile));
     CHECK_LT(0.0, profile);
   }
@@ -203,7 +205,7 @@ TEST(rotor_hover_power_and_derivatives) {
   // An independent second program with the same tables: 11.69 deg, 890 hp, and derivatives of the settled
   // rotor.
   const double horsepower = 745.70;
-  CHECK_NEAR(in.collective * kDegree<double>, 11.69, 0.02);
+  CHECK_NEAR(in.collective * kDegPerRad<double>, 11.69, 0.02);
   CHECK_REL(power / horsepower, 890, 0.003);
   const double small = 1e-5;
   RotorInput<double> more = in;
@@ -228,7 +230,7 @@ TEST(rotor_textbook_thrust_and_torque) {
     for (const double lambda : {0.0, 0.005, 0.01}) {
       RotorInput<double> in{};
       in.collective = theta;
-      in.state.n0 = lambda;
+      in.state.lambda_0 = lambda;
       const RotorLoads<double> loads = rotor_loads(c, in, c.azimuth);
       const double ct = sigma * TextbookRotor::kLiftSlope / 2 * (theta / 3 - lambda / 2);
       CHECK_REL(loads.force.z / scale, ct, 2e-3);
@@ -261,7 +263,7 @@ TEST(rotor_axial_flow_is_axisymmetric) {
   in.velocity = {0, 0, 100};
   in.coning.angle = c.coning;
   in.collective = 0.62;
-  in.state.n0 = 0.002;
+  in.state.lambda_0 = 0.002;
   const RotorResponse<double> out = rotor_response(c, in, c.azimuth);
   const double force = out.loads.force.z;
   CHECK_LT(1000.0, force);
@@ -302,8 +304,8 @@ TEST(rotor_turns_with_the_wind) {
     RotorInput<double> turned = in;  // (x, y) -> (-y, x)
     turned.velocity = {-in.velocity.y, in.velocity.x, in.velocity.z};
     turned.rates = {-in.rates.y, in.rates.x, in.rates.z};
-    turned.state = {-in.state.b1s, in.state.b1c, -in.state.b1s_rate, in.state.b1c_rate,
-                    in.state.n0,   -in.state.ns, in.state.nc};
+    turned.state = {-in.state.b1s,     in.state.b1c,       -in.state.b1s_rate, in.state.b1c_rate,
+                    in.state.lambda_0, -in.state.lambda_s, in.state.lambda_c};
     turned.lateral_cyclic = -in.long_cyclic;
     turned.long_cyclic = in.lateral_cyclic;
     const RotorResponse<double> a = rotor_response(c, in, c.azimuth);
@@ -317,9 +319,9 @@ TEST(rotor_turns_with_the_wind) {
     CHECK_NEAR(b.loads.ms, a.loads.mc, tolerance);
     CHECK_NEAR(b.flapping.b1c_acceleration, -a.flapping.b1s_acceleration, 1e-9);
     CHECK_NEAR(b.flapping.b1s_acceleration, a.flapping.b1c_acceleration, 1e-9);
-    CHECK_NEAR(b.inflow.n0, a.inflow.n0, 1e-11);
-    CHECK_NEAR(b.inflow.nc, -a.inflow.ns, 1e-11);
-    CHECK_NEAR(b.inflow.ns, a.inflow.nc, 1e-11);
+    CHECK_NEAR(b.inflow.lambda_0, a.inflow.lambda_0, 1e-11);
+    CHECK_NEAR(b.inflow.lambda_c, -a.inflow.lambda_s, 1e-11);
+    CHECK_NEAR(b.inflow.lambda_s, a.inflow.lambda_c, 1e-11);
   }
 }
 
@@ -358,8 +360,8 @@ TEST(rotor_converges_with_the_grid) {
     RotorInput<double> in = hover_input(c);
     in.velocity = {-30.867, 0, -3};  // 60 kt
     in.collective = 0.15;
-    in.state.n0 = 0.031;
-    in.state.nc = 0.03;
+    in.state.lambda_0 = 0.031;
+    in.state.lambda_c = 0.03;
     in.state.b1c = -0.02;
     in.state.b1s = -0.04;
     in.long_cyclic = 0.018;
@@ -383,14 +385,14 @@ TEST(rotor_section_coefficients_all_around) {
     double last_lift = 0;
     double last_drag = 0;
     for (int k = 0; k <= 3600; ++k) {
-      const double alpha = (-180 + 0.1 * k) * kRadian<double>;
+      const double alpha = (-180 + 0.1 * k) * kRadPerDeg<double>;
       const SectionCoefficients<double> s =
           section_coefficients(rotor, Interpolation::c1, region, alpha, 0.4);
       if (k > 0) {
         CHECK_NEAR(s.lift, last_lift, 0.06);
         CHECK_NEAR(s.drag, last_drag, 0.06);
       }
-      if (alpha > 36 * kRadian<double> || alpha < -16 * kRadian<double>) {
+      if (alpha > 36 * kRadPerDeg<double> || alpha < -16 * kRadPerDeg<double>) {
         CHECK_NEAR(s.lift, 1.1 * std::sin(2 * alpha), 1e-12);
         CHECK_NEAR(s.drag, 0.02 + 1.9 * std::pow(std::sin(alpha), 2), 1e-12);
       }

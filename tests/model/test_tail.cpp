@@ -49,7 +49,7 @@ TEST(tail_signs) {
   const Configuration<double> c = configuration(90);
   AirframeInput<double> in = cruise(90, 0, 2);
   const Loads<double> neutral = tail(c, in);
-  in.elevator = 5 * kRadian<double>;  // trailing edge down: lift up, nose down
+  in.elevator = 5 * kRadPerDeg<double>;  // trailing edge down: lift up, nose down
   const Loads<double> down = tail(c, in);
   CHECK_LT(down.force.z, neutral.force.z);
   CHECK_LT(down.moment.y, neutral.moment.y);
@@ -94,7 +94,7 @@ TEST(tail_fins_sideslip_and_rudder) {
   CHECK_LT(0.0, slip.moment.z);  // nose into the wind
   CHECK_LT(slip.moment.x, 0.0);  // fins above the CG: rolls to the left
   in = cruise(90, 0, 2);
-  in.rudder = 5 * kRadian<double>;
+  in.rudder = 5 * kRadPerDeg<double>;
   const Loads<double> rudder = fin(c, in, right) + fin(c, in, left);
   CHECK_LT(0.0, rudder.moment.z);  // right pedal, nose right
   CHECK_LT(rudder.force.y, 0.0);
@@ -125,10 +125,10 @@ TEST(tail_control_effectiveness) {
   const Configuration<double> c = configuration(0);
   const TailSurface<double>& surface = c.aircraft->htail.surface;
   const double full = control_effectiveness(c, surface, 0.05, 0.0);
-  CHECK_NEAR(control_effectiveness(c, surface, 0.05, 10 * kRadian<double>), full, 1e-3);
-  CHECK_NEAR(control_effectiveness(c, surface, 0.05, 30 * kRadian<double>), full - 0.24, 0.01);
-  CHECK_EQ(control_effectiveness(c, surface, 0.05, -20 * kRadian<double>),
-           control_effectiveness(c, surface, 0.05, 20 * kRadian<double>));
+  CHECK_NEAR(control_effectiveness(c, surface, 0.05, 10 * kRadPerDeg<double>), full, 1e-3);
+  CHECK_NEAR(control_effectiveness(c, surface, 0.05, 30 * kRadPerDeg<double>), full - 0.24, 0.01);
+  CHECK_EQ(control_effectiveness(c, surface, 0.05, -20 * kRadPerDeg<double>),
+           control_effectiveness(c, surface, 0.05, 20 * kRadPerDeg<double>));
 }
 
 TEST(tail_mach_blend) {
@@ -142,7 +142,7 @@ TEST(tail_mach_blend) {
 TEST(tail_rotor_wash_can_be_upwash) {
   const Configuration<double> c = configuration(0);
   const double speed = 80 * 1852 / 3600.0;
-  const double alpha = -12 * kRadian<double>;
+  const double alpha = -12 * kRadPerDeg<double>;
   const FreeStream<double> stream =
       free_stream(c, Vec3<double>{speed * std::cos(alpha), 0, speed * std::sin(alpha)});
   CHECK_NEAR(tail_wash_ratio(c, stream), -1.13, 0.05);

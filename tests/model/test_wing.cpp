@@ -85,8 +85,8 @@ TEST(wing_drag_between_mast_angles) {
   for (const double mast : {15.0, 45.0, 75.0}) {
     const Configuration<double> c = configuration(mast);
     for (const double alpha_deg : {-12.0, 0.0, 9.0}) {
-      const double a = alpha_deg * kRadian<double>;
-      const double across = std::pow(std::sin((90 - mast + alpha_deg) * kRadian<double>), 3);
+      const double a = alpha_deg * kRadPerDeg<double>;
+      const double across = std::pow(std::sin((90 - mast + alpha_deg) * kRadPerDeg<double>), 3);
       const double along = std::pow(std::abs(std::sin(a)), 3);
       const double expected = (across - mast / 90 * along) / std::pow(std::cos(a), 3);
       CHECK_NEAR(upright_pylon_weight(c, a), expected, 0.02);
@@ -146,12 +146,12 @@ TEST(wing_lateral_terms) {
   // Deflection costs lift on both signs.
   CHECK_NEAR(flow(c, in).wing.loads.force.z, aileron.force.z, 1e-6 * std::abs(aileron.force.z));
   // Effect of the aileron fades between 8 and 25 deg.
-  CHECK_EQ(aileron_fade(c, 7.9 * kRadian<double>), 1.0);
-  CHECK_EQ(aileron_fade(c, -7.9 * kRadian<double>), 1.0);
-  CHECK_NEAR(aileron_fade(c, 16.5 * kRadian<double>), 0.5, 1e-12);
-  CHECK_EQ(aileron_fade(c, 25.1 * kRadian<double>), 0.0);
+  CHECK_EQ(aileron_fade(c, 7.9 * kRadPerDeg<double>), 1.0);
+  CHECK_EQ(aileron_fade(c, -7.9 * kRadPerDeg<double>), 1.0);
+  CHECK_NEAR(aileron_fade(c, 16.5 * kRadPerDeg<double>), 0.5, 1e-12);
+  CHECK_EQ(aileron_fade(c, 25.1 * kRadPerDeg<double>), 0.0);
   const Configuration<double> linear = configuration(90, linear_tables());
-  CHECK_NEAR(aileron_fade(linear, -16.5 * kRadian<double>), 0.5, 1e-12);
+  CHECK_NEAR(aileron_fade(linear, -16.5 * kRadPerDeg<double>), 0.5, 1e-12);
 }
 
 // Downwash of the table over sqrt(1 - M^2), and its lag: eps' = (eps - eps_L) V / l_t with 6.83 m.
@@ -190,7 +190,7 @@ void check_pylon_weight(R tolerance) {
       CHECK_EQ(at(R(90), alpha), R(0));
     }
     for (R mast_deg : {R(15), R(45), R(70)}) {
-      const R c = std::cos(mast_deg * kRadian<R>);
+      const R c = std::cos(mast_deg * kRadPerDeg<R>);
       CHECK_NEAR(at(mast_deg, R(0)), linear ? 1 - mast_deg / 90 : c * c * c, tolerance);
     }
   }

@@ -324,7 +324,7 @@ inline void fly(std::uint64_t index, double duration, FlightCounts& counts, Brea
     const Simulation<double> before = s;
     const Status status = advance(f.c, work, s);
     double x[state_count];
-    pack(s.state, x);
+    flatten(s.state, x);
     bool in_range = true;
     for (int i = 0; i < state_count; ++i)
       in_range = in_range && std::fabs(x[i]) <= response_detail::state_bound<double>(i);  // false for NaN
@@ -334,7 +334,7 @@ inline void fly(std::uint64_t index, double duration, FlightCounts& counts, Brea
       continue;
     }
     double kept[state_count];
-    pack(before.state, kept);
+    flatten(before.state, kept);
     expect(status == Status::out_of_range || status == Status::not_finite, "unknown status");
     expect(std::memcmp(x, kept, sizeof x) == 0 && s.steps == before.steps,
            "a failed step moved the aircraft");

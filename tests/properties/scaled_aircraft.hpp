@@ -189,9 +189,9 @@ inline State<double> scaled_state(State<double> x, const Scale& s) {
 inline State<double> scaled_rates(State<double> rates, const Scale& s) {
   State<double> r = scaled_state(rates, s);
   double flat[state_count];
-  pack(r, flat);
+  flatten(r, flat);
   for (double& x : flat) x /= s.time();
-  unpack(flat, r);
+  unflatten(flat, r);
   return r;
 }
 inline Controls<double> scaled_controls(Controls<double> u, const Scale& s) {

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "check.hpp"
-#include "tiltrotor/math/eigen.hpp"
-#include "tiltrotor/math/lu.hpp"
+#include "tiltrotor/math/algebra/eigen.hpp"
+#include "tiltrotor/math/algebra/lu.hpp"
 
 using namespace tiltrotor;
 

@@ -62,11 +62,11 @@ struct InWind {
   Status operator()(double, const double* numbers, double* rates) const {
     State<double> x;
     State<double> xdot;
-    unpack(numbers, x);
+    unflatten(numbers, x);
     Controls<double> in_wind = u;
     in_wind.gust = to_body(wind, x.roll, x.pitch, x.yaw);
     derivative(c, x, in_wind, xdot);
-    pack(xdot, rates);
+    flatten(xdot, rates);
     return Status::ok;
   }
 };
@@ -77,10 +77,10 @@ State<double> flown(const Configuration<double>& c, const State<double>& start, 
   State<double> x = start;
   x.velocity = x.velocity + to_body(wind, x.roll, x.pitch, x.yaw);
   double numbers[state_count];
-  pack(x, numbers);
+  flatten(x, numbers);
   const InWind f{c, u, wind};
   for (int k = 0; k < steps; ++k) CHECK(rk4_step(f, 0.0, dt, numbers, state_count, work) == Status::ok);
-  unpack(numbers, x);
+  unflatten(numbers, x);
   x.velocity = x.velocity - to_body(wind, x.roll, x.pitch, x.yaw);
   return x;
 }
@@ -234,8 +234,8 @@ TEST(property_rotor_power_balance) {
       const double flap = in.coning.angle + x.b1c * cosine + x.b1s * sine;
       const BladeFlow<double> flow = blade_flow(c, in, std::sin(flap), std::cos(flap), cosine, sine);
       const BladeLoads<double> blade = blade_loads(c, flow);
-      harmonics +=
-          c.azimuth.weight * std::cos(flap) * omega * (x.nc * cosine + x.ns * sine) * blade.normal_moment;
+      harmonics += c.azimuth.weight * std::cos(flap) * omega * (x.lambda_c * cosine + x.lambda_s * sine) *
+                   blade.normal_moment;
       int region = 0;
       for (int i = 0; i < c.blade.count; ++i) {
         while (i >= c.blade.region_end[region]) ++region;
@@ -253,7 +253,7 @@ TEST(property_rotor_power_balance) {
         gross += element;
       }
     }
-    const double induced = loads.force.z * c.tip_speed * x.n0 + harmonics;
+    const double induced = loads.force.z * c.tip_speed * x.lambda_0 + harmonics;
     const double flapping = in.coning.rate * loads.m0 + x.b1c_rate * loads.mc + x.b1s_rate * loads.ms +
                             omega * (x.b1s * loads.mc - x.b1c * loads.ms);
     CHECK_NEAR(loads.torque * omega, dot(loads.force, in.velocity) + induced + flapping + profile,

@@ -15,9 +15,9 @@
 namespace {
 
 using tiltrotor::Aircraft;
+using tiltrotor::grid_point;
 using tiltrotor::Interpolation;
 using tiltrotor::lookup;
-using tiltrotor::place_on;
 using tiltrotor::Table;
 
 constexpr double kTolerance = 1e-10;
@@ -31,8 +31,8 @@ const Aircraft<R>& aircraft() {
 // Smooth table with linear axes, all of them at their first knot.
 template <class R, int Linear>
 R at_first_knots(const Table<R, 2, Linear>& table, Interpolation mode, R x, R y) {
-  tiltrotor::Place<R> place[Linear];
-  for (int a = 0; a < Linear; ++a) place[a] = place_on(table.linear[a], table.linear[a].knot[0]);
+  tiltrotor::GridPoint<R> place[Linear];
+  for (int a = 0; a < Linear; ++a) place[a] = grid_point(table.linear[a], table.linear[a].knot[0]);
   const R arguments[2] = {x, y};
   return lookup(table, mode, place, arguments);
 }
@@ -158,16 +158,16 @@ TEST(tables_with_linear_axes_hit_printed_cells) {
   const Aircraft<double>& a = aircraft<double>();
   const double degree = 3.14159265358979323846 / 180;
   const auto& downwash = a.wing.downwash;
-  const tiltrotor::Place<double> at[2] = {place_on(downwash.linear[0], 30.0),
-                                          place_on(downwash.linear[1], 40.0)};
+  const tiltrotor::GridPoint<double> at[2] = {grid_point(downwash.linear[0], 30.0),
+                                              grid_point(downwash.linear[1], 40.0)};
   const double alpha[1] = {8.0};
   CHECK_REL(lookup(downwash, Interpolation::c1, at, alpha), 7.7 * degree, 1e-14);
-  const tiltrotor::Place<double> mast[1] = {place_on(a.controls.pedal_cyclic.linear[0], 30.0)};
+  const tiltrotor::GridPoint<double> mast[1] = {grid_point(a.controls.pedal_cyclic.linear[0], 30.0)};
   const double speed[1] = {80.0};
   CHECK_REL(lookup(a.controls.pedal_cyclic, Interpolation::c1, mast, speed), 0.9 * degree, 1e-14);
   // Sidewash, table 6-VI, flap 40/25, mast 60 deg, alpha -3 deg, sideslip 16 deg: 1.117.
-  const tiltrotor::Place<double> sidewash[2] = {place_on(a.fin.sidewash.linear[0], 60.0),
-                                                place_on(a.fin.sidewash.linear[1], 40.0)};
+  const tiltrotor::GridPoint<double> sidewash[2] = {grid_point(a.fin.sidewash.linear[0], 60.0),
+                                                    grid_point(a.fin.sidewash.linear[1], 40.0)};
   const double angles[2] = {-3.0, 16.0};
   CHECK_REL(lookup(a.fin.sidewash, Interpolation::c1, sidewash, angles), 1.117, 1e-14);
 }

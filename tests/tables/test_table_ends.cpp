@@ -9,9 +9,9 @@
 #include <type_traits>
 
 #include "check.hpp"
-#include "tiltrotor/math/complex_step.hpp"
-#include "tiltrotor/math/dual.hpp"
-#include "tiltrotor/math/table_slopes.hpp"
+#include "tiltrotor/math/differentiation/complex_step.hpp"
+#include "tiltrotor/math/differentiation/dual.hpp"
+#include "tiltrotor/math/tables/table_slopes.hpp"
 #include "tiltrotor/model/aircraft_data.hpp"
 
 namespace {
@@ -72,9 +72,9 @@ T look(const Table<double, Smooth, Linear>& t, Interpolation mode, int block, co
     if constexpr (Smooth == 1) return lookup(t, mode, x[0]);
     if constexpr (Smooth == 2) return lookup(t, mode, x[0], x[1]);
   } else {
-    Place<double> place[Linear];
+    GridPoint<double> place[Linear];
     for (int a = 0; a < Linear; ++a) {
-      place[a] = place_on(t.linear[a], t.linear[a].knot[block % t.linear[a].count]);
+      place[a] = grid_point(t.linear[a], t.linear[a].knot[block % t.linear[a].count]);
       block /= t.linear[a].count;
     }
     return lookup(t, mode, place, x);
@@ -180,7 +180,7 @@ TEST(table_ends_add_little) {
 // tail, 20 deg of the surfaces.
 TEST(table_ends_of_speed_and_deflection) {
   const HorizontalTailTables<double>& h = aircraft().htail;
-  const Place<double> mast[1] = {{0, 0.0}};
+  const GridPoint<double> mast[1] = {{0, 0.0}};
   const auto ratio = [&](double speed) {
     const D x[2] = {D(2.0), D::variable(speed, 0)};
     return lookup(h.pressure_ratio, Interpolation::c1, mast, x);

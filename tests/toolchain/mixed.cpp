@@ -1,6 +1,6 @@
 // A file of a C++ program that includes the headers and is compiled with whatever flags: its functions, never
 // called, must not take the place of those behind the C interface.
-#include <tiltrotor/analysis/linear_model.hpp>
+#include <tiltrotor/analysis/linear/linear_model.hpp>
 #include <tiltrotor/model/aircraft_data.hpp>
 #include <tiltrotor/model/derivative.hpp>
 

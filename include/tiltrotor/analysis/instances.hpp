@@ -4,11 +4,11 @@
 // TILTROTOR_INSTANCES(, double).
 #pragma once
 
-#include "tiltrotor/analysis/modes.hpp"
-#include "tiltrotor/analysis/reduction.hpp"
-#include "tiltrotor/analysis/response.hpp"
-#include "tiltrotor/analysis/trim.hpp"
-#include "tiltrotor/analysis/trim_explanation.hpp"
+#include "tiltrotor/analysis/flight/response.hpp"
+#include "tiltrotor/analysis/linear/modes.hpp"
+#include "tiltrotor/analysis/linear/reduction.hpp"
+#include "tiltrotor/analysis/trim/trim.hpp"
+#include "tiltrotor/analysis/trim/trim_explanation.hpp"
 
 // PREFIX extern: declarations; empty: definitions. What depends on the policy, and what does not.
 #define TILTROTOR_POLICY_INSTANCES(PREFIX, R, POLICY)                                                      \

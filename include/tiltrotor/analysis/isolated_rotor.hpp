@@ -10,9 +10,9 @@
 
 #include <cmath>
 
-#include "tiltrotor/analysis/momentum_range.hpp"
-#include "tiltrotor/math/lu.hpp"
-#include "tiltrotor/model/rotor.hpp"
+#include "tiltrotor/analysis/trim/momentum_range.hpp"
+#include "tiltrotor/math/algebra/lu.hpp"
+#include "tiltrotor/model/rotor/rotor.hpp"
 
 namespace tiltrotor {
 
@@ -56,19 +56,19 @@ inline constexpr int kRotorUnknowns = 6;
 
 // Input, response and memory of one evaluation on scalar T.
 template <class T>
-struct IsolatedRotorRoom {
+struct SeededRotorWorkspace {
   T flat[RotorInput<T>::kCount];
   T variable[kRotorUnknowns];
   T residual[kRotorUnknowns];
   RotorInput<T> in;
   RotorResponse<T> out;
-  RotorRoom<T> rotor;
+  RotorWorkspace<T> rotor;
 };
 
 template <class R>
 struct IsolatedRotorWorkspace {
-  RotorRoom<R> plain;
-  IsolatedRotorRoom<Dual<R, kRotorUnknowns>> seeded;
+  RotorWorkspace<R> plain;
+  SeededRotorWorkspace<Dual<R, kRotorUnknowns>> seeded;
   Matrix<R, kRotorUnknowns, kRotorUnknowns> jacobian;
   LU<R, kRotorUnknowns> factors;
 };
@@ -81,12 +81,13 @@ inline constexpr int kMaxHalvings = 12;
 template <class R>
 bool valid(const RotorFlow<R>& flow) {
   const R speed = R(150);
-  const R pitch = R(90) * kRadian<R>;
-  const R cyclic = R(30) * kRadian<R>;
-  return detail::within(flow.axial, -speed, speed) && detail::within(flow.in_plane, -speed, speed) &&
-         detail::within(flow.collective, -pitch, pitch) &&
-         detail::within(flow.lateral_cyclic, -cyclic, cyclic) &&
-         detail::within(flow.long_cyclic, -cyclic, cyclic);
+  const R pitch = R(90) * kRadPerDeg<R>;
+  const R cyclic = R(30) * kRadPerDeg<R>;
+  return configuration_detail::within(flow.axial, -speed, speed) &&
+         configuration_detail::within(flow.in_plane, -speed, speed) &&
+         configuration_detail::within(flow.collective, -pitch, pitch) &&
+         configuration_detail::within(flow.lateral_cyclic, -cyclic, cyclic) &&
+         configuration_detail::within(flow.long_cyclic, -cyclic, cyclic);
 }
 
 template <class R>
@@ -116,10 +117,10 @@ void place(const Unknowns& set, CyclicUse cyclic, const T* z, RotorInput<T>& in)
     in.lateral_cyclic = z[0];
     in.long_cyclic = z[1];
   }
-  in.state.n0 = z[2];
+  in.state.lambda_0 = z[2];
   if (set.harmonics == 3) {
-    in.state.nc = z[3];
-    in.state.ns = z[4];
+    in.state.lambda_c = z[3];
+    in.state.lambda_s = z[4];
   }
   if (set.coning) in.coning.angle = z[2 + set.harmonics];
 }
@@ -138,10 +139,10 @@ void residuals(const Configuration<Real<T>>& c, const Unknowns& set, const Rotor
     residual[0] = response.flapping.b1c_acceleration * per_omega2;
     residual[1] = response.flapping.b1s_acceleration * per_omega2;
   }
-  residual[2] = response.inflow.n0 * per_omega;
+  residual[2] = response.inflow.lambda_0 * per_omega;
   if (set.harmonics == 3) {
-    residual[3] = response.inflow.nc * per_omega;
-    residual[4] = response.inflow.ns * per_omega;
+    residual[3] = response.inflow.lambda_c * per_omega;
+    residual[4] = response.inflow.lambda_s * per_omega;
   }
   if (set.coning) residual[2 + set.harmonics] = response.coning_acceleration * per_omega2;
 }
@@ -182,7 +183,7 @@ R largest(const R* x, int n) {
 // Residuals at z on plain numbers; `rotor` receives input and response.
 template <class R>
 void evaluate(const Configuration<R>& c, const Unknowns& set, CyclicUse cyclic, const R* z,
-              RotorRoom<R>& room, IsolatedRotor<R>& rotor, R* residual) {
+              RotorWorkspace<R>& room, IsolatedRotor<R>& rotor, R* residual) {
   place(set, cyclic, z, rotor.input);
   rotor_response(c, rotor.input, c.azimuth, room, rotor.response);
   residuals(c, set, rotor.response, residual);
@@ -192,11 +193,11 @@ template <class R>
 void jacobian(const Configuration<R>& c, const Unknowns& set, CyclicUse cyclic, const R* z,
               const RotorInput<R>& at, IsolatedRotorWorkspace<R>& work) {
   using D = Dual<R, kRotorUnknowns>;
-  IsolatedRotorRoom<D>& room = work.seeded;
+  SeededRotorWorkspace<D>& room = work.seeded;
   R plain[RotorInput<R>::kCount];
-  pack(at, plain);
+  flatten(at, plain);
   for (int i = 0; i < RotorInput<R>::kCount; ++i) room.flat[i] = D(plain[i]);
-  unpack(room.flat, room.in);
+  unflatten(room.flat, room.in);
   const int n = set.count();
   for (int j = 0; j < n; ++j) room.variable[j] = D::variable(z[j], j);
   place(set, cyclic, room.variable, room.in);
@@ -210,7 +211,7 @@ void jacobian(const Configuration<R>& c, const Unknowns& set, CyclicUse cyclic, 
 // Shortens the step so that no angle changes by more than 5 deg and no inflow by more than 0.02.
 template <class R>
 void limit_step(const Unknowns& set, R* step) {
-  const R angle = R(5) * kRadian<R>;
+  const R angle = R(5) * kRadPerDeg<R>;
   const R inflow = R(0.02);
   R factor = R(1);
   for (int j = 0; j < set.count(); ++j) {
@@ -290,7 +291,7 @@ template <class R>
 MomentumRange range(const Configuration<R>& c, const IsolatedRotor<R>& rotor) {
   const Vec3<R>& v = rotor.input.velocity;
   return momentum_range(axial_flow(c.air.density, c.aircraft->rotor.radius, rotor.response.loads.force.z, v.z,
-                                   v.x, rotor.input.state.n0 * c.tip_speed));
+                                   v.x, rotor.input.state.lambda_0 * c.tip_speed));
 }
 
 }  // namespace isolated_rotor_detail

@@ -5,8 +5,8 @@
 // `known` is f(t, x) when the caller has it already, nullptr when not: every method begins with it.
 #pragma once
 
-#include "tiltrotor/math/lu.hpp"
-#include "tiltrotor/math/matrix.hpp"
+#include "tiltrotor/math/algebra/lu.hpp"
+#include "tiltrotor/math/algebra/matrix.hpp"
 #include "tiltrotor/math/status.hpp"
 
 namespace tiltrotor {

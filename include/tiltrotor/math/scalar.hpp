@@ -69,8 +69,8 @@ R length_of(R x, R y) {
 template <class R>
 inline constexpr R kPi = static_cast<R>(3.14159265358979323846264338327950288L);
 template <class R>
-inline constexpr R kRadian = kPi<R> / R(180);  // one degree in radians
+inline constexpr R kRadPerDeg = kPi<R> / R(180);  // one degree in radians
 template <class R>
-inline constexpr R kDegree = R(180) / kPi<R>;  // one radian in degrees
+inline constexpr R kDegPerRad = R(180) / kPi<R>;  // one radian in degrees
 
 }  // namespace tiltrotor

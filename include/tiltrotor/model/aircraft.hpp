@@ -6,7 +6,7 @@
 // comes from.
 #pragma once
 
-#include "tiltrotor/math/table.hpp"
+#include "tiltrotor/math/tables/table.hpp"
 
 namespace tiltrotor {
 

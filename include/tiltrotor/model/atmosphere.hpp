@@ -13,7 +13,7 @@ struct Air {
   R speed_of_sound;  // m/s
 };
 
-namespace detail {
+namespace atmosphere_detail {
 
 // (1 + x)^exponent by the binomial series, |x| <= 0.25: the same bits on every machine, which pow() does not
 // promise.
@@ -29,7 +29,7 @@ R binomial_power(R x, R exponent) {
   return sum;
 }
 
-}  // namespace detail
+}  // namespace atmosphere_detail
 
 // Valid for altitudes -500 m to 11000 m above sea level.
 template <class R>
@@ -42,7 +42,7 @@ Air<R> standard_air(R altitude_m) {
   const R gas_constant = R(287.053);  // J/(kg K)
   const R temperature = sea_level_temperature - lapse_rate * altitude_m;
   const R lapse = -lapse_rate * altitude_m / sea_level_temperature;
-  return {sea_level_density * detail::binomial_power(lapse, density_exponent),
+  return {sea_level_density * atmosphere_detail::binomial_power(lapse, density_exponent),
           std::sqrt(heat_ratio * gas_constant * temperature)};
 }
 

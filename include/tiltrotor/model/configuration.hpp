@@ -7,9 +7,9 @@
 #include "tiltrotor/math/arithmetic.hpp"
 #include "tiltrotor/math/status.hpp"
 #include "tiltrotor/model/atmosphere.hpp"
-#include "tiltrotor/model/blade_grid.hpp"
 #include "tiltrotor/model/frames.hpp"
 #include "tiltrotor/model/mass_properties.hpp"
+#include "tiltrotor/model/rotor/blade_grid.hpp"
 
 namespace tiltrotor {
 
@@ -71,12 +71,12 @@ struct Configuration {
   AzimuthStations<R> azimuth;  // Averaged mode
   WingConstants<R> wing;
   Gearing<R> gearing;
-  Place<R> pedal_mast[1];  // places on the mast and flap axes of the tables
-  Place<R> downwash_mast_flap[2];
-  Place<R> tail_wash_mast[1];
-  Place<R> tail_wash_beta_mast[1];
-  Place<R> tail_pressure_mast[1];
-  Place<R> sidewash_mast_flap[2];
+  GridPoint<R> pedal_mast[1];  // places on the mast and flap axes of the tables
+  GridPoint<R> downwash_mast_flap[2];
+  GridPoint<R> tail_wash_mast[1];
+  GridPoint<R> tail_wash_beta_mast[1];
+  GridPoint<R> tail_pressure_mast[1];
+  GridPoint<R> sidewash_mast_flap[2];
 };
 
 // Default setup: 13000 lbf, CG of the printed runs, sea level; flap 40/25 and helicopter rotor speed at mast
@@ -95,7 +95,7 @@ FlightSetup<R> flight_setup(const Aircraft<R>& aircraft, R mast_deg) {
   return s;
 }
 
-namespace detail {
+namespace configuration_detail {
 
 template <class R>
 bool within(R x, R low, R high) {
@@ -119,7 +119,7 @@ template <class R>
 WingConstants<R> wing_constants(const Aircraft<R>& aircraft, const FlightSetup<R>& s) {
   const WingTables<R>& w = aircraft.wing;
   const auto at = [&](const Table<R, 1, 1>& table) {
-    const Place<R> flap[1] = {place_on(table.linear[0], s.flap_deg)};
+    const GridPoint<R> flap[1] = {grid_point(table.linear[0], s.flap_deg)};
     const R mast[1] = {s.mast_deg};
     return lookup(table, Interpolation::linear, flap, mast);
   };
@@ -139,7 +139,7 @@ WingConstants<R> wing_constants(const Aircraft<R>& aircraft, const FlightSetup<R
           : aircraft.wake.gtrs_load_factor_0 + aircraft.wake.gtrs_load_factor_flap * s.flap_deg;
   c.aspect_ratio = w.span * w.span / w.area;
   const Axis<R> settings{kFlapSettings, w.flap_deg, nullptr, 0, R(0)};
-  const Place<R> flap = place_on(settings, s.flap_deg);
+  const GridPoint<R> flap = grid_point(settings, s.flap_deg);
   c.flap_below = flap.interval;
   c.flap_above = flap.interval + 1;
   c.flap_fraction = flap.fraction;
@@ -162,7 +162,7 @@ Gearing<R> gearing(const Aircraft<R>& aircraft, const FlightSetup<R>& s) {
   return g;
 }
 
-}  // namespace detail
+}  // namespace configuration_detail
 
 // Arm from the CG to a point given by its stations (m), body axes.
 template <class R>
@@ -177,11 +177,11 @@ template <class R>
 Status prepare(const Aircraft<R>& aircraft, const FlightSetup<R>& setup, Configuration<R>& c) {
   c = Configuration<R>{};
   if (!rounds_once_to_nearest<R>()) return Status::bad_arithmetic;
-  if (!detail::valid(setup)) return Status::out_of_range;
+  if (!configuration_detail::valid(setup)) return Status::out_of_range;
   const Options& o = setup.options;
   c.aircraft = &aircraft;
   c.setup = setup;
-  c.mast = setup.mast_deg * kRadian<R>;
+  c.mast = setup.mast_deg * kRadPerDeg<R>;
   c.air = standard_air(setup.altitude);
   c.mass = mass_properties(aircraft, setup.mast_deg, setup.mass, setup.sl_cg, setup.wl_cg, o.inertia);
 
@@ -206,19 +206,19 @@ Status prepare(const Aircraft<R>& aircraft, const FlightSetup<R>& setup, Configu
   c.blade = blade_stations(aircraft.rotor, o);
   c.azimuth = averaged_azimuth<R>(aircraft.rotor.blades, azimuth_count(o));
 
-  c.wing = detail::wing_constants(aircraft, setup);
-  c.gearing = detail::gearing(aircraft, setup);
+  c.wing = configuration_detail::wing_constants(aircraft, setup);
+  c.gearing = configuration_detail::gearing(aircraft, setup);
 
   const R m = setup.mast_deg;
   const R f = setup.flap_deg;
-  c.pedal_mast[0] = place_on(aircraft.controls.pedal_cyclic.linear[0], m);
-  c.downwash_mast_flap[0] = place_on(aircraft.wing.downwash.linear[0], m);
-  c.downwash_mast_flap[1] = place_on(aircraft.wing.downwash.linear[1], f);
-  c.tail_wash_mast[0] = place_on(aircraft.htail.rotor_wash.linear[0], m);
-  c.tail_wash_beta_mast[0] = place_on(aircraft.htail.rotor_wash_beta.linear[0], m);
-  c.tail_pressure_mast[0] = place_on(aircraft.htail.pressure_ratio.linear[0], m);
-  c.sidewash_mast_flap[0] = place_on(aircraft.fin.sidewash.linear[0], m);
-  c.sidewash_mast_flap[1] = place_on(aircraft.fin.sidewash.linear[1], f);
+  c.pedal_mast[0] = grid_point(aircraft.controls.pedal_cyclic.linear[0], m);
+  c.downwash_mast_flap[0] = grid_point(aircraft.wing.downwash.linear[0], m);
+  c.downwash_mast_flap[1] = grid_point(aircraft.wing.downwash.linear[1], f);
+  c.tail_wash_mast[0] = grid_point(aircraft.htail.rotor_wash.linear[0], m);
+  c.tail_wash_beta_mast[0] = grid_point(aircraft.htail.rotor_wash_beta.linear[0], m);
+  c.tail_pressure_mast[0] = grid_point(aircraft.htail.pressure_ratio.linear[0], m);
+  c.sidewash_mast_flap[0] = grid_point(aircraft.fin.sidewash.linear[0], m);
+  c.sidewash_mast_flap[1] = grid_point(aircraft.fin.sidewash.linear[1], f);
   return Status::ok;
 }
 

@@ -2,8 +2,8 @@
 // 8a-VIII, pp. B-88 to B-95).
 #pragma once
 
-#include "tiltrotor/model/airflow.hpp"
-#include "tiltrotor/model/controls.hpp"
+#include "tiltrotor/model/airframe/airflow.hpp"
+#include "tiltrotor/model/variables/controls.hpp"
 
 namespace tiltrotor {
 

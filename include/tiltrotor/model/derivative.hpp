@@ -4,10 +4,10 @@
 
 #include <type_traits>
 
-#include "tiltrotor/model/airframe.hpp"
+#include "tiltrotor/model/airframe/airframe.hpp"
 #include "tiltrotor/model/control_mixing.hpp"
 #include "tiltrotor/model/rigid_body.hpp"
-#include "tiltrotor/model/rotor.hpp"
+#include "tiltrotor/model/rotor/rotor.hpp"
 
 namespace tiltrotor {
 
@@ -21,7 +21,7 @@ struct Evaluation {
   T wing_downwash;            // at the tail, not lagged, rad
 };
 
-namespace detail {
+namespace derivative_detail {
 
 // Hub motion and controls of one rotor in its own frame.
 template <class T>
@@ -72,12 +72,12 @@ void store_rotor_rates(const RotorResponse<T>& rotor, RotorState<T>& rates) {
            rotor.flapping.b1s_rate,
            rotor.flapping.b1c_acceleration,
            rotor.flapping.b1s_acceleration,
-           rotor.inflow.n0,
-           rotor.inflow.nc,
-           rotor.inflow.ns};
+           rotor.inflow.lambda_0,
+           rotor.inflow.lambda_c,
+           rotor.inflow.lambda_s};
 }
 
-}  // namespace detail
+}  // namespace derivative_detail
 
 // Two memories that are not needed at the same time, in one place where their types allow it.
 template <class First, class Second,
@@ -99,13 +99,13 @@ struct Overlay<First, Second, false> {
 template <class T>
 struct BeyondRotor {
   AzimuthStations<Real<T>> blades;  // individual blades alone
-  WaistRoom<RotorInput, RotorResponse, T> waist;
-  RotorRoom<WaistScalar<RotorInput, T>> room;
+  PreaccumulationWorkspace<RotorInput, RotorResponse, T> waist;
+  RotorWorkspace<LocalDual<RotorInput, T>> room;
 };
 template <class T>
 struct BeyondAirframe {
-  WaistRoom<AirframeInput, AirframeResponse, T> waist;
-  AirframeRoom<WaistScalar<AirframeInput, T>> room;
+  PreaccumulationWorkspace<AirframeInput, AirframeResponse, T> waist;
+  AirframeWorkspace<LocalDual<AirframeInput, T>> room;
 };
 
 // Memory of one evaluation: placed by the caller, or on the stack by the functions without it (with many
@@ -125,7 +125,7 @@ struct DerivativeWorkspace {
   Overlay<BeyondRotor<T>, BeyondAirframe<T>> beyond;  // one after the other
 };
 
-namespace detail {
+namespace derivative_detail {
 
 // Controls and relative velocity; sums to zero.
 template <class T>
@@ -162,7 +162,7 @@ TILTROTOR_NOINLINE void evaluate_rotor(const Configuration<Real<T>>& c, const St
   BeyondRotor<T>& beyond = work.beyond.first;
   if (!averaged) individual_azimuth(c.aircraft->rotor.blades, azimuth, beyond.blades);
   const AzimuthStations<R>& stations = averaged ? c.azimuth : beyond.blades;
-  through_waist(work.hub, beyond.waist, work.rotor[side],
+  preaccumulate(work.hub, beyond.waist, work.rotor[side],
                 [&](const auto& in, auto& out) { rotor_response(c, in, stations, beyond.room, out); });
   add_rotor(c, x, side, work);
   record(side == right ? rotor_right : rotor_left, static_cast<const Loads<T>&>(work.hub_loads));
@@ -176,14 +176,14 @@ TILTROTOR_NOINLINE void evaluate_airframe(const Configuration<Real<T>>& c, const
   AirframeInput<T>& in = work.airframe_input;
   in.velocity = work.velocity;
   in.rates = x.rates;
-  for (int side = 0; side < 2; ++side) in.mean_wash[side] = c.tip_speed * x.rotor[side].n0;
+  for (int side = 0; side < 2; ++side) in.mean_wash[side] = c.tip_speed * x.rotor[side].lambda_0;
   in.rotor_force = work.rotor_force_sum * (R(1) / (c.air.density * kPi<R> * square(c.tip_speed * radius)));
   in.advance_ratio = R(0.5) * work.advance_ratio_sum;
   in.downwash = x.downwash;
   in.elevator = work.controls.elevator;
   in.aileron = work.controls.aileron;
   in.rudder = work.controls.rudder;
-  through_waist(in, work.beyond.second.waist, work.airframe, [&](const auto& local, auto& out) {
+  preaccumulate(in, work.beyond.second.waist, work.airframe, [&](const auto& local, auto& out) {
     airframe_response(c, local, work.beyond.second.room, out, record);
   });
 }
@@ -225,7 +225,7 @@ TILTROTOR_NOINLINE void store_rates(const Configuration<Real<T>>& c, const State
                                   : T(R(0));
 }
 
-}  // namespace detail
+}  // namespace derivative_detail
 
 // xdot and, in the workspace, what leads to it; `record(component, loads)` sees the loads of every component.
 // `azimuth`: position of the right rotor's first blade (rad), used in the individual-blade mode alone; the
@@ -233,12 +233,12 @@ TILTROTOR_NOINLINE void store_rates(const Configuration<Real<T>>& c, const State
 template <class T, class Record>
 void evaluate(const Configuration<Real<T>>& c, const State<T>& x, const Controls<T>& u, Real<T> azimuth,
               DerivativeWorkspace<T>& work, State<T>& rates, Record&& record) {
-  detail::begin(c, x, u, work);
-  detail::evaluate_rotor(c, x, right, azimuth, work, record);
-  detail::evaluate_rotor(c, x, left, azimuth, work, record);
-  detail::evaluate_airframe(c, x, work, record);
-  detail::balance(c, x, work);
-  detail::store_rates(c, x, work, rates);
+  derivative_detail::begin(c, x, u, work);
+  derivative_detail::evaluate_rotor(c, x, right, azimuth, work, record);
+  derivative_detail::evaluate_rotor(c, x, left, azimuth, work, record);
+  derivative_detail::evaluate_airframe(c, x, work, record);
+  derivative_detail::balance(c, x, work);
+  derivative_detail::store_rates(c, x, work, rates);
 }
 
 // Everything, by component.

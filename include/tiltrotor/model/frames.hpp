@@ -7,7 +7,7 @@
 #pragma once
 
 #include "tiltrotor/math/vector.hpp"
-#include "tiltrotor/model/state.hpp"
+#include "tiltrotor/model/variables/state.hpp"
 
 namespace tiltrotor {
 

@@ -22,8 +22,8 @@ MassProperties<R> mass_properties(const Aircraft<R>& aircraft, R mast_deg, R mas
   const R moving = m.nacelles / mass;
   const R forward = moving * (aircraft.mast.sl_pivot - m.sl_nacelle);
   const R below = moving * (aircraft.mast.wl_pivot - m.wl_nacelle);
-  const R s = sin(mast_deg * kRadian<R>);
-  const R c = cos(mast_deg * kRadian<R>);
+  const R s = sin(mast_deg * kRadPerDeg<R>);
+  const R c = cos(mast_deg * kRadPerDeg<R>);
 
   MassProperties<R> p;
   p.mass = mass;

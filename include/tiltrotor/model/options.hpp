@@ -1,7 +1,7 @@
 // Switches of the model: every modelling choice with an alternative, its default first.
 #pragma once
 
-#include "tiltrotor/math/table.hpp"
+#include "tiltrotor/math/tables/table.hpp"
 
 namespace tiltrotor {
 

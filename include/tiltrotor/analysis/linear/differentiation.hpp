@@ -1,0 +1,181 @@
+// Differentiation policies: one interface, two ways to a Jacobian.
+//
+// AutoDiff runs the function on dual numbers: exact to rounding, no step, a pass of N directions at a time.
+// NumDiff runs it on plain numbers: central differences. Both give the value f(x) as well, by the same
+// operations, bit for bit. kJacobianIsCheap: whether a Jacobian costs a few values, or two an input.
+//
+// The function is a generic callable `f(const T* x, T* y)`; it is called with T = Policy::Scalar<R, N> or R.
+#pragma once
+
+#include <cmath>
+#include <limits>
+#include <type_traits>
+
+#include "tiltrotor/math/differentiation/dual.hpp"
+#include "tiltrotor/math/differentiation/preaccumulate.hpp"
+#include "tiltrotor/model/derivative.hpp"
+
+namespace tiltrotor {
+
+struct AutoDiff {
+  static constexpr const char* kName = "automatic";
+  static constexpr bool kJacobianIsCheap = true;  // it costs a few values
+
+  template <class R, int N>
+  using Scalar = Dual<R, N>;
+
+  // N: directions of one pass. Inputs and outputs of the function are kept here, not on the stack.
+  template <class R, int N, int MaxInputs, int MaxOutputs>
+  struct Workspace {
+    Dual<R, N> x[MaxInputs];
+    Dual<R, N> y[MaxOutputs];
+  };
+
+  // y[m] = f(x[n]) and put(i, j, dy_i/dx_j) for every entry. `scale` is not needed here.
+  // Cost: ceil(n / N) evaluations of f on N partials.
+  template <class R, int N, int MaxInputs, int MaxOutputs, class Function, class Put>
+  static void jacobian(Function&& f, int n, int m, const R* x, const R* /*scale*/, R* y,
+                       Workspace<R, N, MaxInputs, MaxOutputs>& work, Put&& put) {
+    for (int first = 0; first < n; first += N) {
+      const int last = first + N < n ? first + N : n;
+      for (int j = 0; j < n; ++j) work.x[j] = Dual<R, N>(x[j]);
+      for (int j = first; j < last; ++j) work.x[j].d.set(j - first, R(1));
+      f(static_cast<const Dual<R, N>*>(work.x), work.y);
+      for (int i = 0; i < m; ++i) {
+        y[i] = work.y[i].v;
+        for (int j = first; j < last; ++j) put(i, j, work.y[i].d.get(j - first));
+      }
+    }
+  }
+};
+
+struct NumDiff {
+  static constexpr const char* kName = "numerical";
+  static constexpr bool kJacobianIsCheap = false;  // it costs two values an input
+
+  template <class R, int N>
+  using Scalar = R;
+
+  template <class R, int N, int MaxInputs, int MaxOutputs>
+  struct Workspace {
+    R x[MaxInputs];
+    R below[MaxOutputs];
+    R above[MaxOutputs];
+  };
+
+  // Central differences. Step of input j: cbrt(eps) scale[j], which balances the truncation error (h^2)
+  // against rounding (eps / h) for a function that bends over a distance scale[j]; it is then rounded so that
+  // x + h and x - h are machine numbers and their distance is exact. Cost: 2 n + 1 evaluations of f.
+  template <class R, int N, int MaxInputs, int MaxOutputs, class Function, class Put>
+  static void jacobian(Function&& f, int n, int m, const R* x, const R* scale, R* y,
+                       Workspace<R, N, MaxInputs, MaxOutputs>& work, Put&& put) {
+    const R step = std::cbrt(std::numeric_limits<R>::epsilon());
+    f(x, y);
+    for (int j = 0; j < n; ++j) work.x[j] = x[j];
+    for (int j = 0; j < n; ++j) {
+      const R above = x[j] + step * scale[j];
+      const R below = x[j] - step * scale[j];
+      work.x[j] = above;
+      f(static_cast<const R*>(work.x), work.above);
+      work.x[j] = below;
+      f(static_cast<const R*>(work.x), work.below);
+      work.x[j] = x[j];
+      const R inverse = R(1) / (above - below);
+      for (int i = 0; i < m; ++i) put(i, j, (work.above[i] - work.below[i]) * inverse);
+    }
+  }
+};
+
+// Which policy the analyses use unless told otherwise: 1 makes the comparison build with numerical
+// differences.
+#ifndef TILTROTOR_NUMERICAL_DIFFERENCES
+#define TILTROTOR_NUMERICAL_DIFFERENCES 0
+#endif
+#if TILTROTOR_NUMERICAL_DIFFERENCES
+using DefaultDifferentiation = NumDiff;
+#else
+using DefaultDifferentiation = AutoDiff;
+#endif
+
+// Directions of one pass through the complete model: 32 take all states and the usual controls at once. Fewer
+// (8 or 16) need less stack and more passes, with the same result: for small targets.
+#ifndef TILTROTOR_MODEL_DIRECTIONS
+#define TILTROTOR_MODEL_DIRECTIONS 32
+#endif
+inline constexpr int kModelDirections = TILTROTOR_MODEL_DIRECTIONS;
+static_assert(kModelDirections >= 1, "at least one direction in a pass");
+
+// Distance over which the model bends in a state or control: the length of a numerical step is this times
+// cbrt(eps), 6e-6 in double.
+template <class R>
+constexpr R state_scale(int index) {
+  return static_cast<R>(kStateVariables[index].facts().bend);
+}
+template <class R>
+constexpr R control_scale(int index) {
+  return static_cast<R>(kControlVariables[index].facts().bend);
+}
+
+// What an evaluation of the model reads and finds, and its memory. What is not needed at the same time lies
+// in one place where the scalar allows it: x is read before the evaluation and written after it, u is read
+// before the rates are written.
+template <class T, bool = std::is_trivially_default_constructible_v<T>&& std::is_trivially_destructible_v<T>>
+struct ModelMemory {
+  union {
+    T x[state_count];
+    DerivativeWorkspace<T> derivative;
+  };
+  union {
+    T u[control_count];
+    State<T> rates;
+  };
+};
+template <class T>
+struct ModelMemory<T, false> {
+  T x[state_count];
+  DerivativeWorkspace<T> derivative;
+  T u[control_count];
+  State<T> rates;
+};
+
+// State, control and rate of one evaluation of the model on scalar T, with the flat arrays to fill them from:
+// x in the order of State::each.
+template <class T>
+struct ModelWorkspace : ModelMemory<T> {
+  State<T> state;
+  Controls<T> controls;
+};
+
+// x, u -> xdot, all in `room`: room.x becomes xdot, room.u is lost.
+template <class T>
+void model_rates(const Configuration<Real<T>>& c, Real<T> azimuth, ModelWorkspace<T>& room) {
+  unflatten(room.x, room.state);
+  unflatten(room.u, room.controls);
+  derivative(c, room.state, room.controls, room.derivative, room.rates, azimuth);
+  flatten(room.rates, room.x);
+}
+
+// Rooms for plain numbers and for the scalar S of a policy, which may be the same.
+template <class R, class S>
+struct ModelRooms {
+  ModelWorkspace<R> plain;
+  ModelWorkspace<S> seeded;
+  template <class T>
+  ModelWorkspace<T>& of() {
+    if constexpr (ScalarTraits<T>::kTakesSlopes) {
+      return seeded;
+    } else {
+      return plain;
+    }
+  }
+};
+template <class R>
+struct ModelRooms<R, R> {
+  ModelWorkspace<R> plain;
+  template <class T>
+  ModelWorkspace<T>& of() {
+    return plain;
+  }
+};
+
+}  // namespace tiltrotor

@@ -1,0 +1,167 @@
+// The linear model about any state, trimmed or not: A = df/dx, B = df/du.
+#pragma once
+
+#include <type_traits>
+
+#include "tiltrotor/analysis/linear/differentiation.hpp"
+#include "tiltrotor/math/algebra/matrix.hpp"
+
+namespace tiltrotor {
+
+// Heading and position are left out: nothing depends on them.
+constexpr int count_linear_states() {
+  int count = 0;
+  for (int i = 0; i < state_count; ++i) count += !kStateVariables[i].facts().ignorable;
+  return count;
+}
+inline constexpr int kMaxLinearStates = count_linear_states();
+inline constexpr int kMaxLinearControls = control_count;
+
+// The rigid body stands first, longitudinal states before lateral ones.
+inline constexpr int kRigidOrder[] = {kStateIndex.velocity.x, kStateIndex.velocity.z, kStateIndex.rates.y,
+                                      kStateIndex.pitch,      kStateIndex.velocity.y, kStateIndex.rates.x,
+                                      kStateIndex.roll,       kStateIndex.rates.z};
+inline constexpr int kRigidStates = sizeof(kRigidOrder) / sizeof(kRigidOrder[0]);
+constexpr bool is_rigid(int state) {
+  for (const int rigid : kRigidOrder)
+    if (rigid == state) return true;
+  return false;
+}
+
+// Columns of B: places in kControlVariables.
+struct ControlSet {
+  int count;
+  int index[kMaxLinearControls];
+};
+// Collective lever, sticks and pedal, as the pilot moves them.
+inline constexpr ControlSet kInceptors = {
+    4, {kControlIndex.collective, kControlIndex.long_stick, kControlIndex.lat_stick, kControlIndex.pedal}};
+// Blade angles and surfaces, one by one.
+inline constexpr ControlSet kBladeControls = {
+    7,
+    {kControlIndex.collective, kControlIndex.long_cyclic, kControlIndex.diff_collective,
+     kControlIndex.diff_long_cyclic, kControlIndex.elevator, kControlIndex.aileron, kControlIndex.rudder}};
+// Every input of the model, lateral cyclic and gusts included.
+constexpr ControlSet every_control() {
+  ControlSet set{control_count, {}};
+  for (int j = 0; j < control_count; ++j) set.index[j] = j;
+  return set;
+}
+inline constexpr ControlSet kAllControls = every_control();
+
+// xdot - rates = A (x' - x) + B (u' - u). Units as in kStateVariables and kControlVariables.
+template <class R>
+struct LinearModel {
+  int states;
+  int controls;
+  int state[kMaxLinearStates];      // row and column i of A belong to kStateVariables[state[i]]
+  int control[kMaxLinearControls];  // column j of B belongs to kControlVariables[control[j]]
+  R x[kMaxLinearStates];            // the point
+  R u[kMaxLinearControls];
+  R rates[kMaxLinearStates];  // f at the point; zero when it is trimmed and straight
+  R xdot[state_count];        // the same for every state of the model, heading and position included
+  Matrix<R, kMaxLinearStates, kMaxLinearStates> a;
+  Matrix<R, kMaxLinearStates, kMaxLinearControls> b;
+
+  const char* state_name(int i) const { return kStateVariables[state[i]].name; }
+  const char* state_unit(int i) const { return kStateVariables[state[i]].unit(); }
+  const char* control_name(int j) const { return kControlVariables[control[j]].name; }
+  const char* control_unit(int j) const { return kControlVariables[control[j]].unit(); }
+};
+
+template <class R, class Policy = DefaultDifferentiation>
+struct LinearizationWorkspace {
+  static constexpr int kInputs = kMaxLinearStates + kMaxLinearControls;
+  using Seeded = typename Policy::template Scalar<R, kModelDirections>;
+  typename Policy::template Workspace<R, kModelDirections, kInputs, state_count> differentiation;
+  ModelWorkspace<Seeded> room;
+  R base_x[state_count];
+  R base_u[control_count];
+  R input[kInputs];
+  R scale[kInputs];
+};
+
+// The states of a linear model in their order: u w q theta | v p phi r | right rotor | left rotor | downwash
+// | coning.
+template <class R>
+void linear_states(const Options& options, LinearModel<R>& model) {
+  model.states = 0;
+  for (const int index : kRigidOrder) model.state[model.states++] = index;
+  const ActiveStates active = active_states(options, false);
+  for (int k = 0; k < active.count; ++k) {
+    const int index = active.index[k];
+    if (!is_rigid(index) && !kStateVariables[index].facts().ignorable) model.state[model.states++] = index;
+  }
+}
+
+template <class R>
+void clear(LinearModel<R>& model) {
+  model.states = model.controls = 0;
+  for (int i = 0; i < kMaxLinearStates; ++i) {
+    model.state[i] = 0;
+    model.x[i] = model.rates[i] = R(0);
+  }
+  for (int j = 0; j < kMaxLinearControls; ++j) {
+    model.control[j] = 0;
+    model.u[j] = R(0);
+  }
+  for (R& rate : model.xdot) rate = R(0);
+  set_zero(model.a);
+  set_zero(model.b);
+}
+
+// A and B at (x, u). The arguments are not changed; the model keeps no memory.
+// Status: ok; not_finite (a number in the state, the controls, A or B is not finite: A, B and xdot are then
+// what was found); bad_argument (`columns` names a control twice over the capacity or out of range, or c is
+// not prepared: the model is empty). `azimuth`: rad, for individual blades alone. Cost: AutoDiff one pass of
+// 32 directions for up to 32 states and controls, two beyond; NumDiff two evaluations each.
+template <class R, class Policy>
+Status linearize(const Configuration<R>& c, const State<R>& x, const Controls<R>& u,
+                 const ControlSet& columns, LinearizationWorkspace<R, Policy>& work, LinearModel<R>& model,
+                 R azimuth = R(0)) {
+  clear(model);
+  if (c.aircraft == nullptr || columns.count < 0 || columns.count > kMaxLinearControls)
+    return Status::bad_argument;
+  for (int j = 0; j < columns.count; ++j)
+    if (columns.index[j] < 0 || columns.index[j] >= control_count) return Status::bad_argument;
+
+  linear_states(c.setup.options, model);
+  model.controls = columns.count;
+  const int n = model.states;
+  const int m = model.controls;
+  flatten(x, work.base_x);
+  flatten(u, work.base_u);
+  for (int i = 0; i < n; ++i) {
+    work.input[i] = model.x[i] = work.base_x[model.state[i]];
+    work.scale[i] = state_scale<R>(model.state[i]);
+  }
+  for (int j = 0; j < m; ++j) {
+    model.control[j] = columns.index[j];
+    work.input[n + j] = model.u[j] = work.base_u[model.control[j]];
+    work.scale[n + j] = control_scale<R>(model.control[j]);
+  }
+
+  const auto rates_of = [&](const auto* input, auto* rates) {
+    using T = std::remove_reference_t<decltype(*rates)>;
+    ModelWorkspace<T>& room = work.room;
+    for (int i = 0; i < state_count; ++i) room.x[i] = T(work.base_x[i]);
+    for (int j = 0; j < control_count; ++j) room.u[j] = T(work.base_u[j]);
+    for (int i = 0; i < n; ++i) room.x[model.state[i]] = input[i];
+    for (int j = 0; j < m; ++j) room.u[model.control[j]] = input[n + j];
+    model_rates(c, azimuth, room);
+    for (int i = 0; i < state_count; ++i) rates[i] = room.x[i];
+  };
+  int row[state_count];
+  for (int& i : row) i = -1;
+  for (int i = 0; i < n; ++i) row[model.state[i]] = i;
+  Policy::jacobian(rates_of, n + m, state_count, work.input, work.scale, model.xdot, work.differentiation,
+                   [&model, &row, n](int state, int j, R slope) {
+                     const int i = row[state];
+                     if (i >= 0) (j < n ? model.a(i, j) : model.b(i, j - n)) = slope;
+                   });
+  for (int i = 0; i < n; ++i) model.rates[i] = model.xdot[model.state[i]];
+  const bool finite = all_finite(model.a, n, n) && all_finite(model.b, n, m);
+  return finite ? Status::ok : Status::not_finite;
+}
+
+}  // namespace tiltrotor

@@ -1,0 +1,256 @@
+// The equations of trim: which unknowns there are, how large a Newton step may be in each, and the scaled
+// residuals.
+#pragma once
+
+#include "tiltrotor/analysis/linear/differentiation.hpp"
+#include "tiltrotor/analysis/trim/steady_flight.hpp"
+
+namespace tiltrotor {
+
+// Roll, pitch, four inceptors, five states a rotor, downwash, two coning angles.
+inline constexpr int kMaxTrimUnknowns = 19;
+
+// One unknown and one equation. The unknown is a state, a control or, where both places are -1, the part of
+// the weight that is carried; the equation says that the rate of a state, scaled, is zero.
+template <class R>
+struct TrimEquation {
+  int state;     // place of the unknown in State, or -1
+  int control;   // place of the unknown in Controls, or -1
+  R step_limit;  // largest Newton step; 0: none
+  R scale;       // of a numerical difference
+  int rate;      // the state whose rate shall vanish
+  R rate_scale;  // residual = rate * rate_scale
+};
+
+// With `relieved` a vertical force takes the rest of the weight off the aircraft; the collective is then
+// `collective` where it is no unknown, the part of the weight carried is `carried` where it is none.
+template <class R>
+struct TrimEquations {
+  int count;
+  TrimEquation<R> row[kMaxTrimUnknowns];
+  bool relieved;
+  R carried;
+  R collective;  // rad
+};
+
+// Places in TrimEquations::row that are the same with all options.
+inline constexpr int kRollRow = 0;
+inline constexpr int kPitchRow = 1;
+inline constexpr int kCollectiveRow = 2;
+
+inline namespace trim_limits_of_step {
+template <class R>
+inline constexpr R kAngleStep = R(3) * kRadPerDeg<R>;
+template <class R>
+inline constexpr R kStickStep = R(1.5);  // in
+template <class R>
+inline constexpr R kInflowStep = R(0.02);
+}  // namespace trim_limits_of_step
+
+// The unknowns that are alive under the configuration's options. Forces are scaled by g, moments by 1
+// rad/s^2, flapping by Omega^2 (Omega when it is of first order), inflow by Omega, downwash by 1 rad/s.
+template <class R>
+void trim_equations(const Configuration<R>& c, TrimEquations<R>& equations) {
+  const Options& o = c.setup.options;
+  const R omega = c.setup.rotor_speed;
+  const R gravity = R(1) / kGravity<R>;
+  equations.count = 0;
+  equations.relieved = false;
+  equations.carried = R(1);
+  equations.collective = R(0);
+  const auto add_state = [&](int state, R limit, int rate, R rate_scale) {
+    equations.row[equations.count++] = {state, -1, limit, state_scale<R>(state), rate, rate_scale};
+  };
+  const auto add_control = [&](int control, R limit, int rate, R rate_scale) {
+    equations.row[equations.count++] = {-1, control, limit, control_scale<R>(control), rate, rate_scale};
+  };
+  add_state(kStateIndex.roll, kAngleStep<R>, kStateIndex.velocity.y, gravity);
+  add_state(kStateIndex.pitch, kAngleStep<R>, kStateIndex.velocity.x, gravity);
+  add_control(kControlIndex.collective, kAngleStep<R>, kStateIndex.velocity.z, gravity);
+  add_control(kControlIndex.long_stick, kStickStep<R>, kStateIndex.rates.y, R(1));
+  add_control(kControlIndex.lat_stick, kStickStep<R>, kStateIndex.rates.x, R(1));
+  add_control(kControlIndex.pedal, kStickStep<R>, kStateIndex.rates.z, R(1));
+  const bool second_order = o.flapping == FlapOrder::second;
+  const R flap_scale = second_order ? R(1) / (omega * omega) : R(1) / omega;
+  for (int side = 0; side < 2; ++side) {
+    const RotorState<int>& at = kStateIndex.rotor[side];
+    add_state(at.b1c, kAngleStep<R>, second_order ? at.b1c_rate : at.b1c, flap_scale);
+    add_state(at.b1s, kAngleStep<R>, second_order ? at.b1s_rate : at.b1s, flap_scale);
+    add_state(at.lambda_0, kInflowStep<R>, at.lambda_0, R(1) / omega);
+    if (o.inflow == InflowShape::uniform) continue;
+    add_state(at.lambda_c, kInflowStep<R>, at.lambda_c, R(1) / omega);
+    add_state(at.lambda_s, kInflowStep<R>, at.lambda_s, R(1) / omega);
+  }
+  if (o.downwash_lag) add_state(kStateIndex.downwash, R(0), kStateIndex.downwash, R(1));
+  if (o.coning_states) {
+    for (const ConingState<int>& at : kStateIndex.coning)
+      add_state(at.angle, kAngleStep<R>, at.rate, R(1) / (omega * omega));
+  }
+}
+
+// The aircraft carries a given part of its weight, with the collective that this needs.
+template <class R>
+void set_carried_weight(TrimEquations<R>& equations, R carried) {
+  equations.relieved = true;
+  equations.carried = carried;
+}
+
+// The collective is given, and the aircraft carries the part of its weight that follows: the unknown in the
+// collective's place.
+template <class R>
+void set_collective(TrimEquations<R>& equations, R collective) {
+  equations.relieved = true;
+  equations.collective = collective;
+  TrimEquation<R>& row = equations.row[kCollectiveRow];
+  row.control = -1;
+  row.step_limit = R(0);
+  row.scale = R(1);
+}
+
+// Velocity, rates and gust of the steady flight at the attitude in room.x.
+template <class T>
+TILTROTOR_NOINLINE void set_steady_motion(const SteadyFlight<Real<T>>& flight, ModelWorkspace<T>& room) {
+  const Vec3<T> velocity = steady_velocity(flight, room.x[kStateIndex.roll], room.x[kStateIndex.pitch]);
+  const Vec3<Real<T>>& gust = flight.gust;
+  const Vec3<T> rates = steady_rates(flight, room.x[kStateIndex.roll], room.x[kStateIndex.pitch]);
+  room.x[kStateIndex.velocity.x] = velocity.x + gust.x;
+  room.x[kStateIndex.velocity.y] = velocity.y + gust.y;
+  room.x[kStateIndex.velocity.z] = velocity.z + gust.z;
+  room.x[kStateIndex.rates.x] = rates.x;
+  room.x[kStateIndex.rates.y] = rates.y;
+  room.x[kStateIndex.rates.z] = rates.z;
+  room.u[kControlIndex.gust.x] = T(gust.x);
+  room.u[kControlIndex.gust.y] = T(gust.y);
+  room.u[kControlIndex.gust.z] = T(gust.z);
+}
+
+// A force of `part` of the weight, upwards, added to the rates in room.x (m/s^2). Roll and pitch in rad.
+template <class T>
+TILTROTOR_NOINLINE void relieve_weight(const T& roll, const T& pitch, const T& part,
+                                       ModelWorkspace<T>& room) {
+  const T relief = part * kGravity<Real<T>>;
+  const T level = relief * cos(pitch);
+  room.x[kStateIndex.velocity.x] += relief * sin(pitch);
+  room.x[kStateIndex.velocity.y] -= level * sin(roll);
+  room.x[kStateIndex.velocity.z] -= level * cos(roll);
+}
+
+// Residuals of the unknowns z, on plain numbers or duals. Inputs that are no unknowns are 0, but for a given
+// collective.
+template <class T>
+void trim_residuals(const Configuration<Real<T>>& c, const SteadyFlight<Real<T>>& flight,
+                    const TrimEquations<Real<T>>& equations, ModelWorkspace<T>& room, const T* z,
+                    T* residual) {
+  using R = Real<T>;
+  for (T& x : room.x) x = T(R(0));
+  for (T& u : room.u) u = T(R(0));
+  room.u[kControlIndex.collective] = T(equations.collective);
+  T carried(equations.carried);
+  for (int j = 0; j < equations.count; ++j) {
+    const TrimEquation<R>& row = equations.row[j];
+    if (row.state >= 0) {
+      room.x[row.state] = z[j];
+    } else if (row.control >= 0) {
+      room.u[row.control] = z[j];
+    } else {
+      carried = z[j];
+    }
+  }
+  set_steady_motion(flight, room);
+  model_rates(c, R(0), room);
+  if (equations.relieved) relieve_weight(z[kRollRow], z[kPitchRow], R(1) - carried, room);
+  for (int j = 0; j < equations.count; ++j) {
+    residual[j] = room.x[equations.row[j].rate] * equations.row[j].rate_scale;
+  }
+}
+
+// First guess for any mast angle and speed, extended to turns and climbs: bank of a
+// coordinated turn, its load factor on the rotors, and the part of the climb that thrust along the path must
+// carry.
+template <class R>
+void trim_first_guess(const Configuration<R>& c, const SteadyFlight<R>& flight,
+                      const TrimEquations<R>& equations, R* z) {
+  const R sm = sin(c.mast);
+  const R cm = cos(c.mast);
+  const R weight = c.mass.mass * kGravity<R>;
+  const R bank_limit = R(60) * kRadPerDeg<R>;
+  R bank = atan2(flight.speed * cos(flight.climb) * flight.turn_rate, kGravity<R>);
+  bank = bank > bank_limit ? bank_limit : bank < -bank_limit ? -bank_limit : bank;
+
+  const R wing_share = flight.speed < R(40) ? flight.speed / R(40) : R(1);
+  const R hover_factor = R(1.1);
+  const R wing_factor = R(0.95);
+  R load = (hover_factor - wing_factor * sm * sm * wing_share) / cos(bank) + sm * sin(flight.climb);
+  const R least_load = R(0.02);
+  load = load < least_load ? least_load : load;
+  const R radius = c.aircraft->rotor.radius;
+  const R ct =
+      R(0.5) * weight * load / (c.air.density * kPi<R> * radius * radius * c.tip_speed * c.tip_speed);
+
+  // Speed along the shaft: level flight sees it through the mast angle, climbing helicopters through the
+  // climb.
+  const R mu = flight.speed * std::fabs(cos(c.mast + flight.climb * (R(1) - sm * sm))) / c.tip_speed;
+  const R through = flight.speed * sin(c.mast + flight.climb * (R(1) - sm * sm)) / c.tip_speed;
+  const R n_hover = R(0.07);
+  R n0 = n_hover;
+  for (int k = 0; k < 40; ++k) {
+    const R flow = std::sqrt(mu * mu + (through + n0) * (through + n0));
+    const R floor = R(1e-3);
+    n0 = R(0.5) * n0 + R(0.25) * ct / (flow > floor ? flow : floor);
+  }
+
+  const R reference = c.aircraft->rotor.twist_reference;
+  const R level_pitch = c.setup.mast_deg < R(15) ? R(0.5) * kRadPerDeg<R> : R(3) * kRadPerDeg<R>;
+  const R collective = atan2(through + n0, reference) + (R(2) + R(4) * cm * cm) * kRadPerDeg<R>;
+  for (int j = 0; j < equations.count; ++j) {
+    const TrimEquation<R>& row = equations.row[j];
+    z[j] = R(0);
+    if (row.state == kStateIndex.roll) z[j] = bank;
+    if (row.state == kStateIndex.pitch) z[j] = level_pitch + flight.climb * sm * sm;
+    if (row.control == kControlIndex.collective) z[j] = collective;
+    if (row.state == kStateIndex.rotor[right].lambda_0 || row.state == kStateIndex.rotor[left].lambda_0)
+      z[j] = n0;
+    if (row.state == kStateIndex.coning[right].angle || row.state == kStateIndex.coning[left].angle)
+      z[j] = c.coning;
+  }
+  find_attitude(flight, z[kRollRow], z[kPitchRow]);
+}
+
+// Speed up the shaft in the first guess's attitude, m/s.
+template <class R>
+R shaft_speed(const Configuration<R>& c, const SteadyFlight<R>& flight) {
+  const R sm = sin(c.mast);
+  return flight.speed * sin(c.mast + flight.climb * (R(1) - sm * sm));
+}
+
+template <class R>
+R hover_induced_speed(const Configuration<R>& c) {
+  const R disk = kPi<R> * square(c.aircraft->rotor.radius);
+  return std::sqrt(c.mass.mass * kGravity<R> / (R(4) * c.air.density * disk));
+}
+
+// Descent along the shaft so fast that the rotors may be windmills.
+template <class R>
+bool is_steep_descent(const Configuration<R>& c, const SteadyFlight<R>& flight) {
+  return shaft_speed(c, flight) < R(-1.5) * hover_induced_speed(c);
+}
+
+// First guess of rotors that windmill: the least root of momentum theory, v^2 + V v + v_h^2 = 0.
+template <class R>
+void trim_windmill_guess(const Configuration<R>& c, const SteadyFlight<R>& flight,
+                         const TrimEquations<R>& equations, R* z) {
+  trim_first_guess(c, flight, equations, z);
+  const R half = R(-0.5) * shaft_speed(c, flight);
+  const R rest = half * half - square(hover_induced_speed(c));
+  const R induced = half - (rest > R(0) ? std::sqrt(rest) : R(0));
+  const R cm = cos(c.mast);
+  const R angle = atan2((induced - R(2) * half) / c.tip_speed, c.aircraft->rotor.twist_reference);
+  z[kCollectiveRow] = angle + (R(2) + R(4) * cm * cm) * kRadPerDeg<R>;
+  for (int j = 0; j < equations.count; ++j) {
+    const int state = equations.row[j].state;
+    if (state == kStateIndex.rotor[right].lambda_0 || state == kStateIndex.rotor[left].lambda_0)
+      z[j] = induced / c.tip_speed;
+  }
+}
+
+}  // namespace tiltrotor

@@ -1,0 +1,178 @@
+// One sentence that explains how a trim ended.
+#pragma once
+
+#include "tiltrotor/analysis/trim/trim.hpp"
+
+namespace tiltrotor {
+
+namespace trim_detail {
+
+inline constexpr const char* kFieldWords[] = {
+    "",
+    "speed must be 0..150 m/s",
+    "climb angle must be within 90 deg, and 0 at speed 0",
+    "turn rate must be within 60 deg/s",
+    "sideslip must be within 60 deg, and 0 at speed 0 and climb +-90 deg",
+    "gust must be within 100 m/s"};
+
+// Appends to a buffer and always leaves it terminated; what does not fit is cut.
+class Sentence {
+ public:
+  Sentence(char* text, int capacity) : text_(text), capacity_(capacity) {
+    if (capacity_ > 0) text_[0] = '\0';
+  }
+  Sentence& operator<<(const char* words) {
+    for (; *words != '\0'; ++words) put(*words);
+    return *this;
+  }
+  Sentence& operator<<(int number) {
+    char digit[12];
+    int count = 0;
+    long rest = number < 0 ? -static_cast<long>(number) : number;
+    if (number < 0) put('-');
+    do {
+      digit[count++] = static_cast<char>('0' + rest % 10);
+      rest /= 10;
+    } while (rest > 0 && count < 12);
+    while (count > 0) put(digit[--count]);
+    return *this;
+  }
+  // Two decimals.
+  Sentence& fixed(double number) {
+    const double limit = 1e7;
+    if (!(number > -limit && number < limit)) return *this << (number == number ? "very large" : "no number");
+    const double size = number < 0 ? -number : number;
+    // Never negative, and small enough to be exact.
+    const long hundredths = static_cast<long>(size * 100 + 0.5);  // NOLINT(bugprone-incorrect-roundings)
+    if (number < 0 && hundredths > 0) put('-');
+    *this << static_cast<int>(hundredths / 100);
+    put('.');
+    put(static_cast<char>('0' + hundredths / 10 % 10));
+    put(static_cast<char>('0' + hundredths % 10));
+    return *this;
+  }
+  // One digit and a power of ten, rounded down.
+  Sentence& scientific(double number) {
+    if (!(number > 0 && number < 1e300)) return *this << (number == 0 ? "0" : "no number");
+    int exponent = 0;
+    for (int k = 0; k < 330 && number >= 10; ++k, ++exponent) number /= 10;
+    for (int k = 0; k < 330 && number < 1; ++k, --exponent) number *= 10;
+    *this << static_cast<int>(number) << "e" << exponent;
+    return *this;
+  }
+  int length() const { return length_; }
+  int room() const { return capacity_ - 1 - length_; }
+
+ private:
+  void put(char c) {
+    if (length_ + 1 >= capacity_) return;
+    text_[length_++] = c;
+    text_[length_] = '\0';
+  }
+  char* text_;
+  int capacity_;
+  int length_ = 0;
+};
+
+// "wing angle of attack 17.20 deg". The longitudinal stick is counted as trim prints it: 0 at its rear stop,
+// 4.8 in neutral, 9.6 at its front stop.
+template <class R>
+void write_value(const LimitName& limit, R value, Sentence& sentence) {
+  sentence << limit.name << " ";
+  sentence.fixed(limit.factor * static_cast<double>(value)) << " " << limit.unit;
+}
+
+// "wing angle of attack 17.20 deg is beyond 16.00 deg, also elevator 20.50 deg, power 2400.00 kW": every
+// limit that is exceeded, or how many more where the text ends.
+template <class R>
+void write_limits(const LimitCheck<R>& check, Sentence& sentence) {
+  const auto shown = [](const LimitExcess<R>& excess, R value) {
+    return excess.limit == TrimLimit::long_stick ? value + std::fabs(excess.bound) : value;
+  };
+  const LimitExcess<R>& first = check.exceeded[0];
+  const LimitName& limit = kLimitNames[static_cast<unsigned>(first.limit)];
+  write_value(limit, shown(first, first.value), sentence);
+  sentence << " is beyond " << limit.rating;
+  sentence.fixed(limit.factor * static_cast<double>(shown(first, first.bound))) << " " << limit.unit;
+  for (int k = 1; k < check.count; ++k) {
+    const int longest = 48;  // of one more, and the count of those that follow
+    if (sentence.room() < longest) {
+      sentence << ", " << check.count - k << " more";
+      return;
+    }
+    sentence << (k == 1 ? ", also " : ", ");
+    const LimitExcess<R>& more = check.exceeded[k];
+    write_value(kLimitNames[static_cast<unsigned>(more.limit)], shown(more, more.value), sentence);
+  }
+}
+
+}  // namespace trim_detail
+
+// Writes at most capacity - 1 characters and a terminating zero; returns the length. 160 characters are
+// enough but for a long list of limits, which then ends in their number.
+template <class R>
+int explain(const TrimResult<R>& r, char* text, int capacity) {
+  trim_detail::Sentence sentence(text, capacity);
+  switch (r.status) {
+    case TrimStatus::ok:
+      sentence << "trimmed in " << r.iterations << " Newton steps";
+      break;
+    case TrimStatus::wing_stall:
+    case TrimStatus::control_limit:
+    case TrimStatus::flap_limit:
+    case TrimStatus::vortex_ring:
+    case TrimStatus::power_limit:
+    case TrimStatus::torque_limit:
+      sentence << "trimmed, but ";
+      trim_detail::write_limits(r.limits, sentence);
+      break;
+    case TrimStatus::rotor_stall:
+      sentence << "no trim: the aircraft carries at most ";
+      // Rounded down: less than all of it.
+      sentence.fixed(std::floor(10000 * static_cast<double>(r.weight_carried)) / 100)
+          << " % of its weight before its rotors stall";
+      break;
+    case TrimStatus::not_converged:
+    case TrimStatus::singular:
+      if (r.obstacle == TrimObstacle::upside_down) {
+        sentence << "no trim found but with the aircraft on its back or past the vertical: roll ";
+        sentence.fixed(static_cast<double>(r.state.roll) * kDegPerRad<double>) << " deg, pitch ";
+        sentence.fixed(static_cast<double>(r.state.pitch) * kDegPerRad<double>) << " deg";
+        break;
+      }
+      if (r.obstacle == TrimObstacle::attitude) {
+        sentence << "no trim found: climb, turn and sideslip leave no attitude that balances the forces; "
+                    "scaled residual ";
+        sentence.scientific(static_cast<double>(r.residual))
+            << " left in the rate of " << kStateVariables[r.residual_state].name;
+        break;
+      }
+      sentence << "no trim found in " << r.iterations << " Newton steps: scaled residual ";
+      sentence.scientific(static_cast<double>(r.residual))
+          << " left in the rate of " << kStateVariables[r.residual_state].name;
+      if (r.limits.count > 0) {
+        sentence << "; at the last point ";
+        trim_detail::write_limits(r.limits, sentence);
+      }
+      break;
+    case TrimStatus::not_finite:
+      if (r.invalid != SteadyFlightField::none) {
+        sentence << "bad input, not a finite number: "
+                 << trim_detail::kFieldWords[static_cast<unsigned>(r.invalid)];
+        break;
+      }
+      sentence << "the rate of " << kStateVariables[r.residual_state].name
+               << " is not a number at the first guess";
+      break;
+    case TrimStatus::out_of_range:
+    case TrimStatus::count:
+      sentence << "bad input: "
+               << (r.invalid == SteadyFlightField::none
+                       ? "configuration or options"
+                       : trim_detail::kFieldWords[static_cast<unsigned>(r.invalid)]);
+      break;
+  }
+  return sentence.length();
+}
+
+}  // namespace tiltrotor

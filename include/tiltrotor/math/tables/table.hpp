@@ -1,0 +1,191 @@
+// Interpolation tables on a rectangular grid, 1 to 4 dimensions, linear or C1 monotone cubic.
+//
+// A table has Smooth axes, which take any scalar and may be interpolated with C1 cubics, and Linear axes, which
+// take plain numbers fixed within a run (mast angle, flap) and are always linear. Each node stores the value and
+// the mixed slopes along the smooth axes (2^Smooth numbers: f, f_x, f_y, f_xy for two), computed beforehand by
+// table_slopes.hpp, so that a look-up evaluates one local polynomial. Beyond the grid: table_axis.hpp.
+#pragma once
+
+#include <type_traits>
+#include <utility>
+
+#include "tiltrotor/math/tables/bracket.hpp"
+
+namespace tiltrotor {
+
+// Nodes are stored with the linear axes outermost, then the smooth axes in order, then the 2^Smooth numbers
+// of a node: bit a of the index set means derivative along smooth axis a.
+template <class R, int Smooth, int Linear = 0>
+struct Table {
+  static_assert(Smooth >= 1 && Smooth + Linear <= 4, "tables have 1 to 4 axes");
+  Axis<R> smooth[Smooth];
+  Axis<R> linear[Linear > 0 ? Linear : 1];  // NOLINT(bugprone-branch-clone)
+  const R* node;
+};
+
+namespace table_detail {
+
+template <int... K, class Function>
+TILTROTOR_INLINE void for_each(std::integer_sequence<int, K...>, Function&& f) {
+  (f(std::integral_constant<int, K>()), ...);
+}
+// f(0), f(1) ... f(N - 1) with the number known to the compiler.
+template <int N, class Function>
+TILTROTOR_INLINE void unrolled(Function&& f) {
+  for_each(std::make_integer_sequence<int, N>(), f);
+}
+
+constexpr int power_of_4(int n) { return n == 0 ? 1 : 4 * power_of_4(n - 1); }
+
+// The local polynomial of a cell has 4^Smooth coefficients: base-4 digit a of a coefficient's number selects,
+// on smooth axis a, {left value, right value, left slope, right slope}.
+template <class T, int Smooth>
+struct CellCoefficients {
+  using V = typename Bracket<T>::V;
+  const Real<T>* node;
+  typename Bracket<T>::Index place;  // of the corner where every axis is left
+  int step[Smooth];                  // to the right end of each axis
+
+  TILTROTOR_INLINE CellCoefficients(const Axis<Real<T>>* axis, const Real<T>* block,
+                                    const Bracket<T>* const* at)
+      : node(block) {
+    int stride = 1 << Smooth;
+    for (int a = Smooth - 1; a >= 0; --a) {
+      place = a == Smooth - 1 ? at[a]->interval * stride : place + at[a]->interval * stride;
+      step[a] = axis[a].count > 1 ? stride : 0;
+      stride *= axis[a].count;
+    }
+  }
+  // Numbers of all corners, in order: bit a of a corner's number is its end of axis a.
+  TILTROTOR_INLINE void load(V (&number)[1 << Smooth][1 << Smooth]) const {
+    unrolled<(1 << Smooth)>([&](auto k) {
+      const Real<T>* corner = node;
+      for (int a = 0; a < Smooth; ++a) corner += (k >> a & 1) != 0 ? step[a] : 0;
+      if constexpr (Smooth == 2) {
+        gather_four(corner, place, number[k]);
+      } else {
+        for (int s = 0; s < (1 << Smooth); ++s) number[k][s] = gather(corner + s, place);
+      }
+    });
+  }
+};
+
+// Bits 0, 2, 4 .. of a number.
+constexpr int even_bits(int k) { return k == 0 ? 0 : (k & 1) + 2 * even_bits(k >> 2); }
+
+// The four coefficients of one axis, weighed.
+template <class W, class V, class C>
+TILTROTOR_INLINE W weighed(const V (&w)[4], const C& c0, const C& c1, const C& c2, const C& c3) {
+  return (w[0] * c0 + w[1] * c1) + (w[2] * c2 + w[3] * c3);
+}
+
+// Axes contracted from the last to the first: 4^Axes coefficients -> 1.
+template <int Axes, class T, class C>
+TILTROTOR_INLINE typename Bracket<T>::W polynomial(const C* c, const Bracket<T>* const* at) {
+  using W = typename Bracket<T>::W;
+  if constexpr (Axes == 0) {
+    return c[0];
+  } else {
+    constexpr int rest = power_of_4(Axes - 1);
+    W out[rest];
+    unrolled<rest>([&](auto k) {
+      out[k] = weighed<W>(at[Axes - 1]->weight, c[k], c[k + rest], c[k + 2 * rest], c[k + 3 * rest]);
+    });
+    return polynomial<Axes - 1, T>(static_cast<const W*>(out), at);
+  }
+}
+// The same with its slope along every axis.
+template <int Axes, class T>
+TILTROTOR_INLINE typename Bracket<T>::V polynomial_with_slopes(const typename Bracket<T>::V* c,
+                                                               const Bracket<T>* const* at,
+                                                               typename Bracket<T>::V* slope) {
+  using V = typename Bracket<T>::V;
+  if constexpr (Axes == 0) {
+    return c[0];
+  } else {
+    constexpr int rest = power_of_4(Axes - 1);
+    V out[rest];
+    V steep[rest];
+    unrolled<rest>([&](auto k) {
+      out[k] = weighed<V>(at[Axes - 1]->weight, c[k], c[k + rest], c[k + 2 * rest], c[k + 3 * rest]);
+      steep[k] = weighed<V>(at[Axes - 1]->slope, c[k], c[k + rest], c[k + 2 * rest], c[k + 3 * rest]);
+    });
+    slope[Axes - 1] = polynomial<Axes - 1, T>(static_cast<const V*>(steep), at);
+    return polynomial_with_slopes<Axes - 1, T>(out, at, slope);
+  }
+}
+
+// One smooth block of nodes at located arguments.
+template <int Smooth, class T>
+TILTROTOR_INLINE T evaluate(const Axis<Real<T>>* axis, const Real<T>* block, const Bracket<T>* const* at) {
+  using V = typename Bracket<T>::V;
+  const CellCoefficients<T, Smooth> cell(axis, block, at);
+  V number[1 << Smooth][1 << Smooth];
+  cell.load(number);
+  V c[power_of_4(Smooth)];
+  unrolled<power_of_4(Smooth)>([&](auto k) { c[k] = number[even_bits(k)][even_bits(k >> 1)]; });
+  if constexpr (ScalarTraits<T>::kTakesSlopes) {
+    // Value and slopes in plain numbers; the partials of the arguments are touched once.
+    V slope[Smooth];
+    const V f = polynomial_with_slopes<Smooth, T>(c, at, slope);
+    const T* argument[Smooth];
+    for (int a = 0; a < Smooth; ++a) argument[a] = at[a]->argument;
+    return ScalarTraits<T>::template from_slopes<Smooth>(f, slope, argument);
+  } else {
+    return polynomial<Smooth, T>(static_cast<const V*>(c), at);
+  }
+}
+
+}  // namespace table_detail
+
+// Look-up at located arguments; the axes they were located on must be those of the table.
+template <class T>
+T lookup(const Table<Real<T>, 1>& table, const Bracket<T>& x) {
+  const Bracket<T>* const at[1] = {&x};
+  return table_detail::evaluate<1, T>(table.smooth, table.node, at);
+}
+template <class T>
+TILTROTOR_INLINE T lookup(const Table<Real<T>, 2>& table, const Bracket<T>& x, const Bracket<T>& y) {
+  const Bracket<T>* const at[2] = {&x, &y};
+  return table_detail::evaluate<2, T>(table.smooth, table.node, at);
+}
+
+// Look-up in a table without linear axes.
+template <class T>
+T lookup(const Table<Real<T>, 1>& table, Interpolation mode, const T& x) {
+  return lookup(table, bracket(table.smooth[0], mode, x));
+}
+template <class T>
+T lookup(const Table<Real<T>, 2>& table, Interpolation mode, const T& x, const T& y) {
+  return lookup(table, bracket(table.smooth[0], mode, x), bracket(table.smooth[1], mode, y));
+}
+
+// Look-up with linear axes at fixed places: the blend of the smooth blocks at the corners around the places.
+// Corners of weight zero are skipped, so a place on a knot costs one block.
+template <class T, class R, int Smooth, int Linear>
+T lookup(const Table<R, Smooth, Linear>& table, Interpolation mode, const GridPoint<R> (&place)[Linear],
+         const T (&x)[Smooth]) {
+  Bracket<T> located[Smooth];
+  const Bracket<T>* at[Smooth];
+  int block = 1 << Smooth;
+  for (int a = 0; a < Smooth; ++a) {
+    located[a] = bracket(table.smooth[a], mode, x[a]);
+    at[a] = &located[a];
+    block *= table.smooth[a].count;
+  }
+  T sum = T(R(0));
+  for (int corner = 0; corner < (1 << Linear); ++corner) {
+    R weight = R(1);
+    int index = 0;
+    for (int a = 0; a < Linear; ++a) {
+      const int right = (corner >> a) & 1;
+      weight *= right == 1 ? place[a].fraction : R(1) - place[a].fraction;
+      index = index * table.linear[a].count + place[a].interval + right;
+    }
+    if (weight == R(0)) continue;
+    sum = sum + weight * table_detail::evaluate<Smooth, T>(table.smooth, table.node + index * block, at);
+  }
+  return sum;
+}
+
+}  // namespace tiltrotor

@@ -1,0 +1,58 @@
+// One of the two vertical fins, with rudder, in the sidewash of body and rotors (NASA CR-166536 pp. B-69 to
+// B-81).
+#pragma once
+
+#include "tiltrotor/model/airframe/tail_flow.hpp"
+
+namespace tiltrotor {
+
+// 1 - dsigma/dbeta of the body. The tables know no flow from behind: the two ends meet in the middle there.
+template <class T>
+T body_sidewash(const Configuration<Real<T>>& c, const FreeStream<T>& stream) {
+  using R = Real<T>;
+  const auto at = [&](const T& alpha_deg) {
+    const T arguments[2] = {alpha_deg, stream.abs_beta_deg};
+    return lookup(c.aircraft->fin.sidewash, c.setup.options.tables, c.sidewash_mast_flap, arguments);
+  };
+  const T ahead = flow_from_ahead(stream.alpha, c.aircraft->smooth);
+  if (value(ahead) >= R(1)) return at(stream.alpha_deg);
+  const T mean = R(0.5) * (at(stream.alpha_deg) + at(T(-stream.alpha_deg)));
+  return mean + ahead * (at(stream.alpha_deg) - mean);
+}
+
+template <class T>
+TILTROTOR_NOINLINE Loads<T> fin_loads(const Configuration<Real<T>>& c, const AirframeInput<T>& in,
+                                      const FreeStream<T>& stream, const T& wash_ratio, int side) {
+  using R = Real<T>;
+  const FinTables<R>& f = c.aircraft->fin;
+  const SmoothingWidths<R>& e = c.aircraft->smooth;
+  const Options& o = c.setup.options;
+  const Vec3<R> arm = station_arm(c.mass, f.surface.sl, side_sign<R>(side) * f.surface.bl, f.surface.wl);
+  const Vec3<T> v =
+      in.velocity + rate_cross_arm(in.rates, arm) + along(T(wash_ratio * in.mean_wash[side]), c.nacelle_axis);
+  const T alpha = angle_of_attack(v, e);
+
+  // Local sideslip: geometric, reduced by the rotors' and the body's sidewash, plus the roll-rate sidewash.
+  const T geometric = sideslip_angle(v, f.speed_floor) - f.surface.incidence;
+  const T body = body_sidewash(c, stream);
+  const T rotors = lookup(f.rotor_sidewash, o.tables, stream.speed_kt, stream.abs_beta_deg);
+  const T half_span_over_speed = (c.aircraft->wing.span / R(2)) / total_speed(in.velocity, e.rate_speed);
+  const T beta = rotors * body * geometric +
+                 half_span_over_speed * (f.sidewash_roll * in.rates.x + f.sidewash_yaw * in.rates.z);
+
+  const T effectiveness = control_effectiveness(c, f.surface, stream.mach, in.rudder);
+  const T rudder_beta = effectiveness * f.surface.control_tau * in.rudder;
+  const T beta_deg = beta * kDegPerRad<R>;
+  const T slow = lookup(f.side_rudder, o.tables, beta_deg, T(in.rudder * kDegPerRad<R>));
+  const T fast = lookup(f.side_mach, o.tables, beta_deg, stream.mach) + f.lift_slope * rudder_beta;
+  const T side_coefficient = slow + tail_mach_weight(c, stream.mach) * (fast - slow);
+  const T drag_coefficient = lookup(f.drag, o.tables, T((beta + rudder_beta) * kDegPerRad<R>), stream.mach);
+
+  const R area = o.fin_area == FinArea::drawings ? f.surface.area : f.area_other;
+  const T q = (R(0.5) * c.air.density * f.pressure * f.pressure_ratio) * dot(v, v);
+  const T scale = q * area * tail_sideslip_factor(c, stream);
+  return force_at(arm, scale * wind_force(T(R(0)), drag_coefficient, T(-side_coefficient), alpha,
+                                          sideslip_angle(v, e.lateral_plane_speed)));
+}
+
+}  // namespace tiltrotor

@@ -1,0 +1,48 @@
+// Horizontal tail with elevator, in the wing's downwash and the rotors' wash (NASA CR-166536 pp. A-85 to
+//
+#pragma once
+
+#include "tiltrotor/model/airframe/tail_flow.hpp"
+
+namespace tiltrotor {
+
+template <class T>
+TILTROTOR_NOINLINE Loads<T> horizontal_tail_loads(const Configuration<Real<T>>& c, const AirframeInput<T>& in,
+                                                  const FreeStream<T>& stream, const T& wash_ratio,
+                                                  const T& downwash) {
+  using R = Real<T>;
+  const HorizontalTailTables<R>& h = c.aircraft->htail;
+  const SmoothingWidths<R>& e = c.aircraft->smooth;
+  const Options& o = c.setup.options;
+  const Vec3<R> arm = station_arm(c.mass, h.surface.sl, R(0), h.surface.wl);
+  const T wash = wash_ratio * (R(0.5) * (in.mean_wash[right] + in.mean_wash[left]));
+  const Vec3<T> v = in.velocity + rate_cross_arm(in.rates, arm) + along(wash, c.nacelle_axis);
+  const T alpha = angle_of_attack(v, e);
+  const T beta = sideslip_angle(v, e.lateral_plane_speed);
+
+  // Angles for lift and, with the elevator's share, for drag and the Mach tables.
+  const T lift_alpha = alpha + h.surface.incidence - downwash;
+  const T effectiveness = control_effectiveness(c, h.surface, stream.mach, in.elevator);
+  const T drag_alpha = lift_alpha + effectiveness * h.surface.control_tau * in.elevator;
+  const T lift_deg = wrapped(lift_alpha) * kDegPerRad<R>;
+  const T drag_deg = wrapped(drag_alpha) * kDegPerRad<R>;
+  const T slow = lookup(h.lift_elevator, o.tables, lift_deg, T(in.elevator * kDegPerRad<R>));
+  const T fast = lookup(h.lift_mach, o.tables, drag_deg, stream.mach);
+  const T fast_weight = tail_mach_weight(c, stream.mach);
+
+  const T abs_beta = smooth_min(smooth_abs_zero(beta, e.angle), h.beta_limit * kRadPerDeg<R>, e.angle);
+  const T lift = slow + fast_weight * (fast - slow) + (h.lift_beta * c.nacelle_axis.z * R(-1)) * abs_beta;
+  const T drag = lookup(h.drag, o.tables, drag_deg, stream.mach);
+
+  const T arguments[2] = {stream.alpha_deg, stream.speed_kt};
+  const T ratio = lookup(h.pressure_ratio, o.tables, c.tail_pressure_mast, arguments);
+  const R by_mast =
+      o.tail_pressure == TailPressure::by_mast ? h.pressure.at(c.setup.mast_deg) : h.pressure.at_90;
+  // Body velocity, not the local one: the pressure ratio holds the rest.
+  const T q = (R(0.5) * c.air.density * by_mast) * ratio *
+              (in.velocity.x * in.velocity.x + in.velocity.z * in.velocity.z);
+  const T scale = q * h.surface.area * tail_sideslip_factor(c, stream);
+  return force_at(arm, scale * wind_force(lift, drag, T(R(0)), T(alpha - downwash), beta));
+}
+
+}  // namespace tiltrotor

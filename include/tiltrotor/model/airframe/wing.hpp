@@ -1,0 +1,179 @@
+// The part of wing and pylons in the free stream, with flap, aileron and rate terms, and the wing's downwash
+// (NASA CR-166536 pp.; constants pp. B-31 to B-33).
+#pragma once
+
+#include "tiltrotor/model/airframe/wing_coefficients.hpp"
+#include "tiltrotor/model/airframe/wing_in_wake.hpp"
+
+namespace tiltrotor {
+
+// Roll and yaw coefficients due to sideslip and rates (NASA CR-166536 pp. A-71, B-31 to B-33; DATCOM
+// compressibility factors).
+template <class T>
+struct LateralCoefficients {
+  T roll, yaw;
+};
+
+// The result, and what leads to it: kept here rather than on the stack, where with partials it takes 8 kB.
+template <class T>
+struct FreeWing {
+  T alpha;       // alpha_WFS: free-stream angle less the deflection by the rotors' wakes, rad, -pi..pi
+  T beta;        // sideslip at the wing, rad
+  T pressure;    // dynamic pressure in the plane of symmetry, Pa
+  T rotor_wash;  // rotor force over the square of the advance ratio, with the table's factor
+  WingCoefficients<T> coefficients;
+  LateralCoefficients<T> lateral;
+  T downwash;  // at the tail, not yet lagged, rad
+  Loads<T> loads;
+};
+
+template <class T>
+TILTROTOR_NOINLINE void wing_lateral_coefficients(const Configuration<Real<T>>& c, const AirframeInput<T>& in,
+                                                  const FreeStream<T>& stream, const T& beta,
+                                                  const WingCoefficients<T>& k, LateralCoefficients<T>& out) {
+  using R = Real<T>;
+  const WingTables<R>& w = c.aircraft->wing;
+  const R aspect = c.wing.aspect_ratio;
+  const R cos_sweep = cos(w.sweep);
+  const T bc = sqrt(R(1) - square(cos_sweep) * stream.mach * stream.mach);  // compressibility
+  const T cb = (aspect + R(4) * cos_sweep) / (aspect * bc + R(4) * cos_sweep);
+
+  const T roll_beta = c.wing.roll_beta * cb + c.wing.roll_beta_per_lift * k.lift;
+  const T roll_p = w.roll_rate * cb - R(0.125) * (k.drag - k.lift * k.lift * (R(1) / (kPi<R> * aspect)));
+  const T bc2 = bc * bc;
+  const T compressed = R(1) + aspect * (R(1) - bc2) / (R(2) * bc * (aspect * bc + R(2)));
+  const T roll_r =
+      w.roll_yaw_rate_per_lift * k.lift * compressed + w.roll_yaw_rate_flap * w.flap_alpha * c.setup.flap_deg;
+  const T yaw_beta = w.yaw_beta_0 * cb + w.yaw_beta_per_lift2 * k.lift * k.lift;
+  const T yaw_p = w.yaw_roll_rate_per_lift * k.lift * cb * bc;
+  const T yaw_r = w.yaw_rate_per_lift2 * k.lift * k.lift + w.yaw_rate_per_drag * c.wing.zero_lift_drag;
+
+  const T sa = sin(stream.alpha);
+  const T ca = cos(stream.alpha);
+  const T sb = sin(beta);
+  const T cbeta = cos(beta);
+  const T p_wind = in.rates.x * ca * cbeta + in.rates.y * sb + in.rates.z * sa * cbeta;
+  const T r_wind = in.rates.z * ca - in.rates.x * sa;
+  const T half_span_over_speed = (w.span / R(2)) / total_speed(in.velocity, c.aircraft->smooth.rate_speed);
+  out.roll = roll_beta * beta + half_span_over_speed * (roll_p * p_wind + roll_r * r_wind);
+  out.yaw = yaw_beta * beta + half_span_over_speed * (yaw_p * p_wind + yaw_r * r_wind);
+}
+
+// Aileron effectiveness fade: 1 up to 8 deg of wing angle, 0 beyond 25 deg. The plain |alpha| is safe because
+// the fade is constant around zero.
+template <class T>
+T aileron_fade(const Configuration<Real<T>>& c, const T& alpha) {
+  using R = Real<T>;
+  const WingTables<R>& w = c.aircraft->wing;
+  const T alpha_deg = alpha * kDegPerRad<R>;
+  const T size = value(alpha_deg) < R(0) ? T(-alpha_deg) : alpha_deg;
+  const T t = (size - w.aileron_full_alpha) * (R(1) / (w.aileron_zero_alpha - w.aileron_full_alpha));
+  if (c.setup.options.tables == Interpolation::c1) return R(1) - smooth_step(t);
+  return value(t) <= R(0) ? T(R(1)) : value(t) >= R(1) ? T(R(0)) : T(R(1) - t);
+}
+
+// Loads of the free part of one half wing, at the centroid of what the wake leaves free.
+template <class T>
+Loads<T> free_half_wing(const Configuration<Real<T>>& c, const ImmersedWing<T>& immersed,
+                        const Vec3<T>& per_area, const Vec3<T>& aileron_loss, int side) {
+  using R = Real<T>;
+  const WingTables<R>& w = c.aircraft->wing;
+  const Vec3<R> line = station_arm(c.mass, w.sl, R(0), w.wl);
+  const R half_area = R(0.5) * w.area;
+  const T area = half_area - immersed.area;
+  const T lateral = (half_area * w.bl - immersed.area * immersed.lateral) / area;
+  const Vec3<T> force = area * per_area - aileron_loss;
+  return {force, cross(Vec3<T>{T(line.x), side_sign<R>(side) * lateral, T(line.z)}, force)};
+}
+
+namespace wing_detail {
+
+// Angles and pressure, with the deflection of the free stream by the rotors (K_XRW).
+template <class T>
+TILTROTOR_NOINLINE void free_wing_flow(const Configuration<Real<T>>& c, const AirframeInput<T>& in,
+                                       FreeWing<T>& out) {
+  using R = Real<T>;
+  const WingTables<R>& w = c.aircraft->wing;
+  const SmoothingWidths<R>& e = c.aircraft->smooth;
+  const Vec3<R> arm = station_arm(c.mass, w.sl, R(0), w.wl);
+  const Vec3<T> v =
+      c.setup.options.wing_rate_velocity ? in.velocity + rate_cross_arm(in.rates, arm) : in.velocity;
+  const T advance = smooth_max(in.advance_ratio, w.advance_floor, e.advance_floor);
+  out.rotor_wash = c.wing.rotor_wash * in.rotor_force / (advance * advance);
+  out.alpha = wrapped(T(angle_of_attack(v, e) - w.rotor_wash_angle * out.rotor_wash));
+  out.beta = sideslip_angle(v, e.lateral_plane_speed);
+  out.pressure = R(0.5) * c.air.density * (v.x * v.x + v.z * v.z);
+}
+
+// Lift, drag and the loss by the ailerons, on both halves.
+template <class T>
+TILTROTOR_NOINLINE void free_wing_forces(const Configuration<Real<T>>& c, const AirframeInput<T>& in,
+                                         const WingInWake<T> (&wake)[2], FreeWing<T>& out) {
+  using R = Real<T>;
+  const WingTables<R>& w = c.aircraft->wing;
+  const T lift_per_area = out.pressure * out.coefficients.lift;
+  const T drag_per_area = out.pressure * out.coefficients.drag;
+  const T half_aileron_loss = out.pressure * (R(0.5) * w.area * c.wing.aileron_lift_loss) *
+                              smooth_abs_zero(in.aileron, c.aircraft->smooth.angle);
+  const Vec3<T> per_area = wind_force(lift_per_area, drag_per_area, T(R(0)), out.alpha, T(R(0)));
+  const Vec3<T> half_loss = wind_force(half_aileron_loss, T(R(0)), T(R(0)), out.alpha, T(R(0)));
+  out.loads = free_half_wing(c, wake[right].immersed, per_area, half_loss, right) +
+              free_half_wing(c, wake[left].immersed, per_area, half_loss, left);
+}
+
+// Moments by sideslip, rates, ailerons and camber.
+template <class T>
+TILTROTOR_NOINLINE void add_free_wing_moments(const Configuration<Real<T>>& c, const AirframeInput<T>& in,
+                                              const FreeStream<T>& stream, const WingInWake<T> (&wake)[2],
+                                              FreeWing<T>& out) {
+  using R = Real<T>;
+  const WingTables<R>& w = c.aircraft->wing;
+  const T wake_pressure = R(0.5) * (wake[right].pressure + wake[left].pressure);
+  const R area_span = w.area * w.span;
+  const T aileron_slope = (w.aileron_roll_slope * c.wing.aileron_roll) * aileron_fade(c, out.alpha);
+  const T aileron_yaw = c.wing.aileron_yaw_0 + c.wing.aileron_yaw * out.coefficients.lift * aileron_slope;
+  const T roll = area_span * (out.pressure * out.lateral.roll + wake_pressure * aileron_slope * in.aileron);
+  const T yaw = area_span * (out.pressure * out.lateral.yaw + wake_pressure * aileron_yaw * in.aileron);
+  const T sa = sin(stream.alpha);
+  const T ca = cos(stream.alpha);
+  out.loads.moment.x += roll * ca - yaw * sa;
+  out.loads.moment.y += out.pressure * (w.area * w.chord * c.wing.moment);
+  out.loads.moment.z += roll * sa + yaw * ca;
+}
+
+// Downwash at the tail, compressibility-corrected.
+template <class T>
+TILTROTOR_NOINLINE void wing_downwash(const Configuration<Real<T>>& c, const FreeStream<T>& stream,
+                                      FreeWing<T>& out) {
+  using R = Real<T>;
+  const T alpha_deg[1] = {out.alpha * kDegPerRad<R>};
+  out.downwash = lookup(c.aircraft->wing.downwash, c.setup.options.tables, c.downwash_mast_flap, alpha_deg) /
+                 sqrt(R(1) - stream.mach * stream.mach);
+}
+
+}  // namespace wing_detail
+
+template <class T>
+void free_wing(const Configuration<Real<T>>& c, const AirframeInput<T>& in, const FreeStream<T>& stream,
+               const WingInWake<T> (&wake)[2], FreeWing<T>& out) {
+  using R = Real<T>;
+  wing_detail::free_wing_flow(c, in, out);
+  wing_coefficients(c, out.alpha, stream.mach, out.coefficients);
+  const R rotor_lift = c.setup.options.rotor_lift_on_wing
+                           ? R(2) * c.aircraft->wing.rotor_wash_lift * square(cos(c.mast))
+                           : R(0);  // rotor-induced lift (K_RW)
+  out.coefficients.lift = out.coefficients.lift * (R(1) + rotor_lift * out.rotor_wash);
+  wing_detail::free_wing_forces(c, in, wake, out);
+  wing_lateral_coefficients(c, in, stream, out.beta, out.coefficients, out.lateral);
+  wing_detail::add_free_wing_moments(c, in, stream, wake, out);
+  wing_detail::wing_downwash(c, stream, out);
+}
+template <class T>
+FreeWing<T> free_wing(const Configuration<Real<T>>& c, const AirframeInput<T>& in,
+                      const FreeStream<T>& stream, const WingInWake<T> (&wake)[2]) {
+  FreeWing<T> out;
+  free_wing(c, in, stream, wake, out);
+  return out;
+}
+
+}  // namespace tiltrotor

@@ -1,0 +1,83 @@
+// Lift and drag coefficients of wing and pylons against angle of attack, mast angle, flap and Mach (NASA
+// CR-166536 tables 4-I to 4-IV).
+#pragma once
+
+#include "tiltrotor/model/airframe/airflow.hpp"
+
+namespace tiltrotor {
+
+template <class T>
+struct WingCoefficients {
+  T lift, drag;
+};
+
+namespace wing_coefficients_detail {
+
+// Value of one flap setting or the blend of two.
+template <class T, class At>
+T blend_flaps(const WingConstants<Real<T>>& w, At&& at) {
+  using R = Real<T>;
+  if (w.flap_fraction == R(0)) return at(w.flap_below);
+  if (w.flap_fraction == R(1)) return at(w.flap_above);
+  return (R(1) - w.flap_fraction) * at(w.flap_below) + w.flap_fraction * at(w.flap_above);
+}
+
+}  // namespace wing_coefficients_detail
+
+// Weight of the mast-0 drag table. The difference to mast 90 is the cross-flow drag of the upright pylons, so
+// it goes with sin^3 of the angle between mast and flow: 1 at mast 0, 0 at mast 90, exact there.
+template <class T>
+T upright_pylon_weight(const Configuration<Real<T>>& c, const T& alpha) {
+  using R = Real<T>;
+  const R mast_deg = c.setup.mast_deg;
+  const R linear = R(1) - mast_deg / R(90);
+  if (c.setup.options.mast_drag == MastDrag::linear || mast_deg <= R(0) || mast_deg >= R(90))
+    return T(linear);
+  const SmoothingWidths<R>& e = c.aircraft->smooth;
+  const R limit = c.aircraft->wing.crossflow_alpha_limit;
+  const T clipped = smooth_clip(T(alpha * kDegPerRad<R>), -limit, limit, e.crossflow_clip) * kRadPerDeg<R>;
+  const T a = clipped * flow_from_ahead(alpha, e);
+  const auto sine_cubed = [](const T& y) {
+    const T s = sin(y);
+    return s * s * s;
+  };
+  const T ca = cos(a);
+  const T across = smooth_abs(T((kPi<R> / R(2) - c.mast) + a), e.crossflow);
+  const T along = smooth_abs(a, e.crossflow);
+  return (sine_cubed(across) - (mast_deg / R(90)) * sine_cubed(along)) / (ca * ca * ca);
+}
+
+template <class T>
+TILTROTOR_NOINLINE void wing_coefficients(const Configuration<Real<T>>& c, const T& alpha, const T& mach,
+                                          WingCoefficients<T>& out) {
+  using R = Real<T>;
+  const WingTables<R>& w = c.aircraft->wing;
+  const Interpolation mode = c.setup.options.tables;
+  const T a = alpha * kDegPerRad<R>;
+  const R mast = c.setup.mast_deg / R(90);
+  const auto lift_0 = [&](int k) { return lookup(w.lift_0[k], mode, a); };
+  const auto drag_0 = [&](int k) { return lookup(w.drag_0[k], mode, a); };
+  const auto lift_90 = [&](int k) { return lookup(w.lift_90[k], mode, a, mach); };
+  const auto drag_90 = [&](int k) { return lookup(w.drag_90[k], mode, a, mach); };
+  if (mast <= R(0)) {
+    out.lift = wing_coefficients_detail::blend_flaps<T>(c.wing, lift_0);
+    out.drag = wing_coefficients_detail::blend_flaps<T>(c.wing, drag_0);
+  } else if (mast >= R(1)) {
+    out.lift = wing_coefficients_detail::blend_flaps<T>(c.wing, lift_90);
+    out.drag = wing_coefficients_detail::blend_flaps<T>(c.wing, drag_90);
+  } else {
+    const T k0 = upright_pylon_weight(c, alpha);
+    out.lift = (R(1) - mast) * wing_coefficients_detail::blend_flaps<T>(c.wing, lift_0) +
+               mast * wing_coefficients_detail::blend_flaps<T>(c.wing, lift_90);
+    out.drag = k0 * wing_coefficients_detail::blend_flaps<T>(c.wing, drag_0) +
+               (R(1) - k0) * wing_coefficients_detail::blend_flaps<T>(c.wing, drag_90);
+  }
+}
+template <class T>
+WingCoefficients<T> wing_coefficients(const Configuration<Real<T>>& c, const T& alpha, const T& mach) {
+  WingCoefficients<T> out;
+  wing_coefficients(c, alpha, mach, out);
+  return out;
+}
+
+}  // namespace tiltrotor

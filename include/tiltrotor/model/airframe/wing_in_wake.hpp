@@ -1,0 +1,49 @@
+// The part of one half wing inside its rotor's wake (structure of GTRS, NASA CR-166536; wash factor and
+// centre of pressure from replaying the printed runs of NASA CR-166537, load factor in choices.csv).
+#pragma once
+
+#include "tiltrotor/model/airframe/wing_coefficients.hpp"
+#include "tiltrotor/model/rotor/rotor_wake.hpp"
+
+namespace tiltrotor {
+
+template <class T>
+struct WingInWake {
+  ImmersedWing<T> immersed;
+  Vec3<T> velocity;  // of the part relative to the air, wash included, m/s
+  T pressure;        // dynamic pressure there, Pa
+  Loads<T> loads;
+};
+
+// The centre of pressure moves from quarter chord at zero angle of attack to mid chord in the vertical wash
+// of hover.
+template <class T>
+TILTROTOR_NOINLINE void wing_in_wake(const Configuration<Real<T>>& c, const AirframeInput<T>& in,
+                                     const FreeStream<T>& stream, int side, WingInWake<T>& out) {
+  using R = Real<T>;
+  const WingTables<R>& wing = c.aircraft->wing;
+  const SmoothingWidths<R>& e = c.aircraft->smooth;
+  const Vec3<R> line = station_arm(c.mass, wing.sl, R(0), wing.wl);
+  out.immersed = immersed_wing(c, in, side);
+  Vec3<T> arm = {T(line.x), side_sign<R>(side) * out.immersed.lateral, T(line.z)};
+  out.velocity = in.velocity + cross(in.rates, arm) + along(out.immersed.wash, c.nacelle_axis);
+  out.pressure = R(0.5) * c.air.density * dot(out.velocity, out.velocity);
+
+  const T alpha = angle_of_attack(out.velocity, e);
+  const T beta = sideslip_angle(out.velocity, e.lateral_plane_speed);
+  const WingCoefficients<T> k = wing_coefficients(c, alpha, stream.mach);
+  const T scale = c.wing.wake_load_factor * (out.pressure * out.immersed.area);
+  const Vec3<T> force = wind_force(T(scale * k.lift), T(scale * k.drag), T(R(0)), alpha, beta);
+  const T sa = sin(alpha);
+  arm.x = arm.x - (wing.chord / R(4)) * sa * sa;
+  out.loads = {force, cross(arm, force)};
+}
+template <class T>
+WingInWake<T> wing_in_wake(const Configuration<Real<T>>& c, const AirframeInput<T>& in,
+                           const FreeStream<T>& stream, int side) {
+  WingInWake<T> out;
+  wing_in_wake(c, in, stream, side, out);
+  return out;
+}
+
+}  // namespace tiltrotor

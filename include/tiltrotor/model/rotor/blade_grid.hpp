@@ -1,0 +1,229 @@
+// Stations of the blade and azimuth where the blade-element integrals are summed.
+#pragma once
+
+#include "tiltrotor/math/differentiation/batch.hpp"
+#include "tiltrotor/model/aircraft.hpp"
+#include "tiltrotor/model/options.hpp"
+
+namespace tiltrotor {
+
+inline constexpr int kMaxBladeStations = 80;
+inline constexpr int kMaxAzimuthStations = 72;
+
+// One blade element: everything about it that does not change in flight.
+template <class R>
+struct BladeStation {
+  R radius;         // m
+  R half_chord_dr;  // chord times quadrature width over two, m^2: half density times this is the load scale
+  R twist;          // pitch above that at the collective's reference radius, rad
+  R lift_weight;    // 1 inside the tip-loss radius, 0 outside
+};
+
+template <class R>
+struct BladeStations {
+  int count;
+  int region_end[kSectionRegions];  // stations of section region k end before region_end[k]
+  BladeStation<R> station[kMaxBladeStations];
+};
+
+template <class R>
+struct AzimuthStations {
+  int count;
+  R weight;  // blades per station
+  // Beyond `count` zeros, so that blades may be computed in groups.
+  R cosine[kMaxAzimuthStations + kBatchLanes<R>];
+  R sine[kMaxAzimuthStations + kBatchLanes<R>];
+};
+
+template <class R>
+R blade_twist(const RotorTables<R>& rotor, TwistSource source, R x) {
+  if (source == TwistSource::linear) return rotor.twist_linear * (x - rotor.twist_reference);
+  return lookup(rotor.twist, Interpolation::linear, x) -
+         lookup(rotor.twist, Interpolation::linear, rotor.twist_reference);
+}
+
+template <class R>
+R blade_chord(const RotorTables<R>& rotor, ChordSource source, R x) {
+  const Table<R, 1>& table = source == ChordSource::cutout ? rotor.chord_cutout
+                             : source == ChordSource::text ? rotor.chord_text
+                                                           : rotor.chord_camrad;
+  return lookup(table, Interpolation::linear, x);
+}
+
+// The blade is integrated interval by interval: their ends are the end of the root's taper, the section
+// regions and the tip-loss radius, so that no station straddles a step and no interval a kink of the chord.
+inline constexpr int kBladeIntervals = 6;
+inline constexpr double kTaperEnd = 0.25;  // r/R: last kink of the chord tables
+
+enum class RadialRule : unsigned char {
+  midpoint,
+  gauss
+};  // equal segments, or Gauss-Legendre points of the interval
+
+// How to sum over blade and azimuth. `radial`: stations in each interval, at most kMaxGaussPoints with the
+// Gauss rule; 0 in the first joins it to the second.
+struct Quadrature {
+  RadialRule rule;
+  int radial[kBladeIntervals];
+  int azimuth;
+};
+
+// Specification grid: 20 radial by 24 azimuth stations. Real-time grid: 16 by 8, which keeps thrust within
+// 0.1 % of half the weight; the errors of both are found by bench/grid_convergence.cpp.
+inline constexpr Quadrature kSpecificationQuadrature = {RadialRule::midpoint, {0, 9, 5, 4, 1, 1}, 24};
+inline constexpr Quadrature kRealtimeQuadrature = {RadialRule::gauss, {3, 4, 4, 3, 1, 1}, 8};
+
+inline const Quadrature& quadrature(BladeGrid grid) {
+  return grid == BladeGrid::realtime ? kRealtimeQuadrature : kSpecificationQuadrature;
+}
+
+namespace blade_grid_detail {
+
+inline constexpr int kMaxGaussPoints = 5;
+
+// Points and weights of the Gauss-Legendre rules on 0..1, by number of points: NIST Digital Library 3.5(v).
+struct GaussRule {
+  double x[kMaxGaussPoints];
+  double weight[kMaxGaussPoints];
+};
+inline constexpr GaussRule kGauss[kMaxGaussPoints] = {
+    {{0.5}, {1.0}},
+    {{0.21132486540518712, 0.78867513459481288}, {0.5, 0.5}},
+    {{0.11270166537925831, 0.5, 0.88729833462074169},
+     {0.27777777777777778, 0.44444444444444444, 0.27777777777777778}},
+    {{0.069431844202973712, 0.33000947820757187, 0.66999052179242813, 0.93056815579702629},
+     {0.17392742256872693, 0.32607257743127307, 0.32607257743127307, 0.17392742256872693}},
+    {{0.046910077030668004, 0.23076534494715845, 0.5, 0.76923465505284155, 0.95308992296933200},
+     {0.11846344252809454, 0.23931433524968324, 0.28444444444444444, 0.23931433524968324,
+      0.11846344252809454}}};
+
+}  // namespace blade_grid_detail
+
+// Twist that the stations of one part of an interval see. The table has steps of rounding between its close
+// knots, which few stations would meet at random. They see instead the polynomial that, weighed with the
+// square of the radius, differs least from the table (degree one less than the points): the lift of the part
+// is then that of the table.
+template <class R>
+void smoothed_twist(const RotorTables<R>& rotor, TwistSource source, R inner, R outer,
+                    const blade_grid_detail::GaussRule& rule, int points, R* twist) {
+  constexpr int samples = 64;
+  constexpr int most = blade_grid_detail::kMaxGaussPoints;
+  R basis[samples][most];  // polynomials made orthogonal under the weight, one after the other
+  R at_point[most][most];
+  for (int i = 0; i < points; ++i) twist[i] = R(0);
+  for (int degree = 0; degree < points; ++degree) {
+    const auto monomial = [degree](R t) {
+      R power = R(1);
+      for (int k = 0; k < degree; ++k) power *= t;
+      return power;
+    };
+    const auto place = [](int s) { return (static_cast<R>(s) + R(0.5)) / static_cast<R>(samples); };
+    const auto weight = [&](int s) { return square(inner + (outer - inner) * place(s)); };
+    for (int s = 0; s < samples; ++s) basis[s][degree] = monomial(place(s));
+    for (int i = 0; i < points; ++i) at_point[i][degree] = monomial(static_cast<R>(rule.x[i]));
+    const auto project_out = [&](int lower) {
+      R along = R(0);
+      R size = R(0);
+      for (int s = 0; s < samples; ++s) {
+        along += weight(s) * basis[s][degree] * basis[s][lower];
+        size += weight(s) * square(basis[s][lower]);
+      }
+      for (int s = 0; s < samples; ++s) basis[s][degree] -= along / size * basis[s][lower];
+      for (int i = 0; i < points; ++i) at_point[i][degree] -= along / size * at_point[i][lower];
+    };
+    for (int lower = 0; lower < degree; ++lower) project_out(lower);
+    R along = R(0);
+    R size = R(0);
+    for (int s = 0; s < samples; ++s) {
+      along += weight(s) * basis[s][degree] * blade_twist(rotor, source, inner + (outer - inner) * place(s));
+      size += weight(s) * square(basis[s][degree]);
+    }
+    for (int i = 0; i < points; ++i) twist[i] += along / size * at_point[i][degree];
+  }
+}
+
+// Radial stations of a quadrature; `refinement` multiplies their number, by that many equal parts of each
+// interval.
+template <class R>
+BladeStations<R> blade_stations(const RotorTables<R>& rotor, const Options& options,
+                                const Quadrature& quadrature, int refinement) {
+  const bool joined = quadrature.radial[0] == 0;
+  const R edge[kBladeIntervals + 1] = {rotor.root_cutout,
+                                       joined ? rotor.root_cutout : R(kTaperEnd),
+                                       rotor.region_edge[0],
+                                       rotor.region_edge[1],
+                                       rotor.region_edge[2],
+                                       rotor.tip_loss,
+                                       R(1)};
+  const int region_of_interval[kBladeIntervals] = {0, 0, 1, 2, 3, 3};
+  const bool gauss = quadrature.rule == RadialRule::gauss;
+  BladeStations<R> stations{};
+  for (int k = joined ? 1 : 0; k < kBladeIntervals; ++k) {
+    const int parts = gauss ? refinement : refinement * quadrature.radial[k];
+    const int points = gauss ? quadrature.radial[k] : 1;
+    const blade_grid_detail::GaussRule& rule = blade_grid_detail::kGauss[points - 1];
+    const R width = (edge[k + 1] - edge[k]) / static_cast<R>(parts);
+    for (int part = 0; part < parts; ++part) {
+      const R inner = edge[k] + width * static_cast<R>(part);
+      R twist[blade_grid_detail::kMaxGaussPoints];
+      if (gauss) smoothed_twist(rotor, options.twist, inner, inner + width, rule, points, twist);
+      for (int i = 0; i < points; ++i) {
+        const R x = inner + width * static_cast<R>(rule.x[i]);
+        BladeStation<R>& s = stations.station[stations.count++];
+        s.radius = x * rotor.radius;
+        s.half_chord_dr = R(0.5) * blade_chord(rotor, options.chord, x) *
+                          (width * static_cast<R>(rule.weight[i]) * rotor.radius);
+        s.twist = gauss ? twist[i] : blade_twist(rotor, options.twist, x);
+        s.lift_weight = x < rotor.tip_loss ? R(1) : R(0);
+      }
+    }
+    stations.region_end[region_of_interval[k]] = stations.count;
+  }
+  return stations;
+}
+
+template <class R>
+BladeStations<R> blade_stations(const RotorTables<R>& rotor, const Options& options) {
+  return blade_stations(rotor, options, quadrature(options.grid), options.grid_refinement);
+}
+
+// Azimuth stations of the averaged mode under a set of options.
+inline int azimuth_count(const Options& options) {
+  return options.azimuth_stations > 0 ? options.azimuth_stations : quadrature(options.grid).azimuth;
+}
+
+// Averaged mode: `count` virtual positions, each with blades/count of a blade.
+template <class R>
+AzimuthStations<R> averaged_azimuth(int blades, int count) {
+  AzimuthStations<R> a{};
+  a.count = count;
+  a.weight = static_cast<R>(blades) / static_cast<R>(count);
+  for (int k = 0; k < count; ++k) {
+    const R psi = R(2) * kPi<R> * (static_cast<R>(k) + R(0.5)) / static_cast<R>(count);
+    a.cosine[k] = cos(psi);
+    a.sine[k] = sin(psi);
+  }
+  return a;
+}
+
+// Individual mode: the blades themselves, the first at `azimuth` (rad).
+template <class R>
+void individual_azimuth(int blades, R azimuth, AzimuthStations<R>& a) {
+  for (R& x : a.cosine) x = R(0);
+  for (R& x : a.sine) x = R(0);
+  a.count = blades;
+  a.weight = R(1);
+  for (int k = 0; k < blades; ++k) {
+    const R psi = azimuth + R(2) * kPi<R> * static_cast<R>(k) / static_cast<R>(blades);
+    a.cosine[k] = cos(psi);
+    a.sine[k] = sin(psi);
+  }
+}
+template <class R>
+AzimuthStations<R> individual_azimuth(int blades, R azimuth) {
+  AzimuthStations<R> a;
+  individual_azimuth(blades, azimuth, a);
+  return a;
+}
+
+}  // namespace tiltrotor

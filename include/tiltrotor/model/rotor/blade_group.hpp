@@ -1,0 +1,102 @@
+// Blades at several azimuths, computed together: one in each lane of the target's vectors.
+//
+// The elements of these blades are nearly all the work of a rotor. They are computed on packs of plain
+// numbers, with slopes along the five numbers of BladeFlow when the rotor's scalar carries partials; the
+// slopes are then chained.
+#pragma once
+
+#include <complex>
+#include <type_traits>
+
+#include "tiltrotor/math/differentiation/preaccumulate.hpp"
+#include "tiltrotor/model/rotor/rotor_input.hpp"
+
+namespace tiltrotor {
+
+namespace blade_group_detail {
+
+template <class R>
+Batch<R> load_batch(const R* from) {
+  Batch<R> p;
+  for (int lane = 0; lane < Batch<R>::kLanes; ++lane) p.set(lane, from[lane]);
+  return p;
+}
+
+// The same plain numbers of the rotor's input in every lane.
+template <class T>
+RotorInput<Batch<Real<T>>> in_every_lane(const RotorInput<T>& in) {
+  RotorInput<Batch<Real<T>>> packs;
+  Real<T> plain[RotorInput<T>::kCount];
+  Real<T>* at = plain;
+  RotorInput<T>::each(in, [&at](const T& x) { *at++ = value(x); });
+  unflatten(plain, packs);
+  return packs;
+}
+
+}  // namespace blade_group_detail
+
+template <class T>
+class BladeGroup {
+  using R = Real<T>;
+  static constexpr bool kTakesSlopes = ScalarTraits<T>::kTakesSlopes;
+  using Lanes = std::conditional_t<kTakesSlopes, Dual<Batch<R>, BladeFlow<T>::kCount>, Batch<R>>;
+
+ public:
+  static constexpr int kBlades = kBatchLanes<R>;
+
+  void begin(const RotorInput<T>& in) { in_ = blade_group_detail::in_every_lane(in); }
+
+  // Blades at the azimuths from `first`.
+  TILTROTOR_NOINLINE void compute(const Configuration<R>& c, const AzimuthStations<R>& azimuth, int first) {
+    const Batch<R> cosine = blade_group_detail::load_batch(azimuth.cosine + first);
+    const Batch<R> sine = blade_group_detail::load_batch(azimuth.sine + first);
+    const Batch<R> flap = flap_angle(in_, cosine, sine);
+    const BladeFlow<Batch<R>> flow = blade_flow(c, in_, sin(flap), cos(flap), cosine, sine);
+    if constexpr (kTakesSlopes) {
+      loads_ = blade_loads_and_slopes(c, flow);
+    } else {
+      loads_ = blade_loads(c, flow);
+    }
+  }
+
+  // Loads of one blade of the group, seeing `flow`.
+  BladeLoads<T> loads(const Configuration<R>&, int lane, const BladeFlow<T>& flow) const {
+    BladeLoads<T> one;
+    if constexpr (kTakesSlopes) {
+      T waist[BladeFlow<T>::kCount];
+      flatten(flow, waist);
+      const Lanes* from = &loads_.normal;
+      BladeLoads<T>::each(one, [&](T& x) { x = chained_lane(*from++, lane, waist); });
+    } else {
+      one = {loads_.normal.get(lane), loads_.tangential.get(lane), loads_.normal_moment.get(lane),
+             loads_.tangential_moment.get(lane)};
+    }
+    return one;
+  }
+
+ private:
+  static T chained_lane(const Lanes& load, int lane, const T* waist) {
+    R slope[BladeFlow<T>::kCount];
+    for (int j = 0; j < BladeFlow<T>::kCount; ++j) slope[j] = load.d.get(j).get(lane);
+    return chain(load.v.get(lane), slope, waist);
+  }
+
+  RotorInput<Batch<R>> in_;
+  BladeLoads<Lanes> loads_;
+};
+
+// Complex numbers go through the blade themselves, one after the other.
+template <class R>
+class BladeGroup<std::complex<R>> {
+  using T = std::complex<R>;
+
+ public:
+  static constexpr int kBlades = 1;
+  void begin(const RotorInput<T>&) {}
+  void compute(const Configuration<R>&, const AzimuthStations<R>&, int) {}
+  BladeLoads<T> loads(const Configuration<R>& c, int, const BladeFlow<T>& flow) const {
+    return blade_loads(c, flow);
+  }
+};
+
+}  // namespace tiltrotor

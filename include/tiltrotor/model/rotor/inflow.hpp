@@ -1,0 +1,81 @@
+// Three-state Pitt-Peters dynamic inflow in the angle-free hub-axis form: Pitt and Peters, Vertica 5 (1981);
+// Peters and HaQuang, J. AHS 33 (1988).
+//
+// All quantities in the rotor frame A, over tip speed. The wake skew enters through the vector
+// (X_c, X_s) = (mu_x, mu_y) / (V_T + lambda_+), of length tan(chi/2) pointing downstream: no angle, no
+// division by the advance ratio, finite derivatives in hover.
+#pragma once
+
+#include "tiltrotor/math/smooth.hpp"
+#include "tiltrotor/model/configuration.hpp"
+
+namespace tiltrotor {
+
+template <class T>
+struct InflowForcing {
+  T c0, cc, cs;        // thrust and load-harmonic coefficients, aerodynamic loads only
+  T mu_x, mu_y, mu_z;  // in-plane wind (direction of the air), axial speed (+ climb)
+};
+
+template <class T>
+struct InflowRates {
+  T lambda_0, lambda_c, lambda_s;  // 1/s
+};
+
+// Inverse gain matrix in hub axes: rows and columns (0, c, s). `kappa` scales the mean gain L00 = kappa/2.
+template <class T>
+struct InflowGainInverse {
+  T inv_00, inv_0c, inv_0s, inv_c0, inv_s0, inv_cc, inv_cs, inv_ss;
+};
+
+template <class T>
+InflowGainInverse<T> inflow_gain_inverse(const T& xc, const T& xs, Real<T> kappa) {
+  using R = Real<T>;
+  const R k = R(15) * kPi<R> / R(64);
+  const T x2 = xc * xc + xs * xs;
+  // Determinant of the (0, downstream) block; at least 0.54 for kappa = 1 and |X| <= 1.
+  const T d = kappa * (R(1) - x2) + k * k * x2;
+  const T inverse_d = R(1) / d;
+  const T isotropic = R(1) / (R(2) * (R(1) + x2));
+  const T directed = (R(2) * kappa - k * k) * inverse_d * isotropic;
+  InflowGainInverse<T> m;
+  m.inv_00 = R(2) * (R(1) - x2) * inverse_d;
+  m.inv_0c = k * xc * inverse_d;
+  m.inv_0s = k * xs * inverse_d;
+  m.inv_c0 = -m.inv_0c;
+  m.inv_s0 = -m.inv_0s;
+  m.inv_cc = isotropic + directed * xc * xc;
+  m.inv_cs = directed * xc * xs;
+  m.inv_ss = isotropic + directed * xs * xs;
+  return m;
+}
+
+// n' = Omega M^-1 [ C - diag(V_T, V_m, V_m) L^-1 n ]
+template <class T>
+TILTROTOR_NOINLINE InflowRates<T> inflow_rates(const Configuration<Real<T>>& c, const RotorState<T>& x,
+                                               const InflowForcing<T>& f) {
+  using R = Real<T>;
+  const SmoothingWidths<R>& e = c.aircraft->smooth;
+  const R omega = c.setup.rotor_speed;
+  const R m0 = c.apparent_mass_0;
+  const R m1 = c.aircraft->inflow.apparent_mass_cyclic;
+
+  const T through = f.mu_z + x.lambda_0;  // total through-flow, positive down through the disk
+  const T in_plane2 = f.mu_x * f.mu_x + f.mu_y * f.mu_y;
+  const T vt = sqrt(in_plane2 + through * through + square(e.inflow_speed));
+  const T vm = (in_plane2 + through * (through + x.lambda_0)) / vt;
+
+  if (c.setup.options.inflow == InflowShape::uniform) {
+    return {(omega / m0) * (f.c0 - (R(2) / c.induced_power_factor) * vt * x.lambda_0), R(0) * x.lambda_c,
+            R(0) * x.lambda_s};
+  }
+  const T inverse_skew = R(1) / (vt + smooth_positive(through, e.through_flow));
+  const InflowGainInverse<T> g =
+      inflow_gain_inverse(T(f.mu_x * inverse_skew), T(f.mu_y * inverse_skew), c.induced_power_factor);
+  return {
+      (omega / m0) * (f.c0 - vt * (g.inv_00 * x.lambda_0 + g.inv_0c * x.lambda_c + g.inv_0s * x.lambda_s)),
+      (omega / m1) * (f.cc - vm * (g.inv_c0 * x.lambda_0 + g.inv_cc * x.lambda_c + g.inv_cs * x.lambda_s)),
+      (omega / m1) * (f.cs - vm * (g.inv_s0 * x.lambda_0 + g.inv_cs * x.lambda_c + g.inv_ss * x.lambda_s))};
+}
+
+}  // namespace tiltrotor

@@ -1,0 +1,68 @@
+// What a rotor sees of the aircraft, and what one of its blades sees of that.
+#pragma once
+
+#include "tiltrotor/math/vector.hpp"
+#include "tiltrotor/model/rotor/blade_element.hpp"
+#include "tiltrotor/model/variables/state.hpp"
+
+namespace tiltrotor {
+
+template <class T>
+struct RotorInput {
+  Vec3<T> velocity;  // hub relative to the air, m/s
+  Vec3<T> rates;     // of the hub frame, rad/s
+  RotorState<T> state;
+  ConingState<T> coning;
+  T collective;      // blade pitch at the reference radius, rad
+  T lateral_cyclic;  // A1: pitch = ... - A1 cos psi - B1 sin psi, rad
+  T long_cyclic;     // B1
+
+  static constexpr int kCount = 18;
+  template <class Self, class Visit>
+  static void each(Self& s, Visit&& visit) {
+    Vec3<T>::each(s.velocity, visit);
+    Vec3<T>::each(s.rates, visit);
+    visit(s.state.b1c);
+    visit(s.state.b1s);
+    visit(s.state.b1c_rate);
+    visit(s.state.b1s_rate);
+    visit(s.state.lambda_0);
+    visit(s.state.lambda_c);
+    visit(s.state.lambda_s);
+    visit(s.coning.angle);
+    visit(s.coning.rate);
+    visit(s.collective);
+    visit(s.lateral_cyclic);
+    visit(s.long_cyclic);
+  }
+};
+
+// Flap angle of the blade at one azimuth.
+template <class T, class Plain>
+T flap_angle(const RotorInput<T>& in, const Plain& cosine, const Plain& sine) {
+  return in.coning.angle + in.state.b1c * cosine + in.state.b1s * sine;
+}
+
+// Flow seen by the blade at one azimuth, no small angles.
+// `cosine`, `sine`: of the azimuth, a plain number or a pack of blades.
+template <class T, class Plain>
+BladeFlow<T> blade_flow(const Configuration<Real<T>>& c, const RotorInput<T>& in, const T& sin_flap,
+                        const T& cos_flap, const Plain& cosine, const Plain& sine) {
+  using R = Real<T>;
+  const R omega = c.setup.rotor_speed;
+  const RotorState<T>& x = in.state;
+  const T gimbal = x.b1c * cosine + x.b1s * sine;
+  const T flap_rate =
+      in.coning.rate + x.b1c_rate * cosine + x.b1s_rate * sine + omega * (x.b1s * cosine - x.b1c * sine);
+  BladeFlow<T> flow;
+  flow.tangential_0 = in.velocity.y * cosine - in.velocity.x * sine;
+  flow.tangential_r = cos_flap * (omega + in.rates.z) - sin_flap * (in.rates.x * cosine + in.rates.y * sine);
+  flow.normal_0 = cos_flap * (in.velocity.z + c.tip_speed * x.lambda_0) -
+                  sin_flap * (in.velocity.x * cosine + in.velocity.y * sine);
+  flow.normal_r = flap_rate + in.rates.x * sine - in.rates.y * cosine +
+                  cos_flap * (omega * (x.lambda_c * cosine + x.lambda_s * sine));
+  flow.pitch = in.collective - in.lateral_cyclic * cosine - in.long_cyclic * sine - c.pitch_flap * gimbal;
+  return flow;
+}
+
+}  // namespace tiltrotor

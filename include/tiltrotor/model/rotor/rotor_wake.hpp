@@ -1,0 +1,106 @@
+// Rotor wake on one half wing: immersed area and where it lies, from the geometry of a contracting skewed
+// vortex cylinder (on-axis speed of a semi-infinite vortex tube, radius by continuity), or from the empirical
+// law of the source.
+#pragma once
+
+#include "tiltrotor/model/airframe/airflow.hpp"
+
+namespace tiltrotor {
+
+template <class T>
+struct ImmersedWing {
+  T area;     // m^2
+  T lateral;  // distance of its centroid from the centre line, m
+  T wash;     // K_w v0: speed of the wash on it along the nacelle axis, m/s
+};
+
+// Smooth speed fade of the geometric wake below mast 60, gone at mast 90: calibration, see choices.csv.
+template <class T>
+T wake_fade(const Configuration<Real<T>>& c, const T& speed) {
+  using R = Real<T>;
+  if (!c.setup.options.wake_fade) return T(R(1));
+  const WakeTables<R>& w = c.aircraft->wake;
+  const R by_mast =
+      smooth_step((c.setup.mast_deg - w.fade_mast_start) / (w.fade_mast_end - w.fade_mast_start));
+  const T by_speed = smooth_step(T((speed - w.fade_start) * (R(1) / (w.fade_end - w.fade_start))));
+  return R(1) - (R(1) - by_mast) * by_speed;
+}
+
+// Lateral centroid of the immersed part in the empirical model: that of the half wing.
+template <class T>
+ImmersedWing<T> empirical_immersed_wing(const Configuration<Real<T>>& c, const AirframeInput<T>& in,
+                                        int side) {
+  using R = Real<T>;
+  const WakeTables<R>& w = c.aircraft->wake;
+  const R upright = kPi<R> / R(2) - c.mast;
+  const R shape = sin(w.gtrs_angle_a * upright) + cos(w.gtrs_angle_b * upright);
+  const R scale = shape > R(0) ? w.gtrs_area * shape : R(0);
+  const T speed = total_speed(in.velocity, c.aircraft->smooth.airspeed);
+  const T remaining =
+      smooth_positive(T(R(1) - speed * (R(1) / w.gtrs_end_speed)), c.aircraft->smooth.wake_cut);
+  const R half_area = c.aircraft->wing.area / R(2);
+  ImmersedWing<T> out;
+  out.area = smooth_min(T(scale * remaining), half_area, c.aircraft->smooth.wake_cut * half_area);
+  out.lateral = T(c.aircraft->wing.bl);
+  out.wash = w.wash_factor * in.mean_wash[side];
+  return out;
+}
+
+template <class T>
+TILTROTOR_NOINLINE ImmersedWing<T> geometric_immersed_wing(const Configuration<Real<T>>& c,
+                                                           const AirframeInput<T>& in, int side) {
+  using R = Real<T>;
+  const WakeTables<R>& w = c.aircraft->wake;
+  const WingTables<R>& wing = c.aircraft->wing;
+  const SmoothingWidths<R>& e = c.aircraft->smooth;
+  const R sigma = side_sign<R>(side);
+  const R radius = c.aircraft->rotor.radius;
+  const Vec3<R>& axis = c.nacelle_axis;
+  const T& v0 = in.mean_wash[side];
+
+  // Direction of the wake axis: wind relative to the aircraft plus the wash between disk and far wake.
+  const Vec3<R>& hub = c.hub[side].arm;
+  const Vec3<T> hub_velocity = in.velocity + rate_cross_arm(in.rates, hub);
+  const Vec3<T> wind = T(R(-1)) * hub_velocity - along(T(w.axis_speed_factor * v0), axis);
+  const T inverse = R(1) / sqrt(dot(wind, wind) + square(e.wake_axis));
+  const Vec3<T> d = inverse * wind;
+  const T inverse_plane = R(1) / sqrt(d.x * d.x + d.z * d.z + square(e.wake_plane));
+
+  // Closest approach to the quarter-chord line of the half wing, seen in the plane of symmetry.
+  const Vec3<R> line = station_arm(c.mass, wing.sl, R(0), wing.wl);
+  const R dx = line.x - hub.x;
+  const R dz = line.z - hub.z;
+  const T downstream = (dx * d.x + dz * d.z) * inverse_plane;
+  const T miss = (dx * d.z - dz * d.x) * inverse_plane;
+  const T centre = sigma * hub.y + sigma * (downstream * d.y * inverse_plane);
+
+  // Contraction: K(s) v0 on the axis, radius by continuity.
+  const T s = smooth_positive(downstream, e.wake_distance * radius) * (R(1) / radius);
+  const T k = R(1) + s / sqrt(R(1) + s * s);
+  const T axial = component(hub_velocity, axis);
+  const T flow_ratio =
+      smooth_positive(T(axial + v0), e.wake_radius) / smooth_positive(T(axial + k * v0), e.wake_radius);
+  const T wake_radius2 = square(radius) * flow_ratio;
+
+  const R cut = e.wake_cut * radius;
+  const T half_width = sqrt(smooth_positive(T(wake_radius2 - miss * miss), cut * cut));
+  const R tip = wing.span / R(2);
+  const T inner = smooth_clip(T(centre - half_width), w.fuselage_side, tip, cut);
+  const T outer = smooth_clip(T(centre + half_width), w.fuselage_side, tip, cut);
+  const T enters = smooth_step(T(downstream * (R(1) / (e.wake_start * radius))));
+
+  ImmersedWing<T> out;
+  out.area = wing.chord * (outer - inner) * enters * wake_fade(c, total_speed(in.velocity, e.airspeed));
+  out.lateral = R(0.5) * (outer + inner);
+  out.wash = c.setup.options.wash == WashFactor::constant ? w.wash_factor * v0 : k * v0;
+  return out;
+}
+
+// Immersed part of the half wing on `side`. `lateral` counts outboard from the centre line.
+template <class T>
+ImmersedWing<T> immersed_wing(const Configuration<Real<T>>& c, const AirframeInput<T>& in, int side) {
+  return c.setup.options.wake == WakeModel::geometric ? geometric_immersed_wing(c, in, side)
+                                                      : empirical_immersed_wing(c, in, side);
+}
+
+}  // namespace tiltrotor
