@@ -17,8 +17,8 @@ namespace {
 using tiltrotor::Axis;
 using tiltrotor::Dual;
 using tiltrotor::grid_point;
-using tiltrotor::Interpolation;
 using tiltrotor::GridPoint;
+using tiltrotor::Interpolation;
 using tiltrotor::Table;
 
 constexpr Interpolation kModes[] = {Interpolation::c1, Interpolation::linear};
