@@ -7,7 +7,17 @@ MEASURED   := $(filter-out %/bench_instructions $(BUILD)/bench_peers_%,$(BENCHMA
 
 bench: $(MEASURED) ## measure speed, print the timing tables
 	$(Q)set -e; for benchmark in $(MEASURED); do $$benchmark $(BUILD)/bench; done
+	+$(Q)$(beside_clang)
 	@echo; echo "$(abspath $(BUILD))/bench/results.csv"
+
+# The model once more, by clang++ where it is installed, and its times over those of this compiler.
+CLANG_BUILD := $(BUILD)/bench/clang++
+beside_clang = if [ '$(CXX)' != g++ ] || ! command -v clang++ >/dev/null; then echo "bench: no clang++ beside $(CXX)"; \
+	else set -e; mkdir -p $(CLANG_BUILD)/bench; \
+	  $(MAKE) --no-print-directory BUILD=$(CLANG_BUILD) CXX=clang++ CC=clang $(CLANG_BUILD)/bench_model; \
+	  $(CLANG_BUILD)/bench_model $(CLANG_BUILD)/bench; echo; echo " clang++ over $(CXX)"; \
+	  awk -F, 'NR == FNR { time[$$1] = $$2; next } $$3 == "us" && $$1 in time { printf "  %-44s %12.3f -\n", $$1, $$2 / time[$$1] }' \
+	    $(BUILD)/bench/results.csv $(CLANG_BUILD)/bench/results.csv; fi
 
 # ---- other libraries, measured side by side when they are installed ----
 
@@ -54,14 +64,24 @@ endef
 
 # ---- instructions: independent of load and clock, hence a check for every change ----
 
-# One instruction set and one compiler (g++ 12) make the counts comparable; valgrind knows no AVX-512.
-# After a change that is meant: cp build/bench/instructions.csv bench/limits.csv
+# One instruction set and one version of a compiler make counts comparable; valgrind knows no AVX-512.
+# After a change that is meant: cp build/bench/g++/instructions.csv bench/limits.csv, and clang++ alike.
 COUNTED := $(BUILD)/instructions
 
-bench-instructions: ## count instructions and compare with bench/limits.csv
+COUNTERS := g++:12:limits.csv clang++:14:limits_clang.csv
+
+bench-instructions: ## count instructions with g++ and clang++, compare with bench/limits.csv and limits_clang.csv
 	+$(Q)if ! tests/tool.sh bench-instructions valgrind valgrind; then :; \
-	elif [ "$$($(CXX) -dumpversion)" != 12 ]; then \
-	  echo "bench-instructions: the limits are for g++ 12 (Debian: g++-12), not for $(CXX), nothing counted"; \
 	elif [ "$$(uname -m)" != x86_64 ]; then echo "bench-instructions: the limits are for x86-64, nothing counted"; \
-	else $(MAKE) --no-print-directory BUILD=$(COUNTED) ARCH=x86-64-v3 CXXFLAGS=-O3 $(COUNTED)/bench_instructions && \
-	  bench/count_instructions.sh $(COUNTED)/bench_instructions bench/limits.csv $(BUILD)/bench; fi
+	else set -e; $(foreach counter,$(COUNTERS),$(call count_with,$(subst :, ,$(counter)))) :; fi
+
+# $(call count_with,COMPILER VERSION LIMITS)
+define count_with
+	version=$$($(word 1,$(1)) -dumpversion 2>/dev/null || echo none); \
+	if [ "$${version%%.*}" != $(word 2,$(1)) ]; then \
+	  echo "bench-instructions: bench/$(word 3,$(1)) is for $(word 1,$(1)) $(word 2,$(1)), found: $$version, nothing counted"; \
+	else echo "  $(word 1,$(1)) $$version"; \
+	  $(MAKE) --no-print-directory BUILD=$(COUNTED)/$(word 1,$(1)) CXX='$(word 1,$(1))' ARCH=x86-64-v3 \
+	    CXXFLAGS=-O3 $(COUNTED)/$(word 1,$(1))/bench_instructions; \
+	  bench/count_instructions.sh $(COUNTED)/$(word 1,$(1))/bench_instructions bench/$(word 3,$(1)) $(BUILD)/bench/$(word 1,$(1)); fi;
+endef

@@ -11,10 +11,10 @@ namespace tiltrotor {
 
 template <class R, class Policy = DefaultDifferentiation>
 struct TrimWorkspace {
-  static constexpr int kDirections =
-      kMaxTrimUnknowns < kModelDirections ? kMaxTrimUnknowns : kModelDirections;
-  using Seeded = typename Policy::template Scalar<R, kDirections>;
-  typename Policy::template Workspace<R, kDirections, kMaxTrimUnknowns, kMaxTrimUnknowns> differentiation;
+  // As many directions as every other analysis takes: a second width would be a second copy of the model.
+  using Seeded = typename Policy::template Scalar<R, kModelDirections>;
+  typename Policy::template Workspace<R, kModelDirections, kMaxTrimUnknowns, kMaxTrimUnknowns>
+      differentiation;
   ModelRooms<R, Seeded> rooms;
   TrimEquations<R> equations;
   Matrix<R, kMaxTrimUnknowns, kMaxTrimUnknowns> jacobian;

@@ -23,6 +23,8 @@ struct Dual {
   Dual() = default;
   Dual(R x) : v(x), d(Partials<R, N>::zero()) {}  // NOLINT(google-explicit-constructor): a constant
   Dual(R x, const Partials<R, N>& dx) : v(x), d(dx) {}
+  template <class Group>
+  Dual(R x, const PartialsRule<R, N, Group>& dx) : v(x), d(dx) {}
 
   // The independent variable number `direction`.
   static Dual variable(R x, int direction) {
@@ -58,8 +60,16 @@ struct Dual {
     return {quotient, scaled(-quotient / b.v, b.d)};
   }
 
-  Dual& operator+=(const Dual& b) { return *this = *this + b; }
-  Dual& operator-=(const Dual& b) { return *this = *this - b; }
+  Dual& operator+=(const Dual& b) {
+    d = d + b.d;
+    v = v + b.v;
+    return *this;
+  }
+  Dual& operator-=(const Dual& b) {
+    d = d - b.d;
+    v = v - b.v;
+    return *this;
+  }
   Dual& operator*=(const Dual& b) { return *this = *this * b; }
   Dual& operator*=(R b) { return *this = *this * b; }
 };

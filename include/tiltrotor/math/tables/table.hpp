@@ -123,7 +123,11 @@ TILTROTOR_INLINE T evaluate(const Axis<Real<T>>* axis, const Real<T>* block, con
   V number[1 << Smooth][1 << Smooth];
   cell.load(number);
   V c[power_of_4(Smooth)];
-  unrolled<power_of_4(Smooth)>([&](auto k) { c[k] = number[even_bits(k)][even_bits(k >> 1)]; });
+  unrolled<power_of_4(Smooth)>([&](auto k) {
+    constexpr int corner = even_bits(decltype(k)::value);
+    constexpr int kind = even_bits(decltype(k)::value >> 1);
+    c[k] = number[corner][kind];
+  });
   if constexpr (ScalarTraits<T>::kTakesSlopes) {
     // Value and slopes in plain numbers; the partials of the arguments are touched once.
     V slope[Smooth];
