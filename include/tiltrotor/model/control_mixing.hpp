@@ -11,8 +11,8 @@ namespace tiltrotor {
 // speed. Forward stick: disks forward, elevator down. Right stick: left rotor up, right aileron up. Right
 // pedal: left disk forward, right disk aft, rudder for nose right.
 template <class T>
-TILTROTOR_NOINLINE BladeControls<T> mix_controls(const Configuration<Real<T>>& c, const Controls<T>& u,
-                                                 const Vec3<T>& velocity) {
+BladeControls<T> mix_controls(const Configuration<Real<T>>& c, const Controls<T>& u,
+                              const Vec3<T>& velocity) {
   using R = Real<T>;
   const Gearing<R>& g = c.gearing;
   const ControlTables<R>& t = c.aircraft->controls;

@@ -21,9 +21,8 @@ struct RigidBodyRates {
 // `total`: aerodynamic force and moment about the CG; weight is added here. Euler rates are singular at 90
 // deg pitch.
 template <class T>
-TILTROTOR_NOINLINE RigidBodyRates<T> rigid_body(const MassProperties<Real<T>>& mass, const Vec3<T>& v,
-                                                const Vec3<T>& w, const T& roll, const T& pitch, const T& yaw,
-                                                const Loads<T>& total) {
+RigidBodyRates<T> rigid_body(const MassProperties<Real<T>>& mass, const Vec3<T>& v, const Vec3<T>& w,
+                             const T& roll, const T& pitch, const T& yaw, const Loads<T>& total) {
   using R = Real<T>;
   const R g = kGravity<R>;
   const R inverse_mass = R(1) / mass.mass;

@@ -21,8 +21,8 @@ T body_sidewash(const Configuration<Real<T>>& c, const FreeStream<T>& stream) {
 }
 
 template <class T>
-TILTROTOR_NOINLINE Loads<T> fin_loads(const Configuration<Real<T>>& c, const AirframeInput<T>& in,
-                                      const FreeStream<T>& stream, const T& wash_ratio, int side) {
+Loads<T> fin_loads(const Configuration<Real<T>>& c, const AirframeInput<T>& in, const FreeStream<T>& stream,
+                   const T& wash_ratio, int side) {
   using R = Real<T>;
   const FinTables<R>& f = c.aircraft->fin;
   const SmoothingWidths<R>& e = c.aircraft->smooth;

@@ -7,8 +7,8 @@
 namespace tiltrotor {
 
 template <class T>
-TILTROTOR_NOINLINE Loads<T> fuselage_loads(const Configuration<Real<T>>& c, const AirframeInput<T>& in,
-                                           const FreeStream<T>& stream) {
+Loads<T> fuselage_loads(const Configuration<Real<T>>& c, const AirframeInput<T>& in,
+                        const FreeStream<T>& stream) {
   using R = Real<T>;
   const FuselageTables<R>& f = c.aircraft->fuselage;
   const Interpolation mode = c.setup.options.tables;

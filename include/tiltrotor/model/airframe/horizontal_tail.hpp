@@ -7,9 +7,8 @@
 namespace tiltrotor {
 
 template <class T>
-TILTROTOR_NOINLINE Loads<T> horizontal_tail_loads(const Configuration<Real<T>>& c, const AirframeInput<T>& in,
-                                                  const FreeStream<T>& stream, const T& wash_ratio,
-                                                  const T& downwash) {
+Loads<T> horizontal_tail_loads(const Configuration<Real<T>>& c, const AirframeInput<T>& in,
+                               const FreeStream<T>& stream, const T& wash_ratio, const T& downwash) {
   using R = Real<T>;
   const HorizontalTailTables<R>& h = c.aircraft->htail;
   const SmoothingWidths<R>& e = c.aircraft->smooth;

@@ -8,7 +8,7 @@ namespace tiltrotor {
 
 // Both spinners at hub height: drag area grows with sin^3 of the angle between mast and flow.
 template <class T>
-TILTROTOR_NOINLINE Loads<T> spinner_loads(const Configuration<Real<T>>& c, const AirframeInput<T>& in) {
+Loads<T> spinner_loads(const Configuration<Real<T>>& c, const AirframeInput<T>& in) {
   using R = Real<T>;
   const SmoothingWidths<R>& e = c.aircraft->smooth;
   const PylonTables<R>& p = c.aircraft->pylon;
@@ -26,8 +26,7 @@ TILTROTOR_NOINLINE Loads<T> spinner_loads(const Configuration<Real<T>>& c, const
 
 // Interference drag of both pylons along the mean flow of the immersed wing parts, at the conversion axis.
 template <class T>
-TILTROTOR_NOINLINE Loads<T> pylon_interference_loads(const Configuration<Real<T>>& c,
-                                                     const WingInWake<T> (&wake)[2]) {
+Loads<T> pylon_interference_loads(const Configuration<Real<T>>& c, const WingInWake<T> (&wake)[2]) {
   using R = Real<T>;
   const R area = lookup(c.aircraft->pylon.interference, Interpolation::linear, c.setup.mast_deg);
   const T pressure = R(0.5) * (wake[right].pressure + wake[left].pressure);
@@ -38,7 +37,7 @@ TILTROTOR_NOINLINE Loads<T> pylon_interference_loads(const Configuration<Real<T>
 
 // Side force of the pylons as lateral flat plates.
 template <class T>
-TILTROTOR_NOINLINE Loads<T> pylon_side_loads(const Configuration<Real<T>>& c, const AirframeInput<T>& in) {
+Loads<T> pylon_side_loads(const Configuration<Real<T>>& c, const AirframeInput<T>& in) {
   using R = Real<T>;
   const SmoothingWidths<R>& e = c.aircraft->smooth;
   const PylonTables<R>& p = c.aircraft->pylon;

@@ -8,7 +8,7 @@ namespace tiltrotor {
 
 // Ratio of the wash at the tail to the mean wash at the disk; negative means upwash between the wakes.
 template <class T>
-TILTROTOR_NOINLINE T tail_wash_ratio(const Configuration<Real<T>>& c, const FreeStream<T>& stream) {
+T tail_wash_ratio(const Configuration<Real<T>>& c, const FreeStream<T>& stream) {
   using R = Real<T>;
   const HorizontalTailTables<R>& h = c.aircraft->htail;
   const Interpolation mode = c.setup.options.tables;

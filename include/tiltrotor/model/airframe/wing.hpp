@@ -14,7 +14,7 @@ struct LateralCoefficients {
   T roll, yaw;
 };
 
-// The result, and what leads to it: kept here rather than on the stack, where with partials it takes 8 kB.
+// The loads, and what leads to them.
 template <class T>
 struct FreeWing {
   T alpha;       // alpha_WFS: free-stream angle less the deflection by the rotors' wakes, rad, -pi..pi
@@ -28,9 +28,9 @@ struct FreeWing {
 };
 
 template <class T>
-TILTROTOR_NOINLINE void wing_lateral_coefficients(const Configuration<Real<T>>& c, const AirframeInput<T>& in,
-                                                  const FreeStream<T>& stream, const T& beta,
-                                                  const WingCoefficients<T>& k, LateralCoefficients<T>& out) {
+LateralCoefficients<T> wing_lateral_coefficients(const Configuration<Real<T>>& c, const AirframeInput<T>& in,
+                                                 const FreeStream<T>& stream, const T& beta,
+                                                 const WingCoefficients<T>& k) {
   using R = Real<T>;
   const WingTables<R>& w = c.aircraft->wing;
   const R aspect = c.wing.aspect_ratio;
@@ -55,8 +55,8 @@ TILTROTOR_NOINLINE void wing_lateral_coefficients(const Configuration<Real<T>>& 
   const T p_wind = in.rates.x * ca * cbeta + in.rates.y * sb + in.rates.z * sa * cbeta;
   const T r_wind = in.rates.z * ca - in.rates.x * sa;
   const T half_span_over_speed = (w.span / R(2)) / total_speed(in.velocity, c.aircraft->smooth.rate_speed);
-  out.roll = roll_beta * beta + half_span_over_speed * (roll_p * p_wind + roll_r * r_wind);
-  out.yaw = yaw_beta * beta + half_span_over_speed * (yaw_p * p_wind + yaw_r * r_wind);
+  return {roll_beta * beta + half_span_over_speed * (roll_p * p_wind + roll_r * r_wind),
+          yaw_beta * beta + half_span_over_speed * (yaw_p * p_wind + yaw_r * r_wind)};
 }
 
 // Aileron effectiveness fade: 1 up to 8 deg of wing angle, 0 beyond 25 deg. The plain |alpha| is safe because
@@ -90,8 +90,7 @@ namespace wing_detail {
 
 // Angles and pressure, with the deflection of the free stream by the rotors (K_XRW).
 template <class T>
-TILTROTOR_NOINLINE void free_wing_flow(const Configuration<Real<T>>& c, const AirframeInput<T>& in,
-                                       FreeWing<T>& out) {
+void free_wing_flow(const Configuration<Real<T>>& c, const AirframeInput<T>& in, FreeWing<T>& out) {
   using R = Real<T>;
   const WingTables<R>& w = c.aircraft->wing;
   const SmoothingWidths<R>& e = c.aircraft->smooth;
@@ -107,8 +106,8 @@ TILTROTOR_NOINLINE void free_wing_flow(const Configuration<Real<T>>& c, const Ai
 
 // Lift, drag and the loss by the ailerons, on both halves.
 template <class T>
-TILTROTOR_NOINLINE void free_wing_forces(const Configuration<Real<T>>& c, const AirframeInput<T>& in,
-                                         const WingInWake<T> (&wake)[2], FreeWing<T>& out) {
+void free_wing_forces(const Configuration<Real<T>>& c, const AirframeInput<T>& in,
+                      const WingInWake<T> (&wake)[2], FreeWing<T>& out) {
   using R = Real<T>;
   const WingTables<R>& w = c.aircraft->wing;
   const T lift_per_area = out.pressure * out.coefficients.lift;
@@ -123,9 +122,8 @@ TILTROTOR_NOINLINE void free_wing_forces(const Configuration<Real<T>>& c, const 
 
 // Moments by sideslip, rates, ailerons and camber.
 template <class T>
-TILTROTOR_NOINLINE void add_free_wing_moments(const Configuration<Real<T>>& c, const AirframeInput<T>& in,
-                                              const FreeStream<T>& stream, const WingInWake<T> (&wake)[2],
-                                              FreeWing<T>& out) {
+void add_free_wing_moments(const Configuration<Real<T>>& c, const AirframeInput<T>& in,
+                           const FreeStream<T>& stream, const WingInWake<T> (&wake)[2], FreeWing<T>& out) {
   using R = Real<T>;
   const WingTables<R>& w = c.aircraft->wing;
   const T wake_pressure = R(0.5) * (wake[right].pressure + wake[left].pressure);
@@ -143,12 +141,11 @@ TILTROTOR_NOINLINE void add_free_wing_moments(const Configuration<Real<T>>& c, c
 
 // Downwash at the tail, compressibility-corrected.
 template <class T>
-TILTROTOR_NOINLINE void wing_downwash(const Configuration<Real<T>>& c, const FreeStream<T>& stream,
-                                      FreeWing<T>& out) {
+T wing_downwash(const Configuration<Real<T>>& c, const FreeStream<T>& stream, const T& alpha) {
   using R = Real<T>;
-  const T alpha_deg[1] = {out.alpha * kDegPerRad<R>};
-  out.downwash = lookup(c.aircraft->wing.downwash, c.setup.options.tables, c.downwash_mast_flap, alpha_deg) /
-                 sqrt(R(1) - stream.mach * stream.mach);
+  const T alpha_deg[1] = {alpha * kDegPerRad<R>};
+  return lookup(c.aircraft->wing.downwash, c.setup.options.tables, c.downwash_mast_flap, alpha_deg) /
+         sqrt(R(1) - stream.mach * stream.mach);
 }
 
 }  // namespace wing_detail
@@ -158,22 +155,15 @@ void free_wing(const Configuration<Real<T>>& c, const AirframeInput<T>& in, cons
                const WingInWake<T> (&wake)[2], FreeWing<T>& out) {
   using R = Real<T>;
   wing_detail::free_wing_flow(c, in, out);
-  wing_coefficients(c, out.alpha, stream.mach, out.coefficients);
+  out.coefficients = wing_coefficients(c, out.alpha, stream.mach);
   const R rotor_lift = c.setup.options.rotor_lift_on_wing
                            ? R(2) * c.aircraft->wing.rotor_wash_lift * square(cos(c.mast))
                            : R(0);  // rotor-induced lift (K_RW)
   out.coefficients.lift = out.coefficients.lift * (R(1) + rotor_lift * out.rotor_wash);
   wing_detail::free_wing_forces(c, in, wake, out);
-  wing_lateral_coefficients(c, in, stream, out.beta, out.coefficients, out.lateral);
+  out.lateral = wing_lateral_coefficients(c, in, stream, out.beta, out.coefficients);
   wing_detail::add_free_wing_moments(c, in, stream, wake, out);
-  wing_detail::wing_downwash(c, stream, out);
-}
-template <class T>
-FreeWing<T> free_wing(const Configuration<Real<T>>& c, const AirframeInput<T>& in,
-                      const FreeStream<T>& stream, const WingInWake<T> (&wake)[2]) {
-  FreeWing<T> out;
-  free_wing(c, in, stream, wake, out);
-  return out;
+  out.downwash = wing_detail::wing_downwash(c, stream, out.alpha);
 }
 
 }  // namespace tiltrotor

@@ -11,8 +11,6 @@ struct WingCoefficients {
   T lift, drag;
 };
 
-namespace wing_coefficients_detail {
-
 // Value of one flap setting or the blend of two.
 template <class T, class At>
 T blend_flaps(const WingConstants<Real<T>>& w, At&& at) {
@@ -21,8 +19,6 @@ T blend_flaps(const WingConstants<Real<T>>& w, At&& at) {
   if (w.flap_fraction == R(1)) return at(w.flap_above);
   return (R(1) - w.flap_fraction) * at(w.flap_below) + w.flap_fraction * at(w.flap_above);
 }
-
-}  // namespace wing_coefficients_detail
 
 // Weight of the mast-0 drag table. The difference to mast 90 is the cross-flow drag of the upright pylons, so
 // it goes with sin^3 of the angle between mast and flow: 1 at mast 0, 0 at mast 90, exact there.
@@ -48,8 +44,7 @@ T upright_pylon_weight(const Configuration<Real<T>>& c, const T& alpha) {
 }
 
 template <class T>
-TILTROTOR_NOINLINE void wing_coefficients(const Configuration<Real<T>>& c, const T& alpha, const T& mach,
-                                          WingCoefficients<T>& out) {
+WingCoefficients<T> wing_coefficients(const Configuration<Real<T>>& c, const T& alpha, const T& mach) {
   using R = Real<T>;
   const WingTables<R>& w = c.aircraft->wing;
   const Interpolation mode = c.setup.options.tables;
@@ -59,25 +54,12 @@ TILTROTOR_NOINLINE void wing_coefficients(const Configuration<Real<T>>& c, const
   const auto drag_0 = [&](int k) { return lookup(w.drag_0[k], mode, a); };
   const auto lift_90 = [&](int k) { return lookup(w.lift_90[k], mode, a, mach); };
   const auto drag_90 = [&](int k) { return lookup(w.drag_90[k], mode, a, mach); };
-  if (mast <= R(0)) {
-    out.lift = wing_coefficients_detail::blend_flaps<T>(c.wing, lift_0);
-    out.drag = wing_coefficients_detail::blend_flaps<T>(c.wing, drag_0);
-  } else if (mast >= R(1)) {
-    out.lift = wing_coefficients_detail::blend_flaps<T>(c.wing, lift_90);
-    out.drag = wing_coefficients_detail::blend_flaps<T>(c.wing, drag_90);
-  } else {
-    const T k0 = upright_pylon_weight(c, alpha);
-    out.lift = (R(1) - mast) * wing_coefficients_detail::blend_flaps<T>(c.wing, lift_0) +
-               mast * wing_coefficients_detail::blend_flaps<T>(c.wing, lift_90);
-    out.drag = k0 * wing_coefficients_detail::blend_flaps<T>(c.wing, drag_0) +
-               (R(1) - k0) * wing_coefficients_detail::blend_flaps<T>(c.wing, drag_90);
-  }
-}
-template <class T>
-WingCoefficients<T> wing_coefficients(const Configuration<Real<T>>& c, const T& alpha, const T& mach) {
-  WingCoefficients<T> out;
-  wing_coefficients(c, alpha, mach, out);
-  return out;
+  const auto blended = [&](const auto& at) { return blend_flaps<T>(c.wing, at); };
+  if (mast <= R(0)) return {blended(lift_0), blended(drag_0)};
+  if (mast >= R(1)) return {blended(lift_90), blended(drag_90)};
+  const T k0 = upright_pylon_weight(c, alpha);
+  return {(R(1) - mast) * blended(lift_0) + mast * blended(lift_90),
+          k0 * blended(drag_0) + (R(1) - k0) * blended(drag_90)};
 }
 
 }  // namespace tiltrotor

@@ -1,9 +1,8 @@
 // Aerodynamic load of one blade element and of one blade.
 //
-// At a given azimuth the flow along a blade is linear in radius, so five
-// numbers describe it whatever the state of the aircraft: BladeFlow. That is
-// the waist through which the derivatives of a blade pass; those of an element
-// pass through the three of ElementFlow.
+// At a given azimuth the flow along a blade is linear in radius, so five numbers describe it whatever the state
+// of the aircraft: BladeFlow. A blade is differentiated with respect to these five, an element with respect to
+// the three of ElementFlow.
 #pragma once
 
 #include "tiltrotor/math/differentiation/batch.hpp"
@@ -148,7 +147,7 @@ ElementFlow<T> element_flow(const BladeFlow<T>& flow, const BladeStation<Real<T>
 
 // Sum over the stations of one blade.
 template <class T>
-TILTROTOR_NOINLINE BladeLoads<T> blade_loads(const Configuration<Real<T>>& c, const BladeFlow<T>& flow) {
+BladeLoads<T> blade_loads(const Configuration<Real<T>>& c, const BladeFlow<T>& flow) {
   using R = Real<T>;
   BladeLoads<T> sum{T(R(0)), T(R(0)), T(R(0)), T(R(0))};
   each_element<T>(
@@ -166,8 +165,8 @@ TILTROTOR_NOINLINE BladeLoads<T> blade_loads(const Configuration<Real<T>>& c, co
 // linear in the radius, so the slopes of the sums are radial moments of the
 // slopes of the elements, which have three.
 template <class V>
-TILTROTOR_NOINLINE BladeLoads<Dual<V, BladeFlow<V>::kCount>> blade_loads_and_slopes(
-    const Configuration<Real<V>>& c, const BladeFlow<V>& flow) {
+BladeLoads<Dual<V, BladeFlow<V>::kCount>> blade_loads_and_slopes(const Configuration<Real<V>>& c,
+                                                                 const BladeFlow<V>& flow) {
   using R = Real<V>;
   using D = Dual<V, 3>;
   D normal[3] = {D(V(R(0))), D(V(R(0))), D(V(R(0)))};  // sums of the load times 1, r, r^2

@@ -19,8 +19,8 @@ struct FlapRates {
 // b1s'' = +2 Omega b1c' - (K b1s + C b1s' - Ms)/J - 2 Omega wy          J = N_b I_b / 2
 // The terms wy', -wx' of the hub's angular acceleration are added by the complete model when switched on.
 template <class T>
-TILTROTOR_NOINLINE FlapRates<T> flap_rates(const Configuration<Real<T>>& c, const RotorState<T>& x,
-                                           const Vec3<T>& hub_rates, const T& mc, const T& ms) {
+FlapRates<T> flap_rates(const Configuration<Real<T>>& c, const RotorState<T>& x, const Vec3<T>& hub_rates,
+                        const T& mc, const T& ms) {
   using R = Real<T>;
   const RotorTables<R>& rotor = c.aircraft->rotor;
   const R inverse_j = R(2) / (static_cast<R>(rotor.blades) * rotor.flap_inertia);
@@ -38,9 +38,8 @@ TILTROTOR_NOINLINE FlapRates<T> flap_rates(const Configuration<Real<T>>& c, cons
 // at zero tilt rate. The aerodynamic damping J Omega gamma/8 is that of a uniform blade with the aircraft's
 // mean lift slope.
 template <class T>
-TILTROTOR_NOINLINE FlapRates<T> quasi_static_flap_rates(const Configuration<Real<T>>& c,
-                                                        const RotorState<T>& x, const Vec3<T>& hub_rates,
-                                                        const T& mc_still, const T& ms_still) {
+FlapRates<T> quasi_static_flap_rates(const Configuration<Real<T>>& c, const RotorState<T>& x,
+                                     const Vec3<T>& hub_rates, const T& mc_still, const T& ms_still) {
   using R = Real<T>;
   const RotorTables<R>& rotor = c.aircraft->rotor;
   RotorState<T> still = x;

@@ -47,8 +47,8 @@ ImmersedWing<T> empirical_immersed_wing(const Configuration<Real<T>>& c, const A
 }
 
 template <class T>
-TILTROTOR_NOINLINE ImmersedWing<T> geometric_immersed_wing(const Configuration<Real<T>>& c,
-                                                           const AirframeInput<T>& in, int side) {
+ImmersedWing<T> geometric_immersed_wing(const Configuration<Real<T>>& c, const AirframeInput<T>& in,
+                                        int side) {
   using R = Real<T>;
   const WakeTables<R>& w = c.aircraft->wake;
   const WingTables<R>& wing = c.aircraft->wing;
