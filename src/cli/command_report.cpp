@@ -1,8 +1,8 @@
 // `tiltrotor report`: the whole study.
 
 #include "cli/command.hpp"
-#include "cli/sink.hpp"
-#include "report/report.hpp"
+#include "study/report.hpp"
+#include "text/sink.hpp"
 
 namespace tiltrotor::cli {
 
@@ -11,8 +11,9 @@ namespace {
 int run(const Arguments& arguments) {
   const std::string folder = arguments.text("--output", "build/report");
   require_writable_folder(folder, arguments.where("--output"));
-  return report::run_report(folder, arguments.given("--validate") ? report::ReportSummary::validation
-                                                                  : report::ReportSummary::statements);
+  const study::ReportSummary summary =
+      arguments.given("--validate") ? study::ReportSummary::validation : study::ReportSummary::statements;
+  return study::run_report(folder, summary) ? exit_success : exit_case_failed;
 }
 
 }  // namespace

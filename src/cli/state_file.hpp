@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "cli/line_reader.hpp"
-#include "cli/records.hpp"
 #include "cli/state_columns.hpp"
+#include "text/records.hpp"
 
 namespace tiltrotor::cli {
 
