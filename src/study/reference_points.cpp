@@ -1,5 +1,6 @@
 #include "study/reference_points.hpp"
 
+#include <initializer_list>
 #include <stdexcept>
 #include <string_view>
 
@@ -13,11 +14,13 @@ struct ReferenceSet {
 };
 
 // Made from tables/<aircraft>/published by the build: one {"name", R"csv(text)csv"} for each file.
-constexpr ReferenceSet kReferenceSets[] = {
+constexpr std::initializer_list<ReferenceSet> kReferenceSets = {
 #include "reference_points.inc"
 };
 
 }  // namespace
+
+bool has_reference_points() { return kReferenceSets.size() > 0; }
 
 Table reference_points(const std::string& name) {
   for (const ReferenceSet& set : kReferenceSets) {
