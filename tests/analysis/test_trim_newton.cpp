@@ -1,4 +1,5 @@
 // Trim: the first guess, Newton's iteration from it, and how the iteration fails.
+// Expected: momentum theory, coordinated turns by hand, the order of Newton's method, made-up Jacobians.
 #include <algorithm>
 #include <limits>
 

@@ -1,4 +1,5 @@
 // Help of every command, conventions, version.
+// Expected: the list of commands, the names in the C header.
 #include <sstream>
 
 #include "check.hpp"

@@ -1,4 +1,5 @@
 // The isolated rotor: equilibrium, momentum theory, symmetry, and published measurements.
+// Expected: momentum theory, mirror, printed measurements (NASA/CR-2017-219486).
 #include <cmath>
 
 #include "analysis/rotor_stand.hpp"

@@ -24,7 +24,7 @@ struct Scalar {
     ++values_asked;
     residual[0] = f(z[0]);
   }
-  void jacobian(const double* z, double* residual, Matrix<double, 1, 1>& slopes) {
+  void jacobian(const double* z, double* residual, Matrix<double, 2, 2>& slopes) {
     residual[0] = f(z[0]);
     slopes(0, 0) = slope(z[0]);
   }
@@ -36,7 +36,7 @@ struct Scalar {
 
 template <class Problem>
 NewtonResult<double> solved(Problem& problem, double& z, int& iterations, NewtonLimits limits = {50}) {
-  static NewtonWorkspace<double, 1> work;
+  static NewtonWorkspace<double, 2> work;
   work.z[0] = z;
   iterations = 0;
   const NewtonResult<double> found = newton(problem, 1, 1e-13, limits, work, iterations);
