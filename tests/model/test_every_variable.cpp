@@ -56,8 +56,9 @@ TEST(derivatives_fill_every_rate_and_load) {
     const double m = c.mass.mass;
     const Vec3<double> want =
         m * (e.rates.velocity + cross(x.rates, x.velocity)) - (m * kGravity<double>)*down;
-    for (const double difference : {force.x - want.x, force.y - want.y, force.z - want.z})
-      CHECK_NEAR(difference, 0, 1e-10 * m * kGravity<double>);
+    const Vec3<double> difference = force - want;
+    if (!CHECK_NEAR(std::sqrt(dot(difference, difference)), 0, 1e-10 * m * kGravity<double>))
+      NOTE("the loads of the components are not those that act");
   });
 }
 
