@@ -165,7 +165,7 @@ headers: $(HEADERS:%=alone/%) ## compile every public header alone, warnings are
 
 format: ## lay out every source with clang-format
 	$(Q)if tests/tool.sh format $(CLANG_FORMAT) clang-format; then \
-	  find include src tests bench -name '*.[ch]pp' -o -name '*.h' | xargs $(CLANG_FORMAT) $(FORMAT_FLAGS); fi
+	  find include src tests bench -name '*.[ch]pp' -o -name '*.[ch]' | xargs $(CLANG_FORMAT) $(FORMAT_FLAGS); fi
 FORMAT_FLAGS ?= -i
 
 ifdef PORTABLE_INSTALL

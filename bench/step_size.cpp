@@ -60,7 +60,7 @@ void jacobian(const FlightPoint& p, double relative, Jacobian& out) {
     model_rates(p.c, 0.0, work);
     for (int i = 0; i < n; ++i) y[i] = work.x[model.state[i]];
   };
-  NumDiff::jacobian(f, inputs, n, input, scale, rates, work,
+  NumDiff::jacobian(f, {inputs, n, input, scale, rates}, work,
                     [&out](int i, int j, double slope) { out.entry[i][j] = slope; });
 }
 

@@ -20,8 +20,16 @@ using Names = std::set<std::string>;
 namespace {
 
 const char* const kTheory = "include/tiltrotor/README.md";
-const char* const kPages[] = {kTheory,           "src/README.md",   "src/CONTRIBUTING.md", "src/CHANGELOG.md",
-                              "tests/README.md", "tables/README.md"};
+const char* const kPages[] = {"README.md",
+                              kTheory,
+                              "src/README.md",
+                              "src/CONTRIBUTING.md",
+                              "src/CHANGELOG.md",
+                              "tests/README.md",
+                              "tables/README.md",
+                              "src/cli/README.md",
+                              "src/examples/README.md",
+                              "bench/README.md"};
 
 std::string content(const std::string& name) {
   std::ifstream in(source_path(name), std::ios::binary);
@@ -152,6 +160,56 @@ TEST(pages_name_tests_that_exist) {
     }
   }
   CHECK_LE(15, count);
+}
+
+// Links and pictures: relative to the page that has them.
+TEST(pages_link_files_that_exist) {
+  int count = 0;
+  for (const char* const page : kPages) {
+    const std::string folder = std::string(page).substr(0, std::string(page).rfind('/') + 1);
+    for (const std::string& target : found(content(page), "\\]\\(([^#)][^)]*)\\)")) {
+      ++count;
+      const std::string path = (page == std::string("README.md") ? "" : folder) + target;
+      if (!CHECK(std::filesystem::exists(source_path(path)))) NOTE(page << ": " << target);
+    }
+  }
+  CHECK_LE(2, count);
+}
+
+// "One header for C++": every other one of the library is reached from it.
+TEST(pages_one_header_reaches_all) {
+  std::set<std::string> reached = {"tiltrotor/tiltrotor.hpp"};
+  std::vector<std::string> open(reached.begin(), reached.end());
+  while (!open.empty()) {
+    const std::string header = open.back();
+    open.pop_back();
+    for (const std::string& next : found(content("include/" + header), "^#include \"(tiltrotor/[^\"]+)\""))
+      if (reached.insert(next).second) open.push_back(next);
+  }
+  for (const std::string& file : tree())
+    if (is(file, "include/.*\\.hpp") && !CHECK(reached.count(file.substr(8)) == 1)) NOTE(file);
+}
+
+// The README's programs, as they stand there, by the compilers of this machine.
+TEST(pages_programs_of_the_readme_compile) {
+  std::vector<std::string> programs;
+  bool inside = false;
+  std::istringstream lines(content("README.md"));
+  for (std::string line; std::getline(lines, line);) {
+    if (is(line, "    #include .*") && !inside) programs.emplace_back();
+    inside = line.compare(0, 4, "    ") == 0 && (inside || is(line, "    #include .*"));
+    if (inside) programs.back() += line.substr(4) + "\n";
+  }
+  if (!CHECK_EQ(programs.size(), 2u)) return;
+  const std::string flags =
+      " -I" + check::quoted(source_path("include")) + " -fsyntax-only -Wall -Wextra -Werror -x ";
+  for (const std::string& program : programs) {
+    const bool c = program.find("tiltrotor.hpp") == std::string::npos;
+    const std::string compiler = TILTROTOR_CXX + flags + (c ? "c++ -" : "c++ -std=c++17 -");
+    const check::ProgramResult result =
+        check::run_program("printf %s " + check::quoted(program) + " | " + compiler);
+    if (!CHECK_EQ(result.exit_status, 0)) NOTE(result.err);
+  }
 }
 
 TEST(pages_name_every_state_input_and_component) {

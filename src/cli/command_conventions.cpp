@@ -1,8 +1,13 @@
 // `tiltrotor conventions`: units, axes and signs.
 
+#include <algorithm>
+#include <cstring>
+
 #include "cli/command.hpp"
 #include "cli/errors.hpp"
 #include "text/sink.hpp"
+#include "tiltrotor/model/variables/controls.hpp"
+#include "tiltrotor/model/variables/state.hpp"
 
 namespace tiltrotor::cli {
 
@@ -32,15 +37,32 @@ Sideslip    sideslip_deg > 0: wind from the right.
 Load factor load_factor of trim: force of air and rotors normal to the flight path over weight, 1 in level flight.
             (The C interface gives what an accelerometer shows: minus the specific force along body z, over gravity.)
 Loads       force on the aircraft and moment about the CG, body axes, without weight.
-States      u v w p q r phi theta psi | b1c b1s db1c db1s n0 nc ns of the right rotor (_R) | of the left rotor (_L) |
-            eps, the lagged wing downwash at the tail.
+Names       _R right, _L left rotor; eps: lagged wing downwash at the tail; b0, db0: coning (coning_states); north, east,
+            down: position (position_states).
 Files       CSV is RFC 4180 in UTF-8, a byte-order mark allowed, one record a line. --states reads what trim and respond
             print. Numbers of trim, modes, respond and rotor smaller than 1e-12 (but residual) are rounding and printed as 0.
 )";
 
+// "States      u v w": names in the order of files and arrays.
+template <class Table>
+std::string listed(const char* title, const Table& variables) {
+  constexpr std::size_t indent = 12, width = 118;
+  std::string lines, line = title;
+  for (const Variable& variable : variables.row) {
+    if (line.size() + 1 + std::strlen(variable.name) > width) {
+      lines += line + "\n";
+      line.clear();
+    }
+    line.resize(std::max(line.size() + 1, indent), ' ');
+    line += variable.name;
+  }
+  return lines + line + "\n";
+}
+
 int run(const Arguments&) {
   Sink sink("-", "");
   sink.write(text);
+  sink.write(listed("States", kStateVariables) + listed("Inputs", kControlVariables));
   sink.finish();
   return exit_success;
 }

@@ -1,6 +1,8 @@
 #include "cli/state_columns.hpp"
 
 #include <algorithm>
+#include <iterator>
+#include <string_view>
 
 #include "cli/flight_options.hpp"
 #include "cli/response_columns.hpp"
@@ -14,43 +16,52 @@ namespace tiltrotor::cli {
 namespace {
 
 struct PrintedName {
+  const char* state;  // its name in models
   const char* name;
   const char* unit;
 };
 // In the order of kStateVariables.
-constexpr PrintedName printed_states[state_count] = {
-    {"u_mps", "m/s"},
-    {"v_mps", "m/s"},
-    {"w_mps", "m/s"},
-    {"p_degps", "deg/s"},
-    {"q_degps", "deg/s"},
-    {"r_degps", "deg/s"},
-    {"roll_deg", "deg"},
-    {"pitch_deg", "deg"},
-    {"yaw_deg", "deg"},
-    {"b1c_right_deg", "deg"},
-    {"b1s_right_deg", "deg"},
-    {"b1c_rate_right_degps", "deg/s"},
-    {"b1s_rate_right_degps", "deg/s"},
-    {"n0_right", "-"},
-    {"nc_right", "-"},
-    {"ns_right", "-"},
-    {"b1c_left_deg", "deg"},
-    {"b1s_left_deg", "deg"},
-    {"b1c_rate_left_degps", "deg/s"},
-    {"b1s_rate_left_degps", "deg/s"},
-    {"n0_left", "-"},
-    {"nc_left", "-"},
-    {"ns_left", "-"},
-    {"downwash_deg", "deg"},
-    {"coning_right_deg", "deg"},
-    {"coning_rate_right_degps", "deg/s"},
-    {"coning_left_deg", "deg"},
-    {"coning_rate_left_degps", "deg/s"},
-    {"north_m", "m"},
-    {"east_m", "m"},
-    {"down_m", "m"},
+constexpr PrintedName printed_states[] = {
+    {"u", "u_mps", "m/s"},
+    {"v", "v_mps", "m/s"},
+    {"w", "w_mps", "m/s"},
+    {"p", "p_degps", "deg/s"},
+    {"q", "q_degps", "deg/s"},
+    {"r", "r_degps", "deg/s"},
+    {"phi", "roll_deg", "deg"},
+    {"theta", "pitch_deg", "deg"},
+    {"psi", "yaw_deg", "deg"},
+    {"b1c_R", "b1c_right_deg", "deg"},
+    {"b1s_R", "b1s_right_deg", "deg"},
+    {"db1c_R", "b1c_rate_right_degps", "deg/s"},
+    {"db1s_R", "b1s_rate_right_degps", "deg/s"},
+    {"n0_R", "n0_right", "-"},
+    {"nc_R", "nc_right", "-"},
+    {"ns_R", "ns_right", "-"},
+    {"b1c_L", "b1c_left_deg", "deg"},
+    {"b1s_L", "b1s_left_deg", "deg"},
+    {"db1c_L", "b1c_rate_left_degps", "deg/s"},
+    {"db1s_L", "b1s_rate_left_degps", "deg/s"},
+    {"n0_L", "n0_left", "-"},
+    {"nc_L", "nc_left", "-"},
+    {"ns_L", "ns_left", "-"},
+    {"eps", "downwash_deg", "deg"},
+    {"b0_R", "coning_right_deg", "deg"},
+    {"db0_R", "coning_rate_right_degps", "deg/s"},
+    {"b0_L", "coning_left_deg", "deg"},
+    {"db0_L", "coning_rate_left_degps", "deg/s"},
+    {"north", "north_m", "m"},
+    {"east", "east_m", "m"},
+    {"down", "down_m", "m"},
 };
+
+constexpr bool every_state_is_printed() {
+  if (std::size(printed_states) != state_count) return false;
+  for (int i = 0; i < state_count; ++i)
+    if (std::string_view(printed_states[i].state) != kStateVariables[i].name) return false;
+  return true;
+}
+static_assert(every_state_is_printed(), "a row of printed_states per state, in order");
 
 // Names of the reference files and of the program for the four inceptors.
 struct InceptorColumn {

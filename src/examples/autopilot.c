@@ -12,15 +12,18 @@ static tr_work work;
 static tr_real within(tr_real x, tr_real limit) { return x < -limit ? -limit : x > limit ? limit : x; }
 
 /* Gains in inches of stick per radian and per radian a second, radians of collective per m/s. */
-static void control(const tr_state *now, const tr_state *trimmed, tr_real bank, tr_real *u) {
-  u[TR_COLLECTIVE] = trimmed->u[TR_COLLECTIVE] + within((now->x[TR_W] - trimmed->x[TR_W]) / 100, (tr_real)0.05);
-  u[TR_LONG_STICK] = within(
-      trimmed->u[TR_LONG_STICK] + 8 * (now->x[TR_PITCH] - trimmed->x[TR_PITCH]) + 5 * now->x[TR_Q], (tr_real)4.8);
-  u[TR_LAT_STICK] = within(trimmed->u[TR_LAT_STICK] - 4 * (now->x[TR_ROLL] - bank) - 3 * now->x[TR_P], (tr_real)4.8);
+static void control(const tr_state* now, const tr_state* trimmed, tr_real bank, tr_real* u) {
+  u[TR_COLLECTIVE] =
+      trimmed->u[TR_COLLECTIVE] + within((now->x[TR_W] - trimmed->x[TR_W]) / 100, (tr_real)0.05);
+  u[TR_LONG_STICK] =
+      within(trimmed->u[TR_LONG_STICK] + 8 * (now->x[TR_PITCH] - trimmed->x[TR_PITCH]) + 5 * now->x[TR_Q],
+             (tr_real)4.8);
+  u[TR_LAT_STICK] =
+      within(trimmed->u[TR_LAT_STICK] - 4 * (now->x[TR_ROLL] - bank) - 3 * now->x[TR_P], (tr_real)4.8);
   u[TR_PEDAL] = within(trimmed->u[TR_PEDAL] - 2 * now->x[TR_R], (tr_real)2.5);
 }
 
-int main(int count, char **arguments) {
+int main(int count, char** arguments) {
   const long seconds = count > 1 ? atol(arguments[1]) : 10;
   const long frames = seconds * 200;
   const tr_flight level = {40, 0, 0, 0};
@@ -29,8 +32,8 @@ int main(int count, char **arguments) {
   tr_state trimmed, now;
   long frame, errors = 0;
   if (tr_default_setup(&setup, TR_API_VERSION, TR_XV15, 0) != TR_OK ||
-      tr_init(&aircraft, TR_API_VERSION, &setup) != TR_OK || tr_trim(&aircraft, &work, &level, NULL) != TR_OK ||
-      tr_get_state(&aircraft, &trimmed) != TR_OK)
+      tr_init(&aircraft, TR_API_VERSION, &setup) != TR_OK ||
+      tr_trim(&aircraft, &work, &level, NULL) != TR_OK || tr_get_state(&aircraft, &trimmed) != TR_OK)
     return 1;
   now = trimmed;
   for (frame = 0; frame < frames; ++frame) {
@@ -41,8 +44,8 @@ int main(int count, char **arguments) {
     errors += tr_get_state(&aircraft, &now) != TR_OK;
     tr_hash(now.x, TR_STATES, &hash);
     if ((frame + 1) % 12000 == 0)
-      printf("%6.0f s: %6.2f m/s, roll %6.3f rad, pitch %6.3f rad, %ld errors\n", now.time_s, (double)now.x[TR_U],
-             (double)now.x[TR_ROLL], (double)now.x[TR_PITCH], errors);
+      printf("%6.0f s: %6.2f m/s, roll %6.3f rad, pitch %6.3f rad, %ld errors\n", now.time_s,
+             (double)now.x[TR_U], (double)now.x[TR_ROLL], (double)now.x[TR_PITCH], errors);
   }
   printf("flown_s %.3f errors %ld hash %016llx\n", now.time_s, errors, (unsigned long long)hash);
   return errors > 0;

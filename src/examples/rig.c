@@ -29,7 +29,7 @@ enum { PILOT_CONTROLS = 4, LINE = 256, BUCKETS = 100000 };
 typedef struct rig_options {
   double rate, seconds, mast_deg, speed_mps;
   int udp_port, publish_port, fast;
-  const char *record;
+  const char* record;
 } rig_options;
 
 /* Times in microseconds, counted in fixed memory. */
@@ -48,13 +48,13 @@ static void stop(int signal_number) {
   stopped = 1;
 }
 
-static void add(histogram *h, double microseconds) {
+static void add(histogram* h, double microseconds) {
   const double last = BUCKETS - 1;
   ++h->count[(int)(microseconds < 0 ? 0 : microseconds > last ? last : microseconds)];
   ++h->total;
 }
 
-static int percentile(const histogram *h, double part) {
+static int percentile(const histogram* h, double part) {
   unsigned long sum = 0;
   int i;
   for (i = 0; i < BUCKETS - 1; ++i) {
@@ -64,16 +64,16 @@ static int percentile(const histogram *h, double part) {
   return i;
 }
 
-static void print_histogram(const char *name, const histogram *h) {
+static void print_histogram(const char* name, const histogram* h) {
   printf("%s_us p50 %d p90 %d p99 %d p99.9 %d max %d\n", name, percentile(h, 0.5), percentile(h, 0.9),
          percentile(h, 0.99), percentile(h, 0.999), percentile(h, 1));
 }
 
-static double seconds_between(const struct timespec *from, const struct timespec *to) {
+static double seconds_between(const struct timespec* from, const struct timespec* to) {
   return (double)(to->tv_sec - from->tv_sec) + 1e-9 * (double)(to->tv_nsec - from->tv_nsec);
 }
 
-static int failed(const char *what, tr_status status) {
+static int failed(const char* what, tr_status status) {
   if (status == TR_OK) return 0;
   fprintf(stderr, "rig: %s: %s (%s)\n", what, tr_status_word(status), tr_status_text(status));
   return 1;
@@ -81,36 +81,46 @@ static int failed(const char *what, tr_status status) {
 
 /* ---- options ---- */
 
-static int usage(const char *word) {
-  fprintf(stderr, "rig: bad option %s: [--rate 50..10000] [--seconds S] [--mast 0..90] [--speed 0..150] [--udp PORT] "
-                  "[--publish PORT] [--record FILE] [--fast]\n", word);
+static int usage(const char* word) {
+  fprintf(stderr,
+          "rig: bad option %s: [--rate 50..10000] [--seconds S] [--mast 0..90] [--speed 0..150] [--udp PORT] "
+          "[--publish PORT] [--record FILE] [--fast]\n",
+          word);
   return 0;
 }
 
-static int number_within(const char *text, double low, double high, double *number) {
-  char *end;
+static int number_within(const char* text, double low, double high, double* number) {
+  char* end;
   *number = strtod(text, &end);
   return *text != '\0' && *end == '\0' && *number >= low && *number <= high;
 }
 
-static int read_options(int count, char **words, rig_options *o) {
+static int read_options(int count, char** words, rig_options* o) {
   int i;
   double port;
   for (i = 1; i < count; ++i) {
-    const char *word = words[i];
-    const char *argument = i + 1 < count ? words[i + 1] : "";
+    const char* word = words[i];
+    const char* argument = i + 1 < count ? words[i + 1] : "";
     if (strcmp(word, "--fast") == 0) {
       o->fast = 1;
       continue;
     }
-    if (strcmp(word, "--rate") == 0 && number_within(argument, 50, 10000, &o->rate)) ++i;
-    else if (strcmp(word, "--seconds") == 0 && number_within(argument, 0, 1e6, &o->seconds)) ++i;
-    else if (strcmp(word, "--mast") == 0 && number_within(argument, 0, 90, &o->mast_deg)) ++i;
-    else if (strcmp(word, "--speed") == 0 && number_within(argument, 0, 150, &o->speed_mps)) ++i;
-    else if (strcmp(word, "--udp") == 0 && number_within(argument, 1, 65535, &port)) o->udp_port = (int)port, ++i;
-    else if (strcmp(word, "--publish") == 0 && number_within(argument, 1, 65535, &port)) o->publish_port = (int)port, ++i;
-    else if (strcmp(word, "--record") == 0 && *argument != '\0') o->record = words[++i];
-    else return usage(word);
+    if (strcmp(word, "--rate") == 0 && number_within(argument, 50, 10000, &o->rate))
+      ++i;
+    else if (strcmp(word, "--seconds") == 0 && number_within(argument, 0, 1e6, &o->seconds))
+      ++i;
+    else if (strcmp(word, "--mast") == 0 && number_within(argument, 0, 90, &o->mast_deg))
+      ++i;
+    else if (strcmp(word, "--speed") == 0 && number_within(argument, 0, 150, &o->speed_mps))
+      ++i;
+    else if (strcmp(word, "--udp") == 0 && number_within(argument, 1, 65535, &port))
+      o->udp_port = (int)port, ++i;
+    else if (strcmp(word, "--publish") == 0 && number_within(argument, 1, 65535, &port))
+      o->publish_port = (int)port, ++i;
+    else if (strcmp(word, "--record") == 0 && *argument != '\0')
+      o->record = words[++i];
+    else
+      return usage(word);
   }
   return 1;
 }
@@ -124,8 +134,8 @@ static int loopback_socket(int port, int to_receive) {
   address.sin_family = AF_INET;
   address.sin_port = htons((unsigned short)port);
   address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-  if (s < 0 || (to_receive ? bind(s, (struct sockaddr *)&address, sizeof address)
-                           : connect(s, (struct sockaddr *)&address, sizeof address)) != 0) {
+  if (s < 0 || (to_receive ? bind(s, (struct sockaddr*)&address, sizeof address)
+                           : connect(s, (struct sockaddr*)&address, sizeof address)) != 0) {
     fprintf(stderr, "rig: 127.0.0.1:%d: %s\n", port, strerror(errno));
     return -1;
   }
@@ -133,8 +143,8 @@ static int loopback_socket(int port, int to_receive) {
 }
 
 /* Decimal or hexadecimal numbers; 0 when the text is something else. */
-static int parse_controls(const char *text, tr_real *u) {
-  char *end;
+static int parse_controls(const char* text, tr_real* u) {
+  char* end;
   int j;
   for (j = 0; j < PILOT_CONTROLS; ++j) {
     u[j] = (tr_real)strtod(text, &end);
@@ -146,7 +156,7 @@ static int parse_controls(const char *text, tr_real *u) {
 
 /* A line that the aircraft refuses, or that is none, changes nothing and is counted. */
 static unsigned long refused;
-static void take(const char *text) {
+static void take(const char* text) {
   tr_real u[PILOT_CONTROLS];
   if (!parse_controls(text, u) || tr_set_controls(&aircraft, u, PILOT_CONTROLS) != TR_OK) ++refused;
 }
@@ -158,7 +168,7 @@ static int take_what_arrived(int descriptor, int datagrams) {
   struct pollfd ready = {descriptor, POLLIN, 0};
   int reads;
   for (reads = 0; reads < 64 && poll(&ready, 1, 0) > 0; ++reads) { /* a flood must not stop the clock */
-    char *newline;
+    char* newline;
     ssize_t received;
     if (datagrams) length = 0;
     received = read(descriptor, text + length, sizeof text - 1 - length);
@@ -180,24 +190,25 @@ static int take_what_arrived(int descriptor, int datagrams) {
   return 1;
 }
 
-static void publish(int descriptor, const tr_state *s) {
+static void publish(int descriptor, const tr_state* s) {
   char text[LINE];
-  const int length = snprintf(text, sizeof text, "%.6f %.4f %.4f %.4f %.5f %.5f %.5f %.5f %.5f %.5f %.3f %.3f %.3f\n",
-                              s->time_s, (double)s->x[TR_U], (double)s->x[TR_V], (double)s->x[TR_W],
-                              (double)s->x[TR_P], (double)s->x[TR_Q], (double)s->x[TR_R], (double)s->x[TR_ROLL],
-                              (double)s->x[TR_PITCH], (double)s->x[TR_YAW], (double)s->x[TR_NORTH],
-                              (double)s->x[TR_EAST], (double)s->x[TR_DOWN]);
+  const int length =
+      snprintf(text, sizeof text, "%.6f %.4f %.4f %.4f %.5f %.5f %.5f %.5f %.5f %.5f %.3f %.3f %.3f\n",
+               s->time_s, (double)s->x[TR_U], (double)s->x[TR_V], (double)s->x[TR_W], (double)s->x[TR_P],
+               (double)s->x[TR_Q], (double)s->x[TR_R], (double)s->x[TR_ROLL], (double)s->x[TR_PITCH],
+               (double)s->x[TR_YAW], (double)s->x[TR_NORTH], (double)s->x[TR_EAST], (double)s->x[TR_DOWN]);
   if (length > 0) (void)!send(descriptor, text, (size_t)length, MSG_DONTWAIT); /* nobody listens: no matter */
 }
 
-static void record(FILE *file, const tr_state *s) {
+static void record(FILE* file, const tr_state* s) {
   int j;
-  for (j = 0; j < PILOT_CONTROLS; ++j) fprintf(file, "%a%c", (double)s->u[j], j + 1 < PILOT_CONTROLS ? ' ' : '\n');
+  for (j = 0; j < PILOT_CONTROLS; ++j)
+    fprintf(file, "%a%c", (double)s->u[j], j + 1 < PILOT_CONTROLS ? ' ' : '\n');
 }
 
 /* ---- flight ---- */
 
-static int begin(const rig_options *o) {
+static int begin(const rig_options* o) {
   tr_setup setup;
   tr_flight level = {0, 0, 0, 0};
   tr_trim_result result;
@@ -211,7 +222,7 @@ static int begin(const rig_options *o) {
 }
 
 /* Frame number `frame` of the clock; microseconds late. */
-static double wait_for(const struct timespec *start, unsigned long frame, double period) {
+static double wait_for(const struct timespec* start, unsigned long frame, double period) {
   struct timespec due = *start, now;
   const double offset = (double)frame * period;
   const long long ns = start->tv_nsec + (long long)((offset - (double)(long)offset) * 1e9);
@@ -223,7 +234,7 @@ static double wait_for(const struct timespec *start, unsigned long frame, double
   return 1e6 * seconds_between(&due, &now);
 }
 
-static int fly(const rig_options *o, int input, int output, FILE *log, uint64_t *hash) {
+static int fly(const rig_options* o, int input, int output, FILE* log, uint64_t* hash) {
   const double period = 1 / o->rate;
   const unsigned long frames = (unsigned long)(o->seconds * o->rate + 0.5);
   unsigned long frame, overruns = 0;
@@ -258,11 +269,11 @@ static int fly(const rig_options *o, int input, int output, FILE *log, uint64_t 
   return errors;
 }
 
-int main(int count, char **words) {
+int main(int count, char** words) {
   rig_options o = {200, 3, 0, 40, 0, 0, 0, NULL};
   uint64_t hash = TR_HASH_START;
   int input = STDIN_FILENO, output = -1, errors;
-  FILE *log = NULL;
+  FILE* log = NULL;
   if (!read_options(count, words, &o)) return 2;
   signal(SIGINT, stop);
   signal(SIGTERM, stop);

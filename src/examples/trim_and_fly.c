@@ -7,7 +7,7 @@
 static tr_sim aircraft;
 static tr_work work;
 
-static int failed(const char *what, tr_status status) {
+static int failed(const char* what, tr_status status) {
   if (status == TR_OK) return 0;
   fprintf(stderr, "%s: %s (%s)\n", what, tr_status_word(status), tr_status_text(status));
   return 1;

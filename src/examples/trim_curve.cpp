@@ -2,8 +2,7 @@
 //
 //   c++ -std=c++17 trim_curve.cpp $(pkg-config --cflags --libs tiltrotor)
 #include <cstdio>
-#include <tiltrotor/analysis/instances.hpp>
-#include <tiltrotor/model/aircraft_data.hpp>
+#include <tiltrotor/tiltrotor.hpp>
 
 using namespace tiltrotor;
 

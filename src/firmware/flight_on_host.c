@@ -4,8 +4,8 @@
 
 #include "firmware/reference_flight.h"
 
-static void write_stdout(const char *text) { fputs(text, stdout); }
+static void write_stdout(const char* text) { fputs(text, stdout); }
 
-int main(int count, char **arguments) {
+int main(int count, char** arguments) {
   return reference_flight(write_stdout, count > 1 ? atoi(arguments[1]) : REFERENCE_FRAMES);
 }

@@ -10,12 +10,13 @@ typedef struct extremes {
   uint32_t least, most;
 } extremes;
 
-static void add(extremes *e, uint32_t count) {
+static void add(extremes* e, uint32_t count) {
   if (count < e->least) e->least = count;
   if (count > e->most) e->most = count;
 }
 
-static void write_extremes(text_sink write, const char *least_name, const char *most_name, const extremes *e) {
+static void write_extremes(text_sink write, const char* least_name, const char* most_name,
+                           const extremes* e) {
   write_count(write, least_name, e->least);
   write_count(write, most_name, e->most);
 }
@@ -30,7 +31,7 @@ static tr_real random_between(tr_real low, tr_real high) {
 }
 
 /* Speed, attitude, rates, flapping, inflow and controls at random, with a collective that fits the speed. */
-static void random_state(tr_real mast_deg, tr_state *s) {
+static void random_state(tr_real mast_deg, tr_state* s) {
   const tr_real part = mast_deg / 90;
   int i, side;
   for (i = 0; i < TR_STATES; ++i) s->x[i] = 0;
@@ -42,7 +43,7 @@ static void random_state(tr_real mast_deg, tr_state *s) {
   s->x[TR_ROLL] = random_between((tr_real)-0.5, (tr_real)0.5);
   s->x[TR_PITCH] = random_between((tr_real)-0.4, (tr_real)0.4);
   for (side = 0; side < 2; ++side) {
-    tr_real *rotor = s->x + (side == 0 ? TR_ROTOR_RIGHT : TR_ROTOR_LEFT);
+    tr_real* rotor = s->x + (side == 0 ? TR_ROTOR_RIGHT : TR_ROTOR_LEFT);
     for (i = 0; i < 2; ++i) rotor[i] = random_between((tr_real)-0.06, (tr_real)0.06);
     for (i = 2; i < 4; ++i) rotor[i] = random_between((tr_real)-0.3, (tr_real)0.3);
     rotor[4] = random_between((tr_real)0.01, (tr_real)0.08);
@@ -85,11 +86,13 @@ static int measure_flight(text_sink write, instruction_counter count, int states
     t[2] = count();
     failures += tr_linearize(&sim, &work, TR_INCEPTORS, &shape, a, room, b, sizeof b / sizeof b[0]) != TR_OK;
     t[3] = count();
-    failures += tr_eigenvalues(&work, a, (size_t)shape.states, eigenvalue_real, eigenvalue_imag, room) != TR_OK;
+    failures +=
+        tr_eigenvalues(&work, a, (size_t)shape.states, eigenvalue_real, eigenvalue_imag, room) != TR_OK;
     t[4] = count();
     failures += tr_linearize_and_step(&sim, &work, (tr_real)0.005, TR_INCEPTORS, &shape, a, room, b,
                                       sizeof b / sizeof b[0]) != TR_OK;
-    failures += tr_eigenvalues(&work, a, (size_t)shape.states, eigenvalue_real, eigenvalue_imag, room) != TR_OK;
+    failures +=
+        tr_eigenvalues(&work, a, (size_t)shape.states, eigenvalue_real, eigenvalue_imag, room) != TR_OK;
     t[5] = count();
     add(&derivative, t[1] - t[0]);
     add(&step, t[2] - t[1]);

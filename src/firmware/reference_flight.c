@@ -24,14 +24,14 @@ static void write_digits(text_sink write, uint64_t number, int least_digits) {
   write(text + place);
 }
 
-void write_count(text_sink write, const char *name, uint64_t count) {
+void write_count(text_sink write, const char* name, uint64_t count) {
   write(name);
   write(" ");
   write_digits(write, count, 1);
   write("\n");
 }
 
-void write_number(text_sink write, const char *name, double number) {
+void write_number(text_sink write, const char* name, double number) {
   int exponent = 0;
   int step;
   uint64_t digits;
@@ -56,7 +56,7 @@ void write_number(text_sink write, const char *name, double number) {
   write("\n");
 }
 
-static void write_hash(text_sink write, const char *name, uint64_t hash) {
+static void write_hash(text_sink write, const char* name, uint64_t hash) {
   static const char digit[] = "0123456789abcdef";
   char text[17];
   int k;
@@ -68,7 +68,7 @@ static void write_hash(text_sink write, const char *name, uint64_t hash) {
   write("\n");
 }
 
-static int failed(text_sink write, const char *call, tr_status status) {
+static int failed(text_sink write, const char* call, tr_status status) {
   if (status == TR_OK) return 0;
   write("failed ");
   write(call);
@@ -100,7 +100,7 @@ static int trim(text_sink write) {
 }
 
 /* Collective up by one degree at 0.1 s; lateral stick to the right from 0.5 s, to the left from 1 s to 1.5 s. */
-static tr_status move_controls(const tr_state *trimmed, int frame) {
+static tr_status move_controls(const tr_state* trimmed, int frame) {
   tr_real u[4];
   int j;
   for (j = 0; j < 4; ++j) u[j] = trimmed->u[j];
@@ -110,7 +110,7 @@ static tr_status move_controls(const tr_state *trimmed, int frame) {
   return tr_set_controls(&sim, u, 4);
 }
 
-static void write_state(text_sink write, const tr_state *state) {
+static void write_state(text_sink write, const tr_state* state) {
   write_number(write, "time_s", state->time_s);
   write_number(write, "u_mps", (double)state->x[TR_U]);
   write_number(write, "w_mps", (double)state->x[TR_W]);
@@ -122,8 +122,8 @@ static void write_state(text_sink write, const tr_state *state) {
 }
 
 /* Into bytes and back; the hash of the bytes, which are the same on every machine. */
-static int save_and_load(text_sink write, uint64_t *hash) {
-  unsigned char *const bytes = (unsigned char *)a;
+static int save_and_load(text_sink write, uint64_t* hash) {
+  unsigned char* const bytes = (unsigned char*)a;
   size_t used, k;
   if (failed(write, "tr_save", tr_save(&sim, bytes, sizeof a, &used))) return 1;
   for (k = 0; k < used; ++k) {

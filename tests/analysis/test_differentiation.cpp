@@ -68,8 +68,7 @@ TEST(differentiation_automatic_is_exact) {
             ++passes;
             cubic(x, out, n, m);
           },
-          n, m, kPoint, static_cast<const double*>(nullptr), y, work,
-          [&](int i, int j, double value) { record.put(i, j, value); });
+          {n, m, kPoint, nullptr, y}, work, [&](int i, int j, double value) { record.put(i, j, value); });
       CHECK_EQ(passes, (n + 2) / 3);
       record.check_complete(n, m);
       cubic(kPoint, plain, n, m);
@@ -90,7 +89,7 @@ TEST(differentiation_numerical_step_and_error) {
     for (int m = 1; m <= kOutputs; ++m) {
       Record record;
       double y[kOutputs], plain[kOutputs];
-      NumDiff::jacobian([&](const double* x, double* out) { cubic(x, out, n, m); }, n, m, kPoint, scale, y,
+      NumDiff::jacobian([&](const double* x, double* out) { cubic(x, out, n, m); }, {n, m, kPoint, scale, y},
                         work, [&](int i, int j, double value) { record.put(i, j, value); });
       record.check_complete(n, m);
       cubic(kPoint, plain, n, m);
@@ -118,7 +117,7 @@ TEST(differentiation_numerical_moves_one_input_at_a_time) {
         places.emplace_back(x, x + kInputs);
         cubic(x, out, kInputs, 1);
       },
-      kInputs, 1, kPoint, scale, y, work, [](int, int, double) {});
+      {kInputs, 1, kPoint, scale, y}, work, [](int, int, double) {});
   if (!CHECK_EQ(places.size(), 2u * kInputs + 1)) return;
   for (std::size_t k = 0; k < places.size(); ++k) {
     for (std::size_t j = 0; j < kInputs; ++j) {

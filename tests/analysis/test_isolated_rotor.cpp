@@ -1,4 +1,5 @@
 // The parts of the isolated rotor's solution one by one, and how it ends where the rotor has no equilibrium.
+// Expected: momentum and blade element theory written out; the bounds stated at RotorFlow.
 #include "tiltrotor/analysis/isolated_rotor.hpp"
 
 #include "rotor_stand.hpp"

@@ -126,12 +126,12 @@ TEST(differentiation_policies_on_a_known_function) {
   double y[2], j[2][3] = {};
   const auto put = [&](int row, int column, double slope) { j[row][column] = slope; };
   AutoDiff::Workspace<double, 2, 3, 2> automatic;  // two passes of two directions
-  AutoDiff::jacobian(f, 3, 2, x, scale, y, automatic, put);
+  AutoDiff::jacobian(f, {3, 2, x, scale, y}, automatic, put);
   CHECK_NEAR(y[0], 1.5 * 1.5 * 0.7, 1e-15);
   for (int r = 0; r < 2; ++r)
     for (int k = 0; k < 3; ++k) CHECK_NEAR(j[r][k], expected[r][k], 1e-15);
   NumDiff::Workspace<double, 2, 3, 2> numerical;
-  NumDiff::jacobian(f, 3, 2, x, scale, y, numerical, put);
+  NumDiff::jacobian(f, {3, 2, x, scale, y}, numerical, put);
   for (int r = 0; r < 2; ++r)
     for (int k = 0; k < 3; ++k) CHECK_NEAR(j[r][k], expected[r][k], 1e-9);
 }
@@ -293,10 +293,11 @@ namespace {
 bool controls_lost = false;
 struct NoControls : AutoDiff {
   template <class R, int N, int MaxInputs, int MaxOutputs, class Function, class Put>
-  static void jacobian(Function&& f, int n, int m, const R* x, const R* scale, R* y,
+  static void jacobian(Function&& f, const JacobianRequest<R>& at,
                        Workspace<R, N, MaxInputs, MaxOutputs>& work, Put&& put) {
-    AutoDiff::jacobian(f, n, m, x, scale, y, work, [&](int i, int j, R slope) {
-      put(i, j, controls_lost && j >= n - kInceptors.count ? std::numeric_limits<R>::quiet_NaN() : slope);
+    AutoDiff::jacobian(f, at, work, [&](int i, int j, R slope) {
+      put(i, j,
+          controls_lost && j >= at.inputs - kInceptors.count ? std::numeric_limits<R>::quiet_NaN() : slope);
     });
   }
 };

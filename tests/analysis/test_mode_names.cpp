@@ -1,5 +1,6 @@
 // The rules by which modes get their names, each on a set of made-up roots and shares, and where roots have
 // no shares.
+// Expected: the rules as their header states them.
 #include <algorithm>
 #include <string>
 #include <vector>

@@ -1,5 +1,6 @@
 // The build with numerical differences: the same trim points, A and B to the accuracy differences allow, and
 // the program itself beside the automatic one.
+// Expected: the exact derivatives, and the error of central differences by Taylor.
 #include <algorithm>
 #include <cstdlib>
 

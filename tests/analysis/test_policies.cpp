@@ -1,4 +1,5 @@
 // The same analyses with numerical differences and in single precision.
+// Expected: double precision and exact derivatives; tolerances by the digits of a float.
 #include <algorithm>
 
 #include "analysis_case.hpp"

@@ -1,5 +1,6 @@
 // Inputs whose edges are anywhere: the impulse over steps of any length is that of the formula, and a flight
 // is that of steps fine enough to have every edge on a boundary.
+// Expected: integrals in closed form, and fine steps.
 #include <algorithm>
 #include <random>
 #include <vector>

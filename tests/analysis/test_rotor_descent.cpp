@@ -1,4 +1,5 @@
 // Isolated rotors in descent: the windmill where there is one, otherwise the truth.
+// Expected: a search of every inflow for roots of the same balance; momentum theory for what they mean.
 #include <cfenv>
 #include <cmath>
 #include <vector>

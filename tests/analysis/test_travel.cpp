@@ -1,4 +1,5 @@
 // A flight of the C++ analyses far from the origin and after many turns, in either precision.
+// Expected: the same flight at the origin, circles in closed form.
 #include <cstring>
 
 #include "analysis_case.hpp"

@@ -1,4 +1,5 @@
 // Trim: approaches from level flight, other speeds and less weight.
+// Expected: the cold start of another weight, statics, and rates of zero in the plain model.
 #include <algorithm>
 #include <random>
 

@@ -1,5 +1,6 @@
 // `ok` means a pilot could fly it: power and torque, descent, vertical flight, inputs, floating-point
 // exceptions.
+// Expected: published ratings and tables of air, momentum theory by hand, Newton's law.
 #include <cfenv>
 #include <cmath>
 

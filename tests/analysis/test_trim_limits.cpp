@@ -1,4 +1,5 @@
 // Trim: where none exists or a limit is exceeded, and what it says then.
+// Expected: bounds of the tables, another program's corridor, sentences as their header words them.
 #include <algorithm>
 #include <cstring>
 #include <limits>

@@ -1,4 +1,5 @@
 // The C interface: results are those of the C++ analyses bit for bit.
+// Expected: the templates, called directly.
 #include <string>
 
 #include "capi/flying.hpp"

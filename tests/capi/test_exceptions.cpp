@@ -1,5 +1,6 @@
 // No legal call raises a floating-point exception for an invalid operation, a division by zero or an
 // overflow: a program that traps them flies on. Underflow and rounding are no faults.
+// Expected: the flags of the C library's fenv.h.
 #include <cfenv>
 #include <cmath>
 

@@ -1,4 +1,5 @@
 // The C interface far from the origin, after many turns and at the bounds of tr_set_state.
+// Expected: the same flight at the origin without turns; the bounds of the header's text.
 #include <cmath>
 
 #include "capi/flying.hpp"

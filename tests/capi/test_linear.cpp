@@ -1,4 +1,5 @@
 // The C interface: linear models and what is done with them.
+// Expected: the two calls for the one, and the header's text.
 #include "capi/flying.hpp"
 
 using namespace capi;

@@ -1,4 +1,5 @@
 // The C interface in air that moves: instruments read the air, and a trim keeps wind, heading and position.
+// Expected: velocity triangles, and the same flight in still air.
 #include <cmath>
 
 #include "capi/flying.hpp"

@@ -1,4 +1,5 @@
 // The C interface: every error is found and leaves the outputs and the aircraft alone.
+// Expected: the header's text.
 #include "capi/flying.hpp"
 
 using namespace capi;

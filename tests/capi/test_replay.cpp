@@ -1,4 +1,5 @@
 // The C interface: a copied struct replays exactly, and aircraft do not disturb each other.
+// Expected: the first run, bit for bit.
 #include "capi/flying.hpp"
 
 using namespace capi;

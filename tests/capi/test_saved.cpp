@@ -1,4 +1,5 @@
 // The C interface: an aircraft in bytes, as tr_save writes it and as tr_sim holds it.
+// Expected: the flight that went on, constants of FNV-1a as published, the header's text.
 #include <cstdlib>
 #include <fstream>
 #include <iterator>

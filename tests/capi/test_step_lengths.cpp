@@ -1,4 +1,5 @@
 // tr_step with every length it accepts: what decays in flight decays in the computation.
+// Expected: decay to the trim, as short steps have it.
 #include <cmath>
 #include <cstring>
 #include <memory>

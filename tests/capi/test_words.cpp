@@ -1,4 +1,5 @@
 // The C interface: sizes, words and hashes.
+// Expected: the header's text, the constants of FNV-1a as published.
 #include <string>
 
 #include "capi/flying.hpp"

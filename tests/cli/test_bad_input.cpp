@@ -1,4 +1,5 @@
 // Bad usage: one line that says what, where and what is possible instead; exit status 2; nothing on stdout.
+// Expected: messages as the user reads them, ranges of the C header.
 #include <algorithm>
 
 #include "check.hpp"

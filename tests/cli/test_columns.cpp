@@ -1,4 +1,5 @@
 // The columns every command promises, in their order, and what a row without a trim looks like.
+// Expected: the specification of the columns; weight and Newton's law for their numbers.
 #include "check.hpp"
 #include "cli/csv_text.hpp"
 #include "run_program.hpp"

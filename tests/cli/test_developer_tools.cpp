@@ -1,4 +1,5 @@
 // Goals of make whose tool is missing or of another version: one line that says which, and no failure.
+// Expected: one line in the form of tests/tool.sh.
 #include <algorithm>
 
 #include "check.hpp"

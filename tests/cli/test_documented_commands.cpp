@@ -1,12 +1,15 @@
-// Every command line of the README and of the help is run as it stands there, found by its form: an indented
-// line of the README that holds build/tiltrotor, and what follows "Example: ". Each succeeds.
-#include <filesystem>
+// Every command line of the pages and of the help is run as it stands there, found by its form: an indented
+// line that holds build/tiltrotor, and what follows "Example: ". Each succeeds; what stands below one it prints.
+// Expected: the pages' own text.
 #include <regex>
 #include <sstream>
+#include <type_traits>
+#include <utility>
 
 #include "check.hpp"
 #include "cli/scratch_folder.hpp"
 #include "run_program.hpp"
+#include "tiltrotor/model/options.hpp"
 
 using check::run_program;
 using check::run_tiltrotor;
@@ -26,17 +29,32 @@ std::vector<std::string> lines_of(const std::string& text) {
   return lines;
 }
 
+struct Documented {
+  std::string command;
+  std::string output;  // lines that follow it
+};
+
 // Indented lines that call the program; one that ends in a backslash goes on.
-std::vector<std::string> readme_commands() {
-  std::vector<std::string> commands;
+std::vector<Documented> documented_commands(const std::string& page) {
+  std::vector<Documented> commands;
   std::string whole;
-  for (std::string line : lines_of(file_text("README.md"))) {
-    if (line.compare(0, 4, "    ") != 0) continue;
+  bool follows = false;
+  for (std::string line : lines_of(file_text(page))) {
+    const bool indented = line.compare(0, 4, "    ") == 0;
+    if (!indented || line[4] == '#') {
+      follows = false;
+      continue;
+    }
     const bool goes_on = line.back() == '\\';
     if (goes_on) line.pop_back();
-    whole += line;
+    whole += goes_on || !whole.empty() ? line : line.substr(4);
     if (goes_on) continue;
-    if (whole.find("build/tiltrotor") != std::string::npos) commands.push_back(whole.substr(4));
+    if (whole.find("build/tiltrotor") != std::string::npos) {
+      commands.push_back({whole.compare(0, 4, "    ") == 0 ? whole.substr(4) : whole, ""});
+      follows = true;
+    } else if (follows) {
+      commands.back().output += whole + "\n";
+    }
     whole.clear();
   }
   return commands;
@@ -54,7 +72,7 @@ std::string one_job(const std::string& command) {
   return replaced(job, "\\{\\}|\\$SLURM_ARRAY_TASK_ID", "1");
 }
 
-void check_succeeds(const std::string& command, const std::string& name) {
+void check_succeeds(const std::string& command, const std::string& name, const std::string& output = "") {
   const ScratchFolder folder;
   const std::string first = command.find("# after: ") == std::string::npos
                                 ? ""
@@ -65,6 +83,27 @@ void check_succeeds(const std::string& command, const std::string& name) {
   const check::ProgramResult result = run_program("cd " + check::quoted(folder.path("")) + " && " + line);
   const bool passed = result.exit_status == 0 && result.err.empty();
   if (!CHECK(passed)) NOTE(command << ": exit " << result.exit_status << ", stderr: " << result.err);
+  if (!output.empty()) CHECK_EQ(result.out, output);
+}
+
+// Fits every member: as many as an aggregate takes are its members.
+struct Anything {
+  template <class T>
+  operator T() const;
+};
+template <class Aggregate, class Members, class = void>
+struct TakesMembers : std::false_type {};
+template <class Aggregate, std::size_t... I>
+struct TakesMembers<Aggregate, std::index_sequence<I...>,
+                    std::void_t<decltype(Aggregate{(static_cast<void>(I), Anything{})...})>>
+    : std::true_type {};
+template <class Aggregate, int Count = 100>
+constexpr int member_count() {
+  if constexpr (TakesMembers<Aggregate, std::make_index_sequence<Count>>::value) {
+    return Count;
+  } else {
+    return member_count<Aggregate, Count - 1>();
+  }
 }
 
 // Examples that the help shows: of the program, and of each command it lists.
@@ -87,12 +126,18 @@ std::vector<std::string> listed_commands() {
 }  // namespace
 
 TEST(cli_help_commands_of_the_readme_succeed) {
-  const std::vector<std::string> commands = readme_commands();
-  CHECK_LE(10u, commands.size());
-  for (const std::string& command : commands) {
-    const bool direct = command.compare(0, 15, "build/tiltrotor") == 0;
-    check_succeeds(direct ? command : "( " + one_job(command) + " )", "build/tiltrotor");
+  std::size_t count = 0, shown = 0;
+  for (const char* const page : {"README.md", "src/cli/README.md"}) {
+    for (const auto& [command, output] : documented_commands(page)) {
+      ++count;
+      const bool direct = command.compare(0, 15, "build/tiltrotor") == 0;
+      shown += direct && !output.empty() ? 1 : 0;
+      check_succeeds(direct ? command : "( " + one_job(command) + " )", "build/tiltrotor",
+                     direct ? output : "");
+    }
   }
+  CHECK_EQ(count, 12u);
+  CHECK_EQ(shown, 2u);
 }
 
 // `report` draws everything: its example is run by the slow test.
@@ -128,7 +173,7 @@ TEST(cli_help_examples_of_inputs_succeed) {
   CHECK_EQ(count, 3);
 }
 
-// "--option NAME=VALUE (trim --help lists them)": every switch with its values, and each value is accepted.
+// "--option NAME=VALUE (trim --help lists them)": every member of Options with its values, and each value is accepted.
 TEST(cli_help_lists_the_switches_of_the_model) {
   const std::string help = run_tiltrotor("trim --help").out;
   CHECK(help.find("  tables=c1|linear ") != std::string::npos);
@@ -143,36 +188,16 @@ TEST(cli_help_lists_the_switches_of_the_model) {
         run_tiltrotor("trim --speed 40 --option " + match[1].str() + "=" + first);
     if (!CHECK(result.exit_status != 2)) NOTE(result.err);
   }
-  CHECK_LE(30, switches);
+  CHECK_EQ(switches, member_count<tiltrotor::Options>());
   for (const char* command : {"linearize", "modes", "respond", "derivative", "loads", "rotor"})
     CHECK(run_tiltrotor(std::string(command) + " --help").out.find("  tables=c1|linear ") !=
           std::string::npos);
 }
 
-// Goals of make that the README names are goals of the Makefile.
-TEST(cli_help_goals_of_the_readme_exist) {
-  std::string rules;
-  for (const auto& entry : std::filesystem::recursive_directory_iterator(check::source_path(""))) {
-    const std::string name = entry.path().filename().string();
-    if (name == "Makefile" || entry.path().extension() == ".mk") {
-      std::ifstream in(entry.path());
-      rules += "\n" + std::string(std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>());
-    }
-  }
-  const std::string readme = file_text("README.md");
-  const std::regex call("(`|\n    )make ([a-z-]+)");
-  int goals = 0;
-  for (std::sregex_iterator i(readme.begin(), readme.end(), call), end; i != end; ++i, ++goals) {
-    const std::string goal = (*i)[2];
-    if (!CHECK(rules.find("\n" + goal + ":") != std::string::npos)) NOTE("make " << goal);
-  }
-  CHECK_LE(10, goals);
-}
-
-// The README's bounds of memory are those that `make budget` checks.
+// The bounds of memory that the page of the tests names are those that `make budget` checks.
 TEST(cli_help_bounds_of_the_readme_are_checked) {
   const std::string limits = file_text("tests/budget/limits.csv");
-  const std::string readme = file_text("README.md");
+  const std::string readme = file_text("tests/README.md");
   const auto limit = [&](const std::string& name) {
     const std::size_t place = limits.find("\n" + name + ",");
     return std::strtod(limits.c_str() + place + name.size() + 2, nullptr);

@@ -1,6 +1,10 @@
 // Help of every command, conventions, version.
+// Expected: the list of commands, the names in the C header.
+#include <sstream>
+
 #include "check.hpp"
 #include "run_program.hpp"
+#include "tiltrotor/tiltrotor.h"
 
 using check::run_program;
 using check::run_tiltrotor;
@@ -55,4 +59,15 @@ TEST(cli_conventions_state_axes_and_stick) {
   CHECK_EQ(text.exit_status, 0);
   CHECK(contains(text.out, "x forward, y right, z down"));
   CHECK(contains(text.out, "0..9.6, neutral 4.8"));
+}
+
+// In the order of arrays, as the library tells them.
+TEST(cli_conventions_name_every_state_and_input) {
+  const std::string text = run_tiltrotor("conventions").out;
+  std::istringstream words(text.substr(text.find("\nStates ") + 8));
+  std::string word;
+  for (int i = 0; i < TR_STATES; ++i) CHECK(words >> word && word == tr_state_name(i));
+  CHECK(words >> word && word == "Inputs");
+  for (int j = 0; j < TR_CONTROLS; ++j) CHECK(words >> word && word == tr_control_name(j));
+  CHECK(!(words >> word));
 }

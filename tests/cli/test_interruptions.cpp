@@ -1,6 +1,7 @@
 // Runs that end early: interrupted, out of room, without a reader, in a folder that refuses, or two at once
 // in one place. Each says so in one line with the right exit status; results of earlier runs stay, and
 // nothing is left behind.
+// Expected: exit statuses of POSIX shells, files as they were before.
 #include <algorithm>
 #include <filesystem>
 

@@ -1,5 +1,6 @@
 // Names of modes belong to the matrix alone, whatever was looked at before; branches follow a mode along a
 // sweep and are the same in shards.
+// Expected: the same matrix looked at alone, the C interface.
 #include <algorithm>
 #include <cmath>
 #include <fstream>

@@ -1,4 +1,5 @@
 // The command line in air that moves: speeds are relative to the air at the aircraft.
+// Expected: the velocity triangle.
 #include <cmath>
 #include <fstream>
 

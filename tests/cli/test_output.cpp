@@ -1,4 +1,5 @@
 // Files appear whole or not at all; a reader that leaves and a full disk are reported; formats and shards.
+// Expected: the grammar of RFC 8259, the unsharded run, one output form against another.
 #include <algorithm>
 #include <filesystem>
 #include <sstream>

@@ -1,5 +1,6 @@
 // Times of `respond`: inputs act when they were asked to, whatever the step, and the flight ends when it was
 // asked to.
+// Expected: runs whose steps have every edge on a boundary; the times asked for.
 #include <cmath>
 
 #include "check.hpp"

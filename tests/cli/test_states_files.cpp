@@ -1,5 +1,6 @@
 // Files of states: what the program prints it reads again; the forms of CSV that spreadsheets write; the
 // ranges of the C interface; and files that do not fit into memory.
+// Expected: rates of zero at a trim, slopes of columns, RFC 4180, the bounds of the C header.
 #include <algorithm>
 #include <cmath>
 

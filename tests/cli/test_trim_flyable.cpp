@@ -1,4 +1,5 @@
 // What `trim` prints and says of flights straight up and down, and of the stick.
+// Expected: momentum theory for the order of cases, travel of the stick (GTRS).
 #include <cstdlib>
 
 #include "check.hpp"

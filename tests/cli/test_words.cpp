@@ -1,4 +1,5 @@
 // One number for one quantity: messages, columns and echoes agree, and zero is printed as zero.
+// Expected: what was given, decimals counted by hand, the load factor of the flight path in closed form.
 #include <cmath>
 #include <regex>
 

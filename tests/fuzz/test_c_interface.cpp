@@ -1,6 +1,7 @@
 // Any calls of the C interface, in any order, with any numbers. Two aircraft share a work area; a third
 // stands by and must never change. A call that fails leaves its aircraft and its outputs alone; one that
 // succeeds returns numbers.
+// Expected: the header's contract.
 #include <cmath>
 
 #include "fuzz/target.hpp"

@@ -1,5 +1,6 @@
 // Any words after any command, one a line: matched with the options, read as numbers, sweeps, inputs and
 // switches, but not run. Everything that is wrong is a UsageError of one line.
+// Expected: the contract: a value or one line.
 #include "cli/command.hpp"
 #include "cli/errors.hpp"
 #include "cli/flight_options.hpp"

@@ -1,4 +1,5 @@
 // Dual numbers, tables, LU and eigenvalues on any numbers of any order.
+// Expected: plain numbers bit for bit, residuals.
 #include <cmath>
 
 #include "fuzz/target.hpp"

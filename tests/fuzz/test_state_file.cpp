@@ -1,4 +1,5 @@
 // Any text as a file of states: a complete table of finite numbers, or a UsageError that names file and line.
+// Expected: the contract: a table or one line.
 #include <cmath>
 
 #include "cli/errors.hpp"

@@ -1,4 +1,5 @@
 // Any text as a table of the table generator: a checked grid, or a fault with file and line.
+// Expected: the contract: a grid or one line.
 #include <cmath>
 
 #include "fuzz/target.hpp"

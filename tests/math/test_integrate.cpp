@@ -29,7 +29,7 @@ double rk4_error(int steps) {
   static RungeKuttaWorkspace<double, 4> work;
   double x[2] = {1.0, 1.0};
   const double dt = 1.0 / steps;
-  for (int i = 0; i < steps; ++i) CHECK(rk4_step(Coupled(), i * dt, dt, x, 2, work) == Status::ok);
+  for (int i = 0; i < steps; ++i) CHECK(rk4_step(Coupled(), {i * dt, dt, x, 2}, work) == Status::ok);
   return std::hypot(x[0] - 0.5, x[1] - std::exp(-1.0));
 }
 
@@ -37,7 +37,7 @@ double rk3_error(int steps) {
   static RungeKuttaWorkspace<double, 4> work;
   double x[2] = {1.0, 1.0};
   const double dt = 1.0 / steps;
-  for (int i = 0; i < steps; ++i) CHECK(rk3_step(Coupled(), i * dt, dt, x, 2, work) == Status::ok);
+  for (int i = 0; i < steps; ++i) CHECK(rk3_step(Coupled(), {i * dt, dt, x, 2}, work) == Status::ok);
   return std::hypot(x[0] - 0.5, x[1] - std::exp(-1.0));
 }
 
@@ -50,7 +50,7 @@ double rodas3_error(int steps, bool with_time_slope) {
   for (int i = 0; i < steps; ++i) {
     f.jacobian(i * dt, x, jacobian, time_slope);
     const double* given = with_time_slope ? time_slope : nullptr;
-    CHECK(rodas3_step(f, jacobian, given, i * dt, dt, x, 2, work) == Status::ok);
+    CHECK(rodas3_step(f, jacobian, {i * dt, dt, x, 2, nullptr, given}, work) == Status::ok);
   }
   return std::hypot(x[0] - 0.5, x[1] - std::exp(-1.0));
 }
@@ -78,7 +78,7 @@ TEST(rk3_stability_function) {
       return Status::ok;
     };
     double x[1] = {1.0};
-    CHECK(rk3_step(f, 0.0, 1.0, x, 1, work) == Status::ok);
+    CHECK(rk3_step(f, {0.0, 1.0, x, 1}, work) == Status::ok);
     CHECK_NEAR(x[0], 1.0 + z + z * z / 2 + z * z * z / 6, 1e-15);
   }
 }
@@ -100,9 +100,9 @@ TEST(integrators_take_over_a_known_first_slope) {
   const double broken[2] = {slope[0], std::nan("")};
   for (int method = 0; method < 3; ++method) {
     const auto step = [&](double* x, const double* known) {
-      if (method == 0) return rk3_step(f, 0.1, 0.2, x, 2, runge_kutta, known);
-      if (method == 1) return rk4_step(f, 0.1, 0.2, x, 2, runge_kutta, known);
-      return rodas3_step(f, jacobian, time_slope, 0.1, 0.2, x, 2, rosenbrock, known);
+      if (method == 0) return rk3_step(f, {0.1, 0.2, x, 2, known}, runge_kutta);
+      if (method == 1) return rk4_step(f, {0.1, 0.2, x, 2, known}, runge_kutta);
+      return rodas3_step(f, jacobian, {0.1, 0.2, x, 2, known, time_slope}, rosenbrock);
     };
     double alone[2] = {begin[0], begin[1]}, helped[2] = {begin[0], begin[1]};
     calls = 0;
@@ -123,7 +123,7 @@ TEST(rk4_is_exact_for_cubic_polynomials_in_time) {  // the method is Simpson's r
     xdot[0] = 4.0F * t * t * t;
     return Status::ok;
   };
-  CHECK(rk4_step(f, 0.0F, 2.0F, x, 1, work) == Status::ok);
+  CHECK(rk4_step(f, {0.0F, 2.0F, x, 1}, work) == Status::ok);
   CHECK_NEAR(x[0], 17.0F, 1e-5);
 }
 
@@ -148,7 +148,7 @@ TEST(rodas3_is_l_stable) {  // stability function at z -> -infinity is 0: the fa
     };
     const Matrix<double, 1, 1> jacobian = {{-rate}};
     double x[1] = {1.0};
-    CHECK(rodas3_step(f, jacobian, 0.0, 1.0, x, 1, work) == Status::ok);
+    CHECK(rodas3_step(f, jacobian, {0.0, 1.0, x, 1}, work) == Status::ok);
     CHECK_LT(std::fabs(x[0]), 10.0 / rate + 1e-15);
   }
 }
@@ -162,8 +162,7 @@ TEST(rodas3_stability_function) {  // R(z) to order 3 at small z, from the expon
     };
     const Matrix<double, 1, 1> jacobian = {{z}};
     double x[1] = {1.0}, error[1] = {0.0};
-    CHECK(rodas3_step(f, jacobian, 0.0, 1.0, x, 1, work, static_cast<const double*>(nullptr), error) ==
-          Status::ok);
+    CHECK(rodas3_step(f, jacobian, {0.0, 1.0, x, 1, nullptr, nullptr, error}, work) == Status::ok);
     CHECK_NEAR(x[0], std::exp(z), 2e-9);  // z^4 times a constant below 0.2
     CHECK_LT(std::fabs(error[0]), 1e-6);  // the estimate is of order z^3
     CHECK_LT(1e-8, std::fabs(error[0]));
@@ -182,7 +181,7 @@ TEST(rodas3_stiff_relaxation_at_large_steps) {  // Prothero-Robinson: x' = -1e8 
   for (int i = 0; i < 40; ++i) {
     const double t = i * dt;
     const double time_slope[1] = {-rate * std::sin(t) - std::cos(t)};
-    CHECK(rodas3_step(f, jacobian, time_slope, t, dt, x, 1, work) == Status::ok);
+    CHECK(rodas3_step(f, jacobian, {t, dt, x, 1, nullptr, time_slope}, work) == Status::ok);
   }
   CHECK_NEAR(x[0], std::cos(2.0), 2e-3);
 }
@@ -199,26 +198,26 @@ TEST(integrators_leave_the_state_alone_when_they_fail) {
       for (int i = 0; i < 3; ++i) xdot[i] = 1.0;
       return calls++ == fails_at ? Status::out_of_range : Status::ok;
     };
-    CHECK(rk4_step(f, 0.0, 0.1, x, 3, runge_kutta) == Status::out_of_range);
+    CHECK(rk4_step(f, {0.0, 0.1, x, 3}, runge_kutta) == Status::out_of_range);
     calls = 0;
-    if (fails_at < 3) CHECK(rk3_step(f, 0.0, 0.1, x, 3, runge_kutta) == Status::out_of_range);
+    if (fails_at < 3) CHECK(rk3_step(f, {0.0, 0.1, x, 3}, runge_kutta) == Status::out_of_range);
     calls = fails_at == 3 ? 1 : 0;  // three evaluations only
-    CHECK(rodas3_step(f, jacobian, 0.0, 0.1, x, 3, rosenbrock) == Status::out_of_range);
+    CHECK(rodas3_step(f, jacobian, {0.0, 0.1, x, 3}, rosenbrock) == Status::out_of_range);
   }
   const auto infinite = [](double, const double*, double* xdot) {
     for (int i = 0; i < 3; ++i) xdot[i] = std::numeric_limits<double>::infinity();
     return Status::ok;
   };
-  CHECK(rk4_step(infinite, 0.0, 0.1, x, 3, runge_kutta) == Status::not_finite);
-  CHECK(rodas3_step(infinite, jacobian, 0.0, 0.1, x, 3, rosenbrock) == Status::not_finite);
+  CHECK(rk4_step(infinite, {0.0, 0.1, x, 3}, runge_kutta) == Status::not_finite);
+  CHECK(rodas3_step(infinite, jacobian, {0.0, 0.1, x, 3}, rosenbrock) == Status::not_finite);
   jacobian(0, 0) = 20.0;  // 1/(gamma dt) with dt = 0.1: the system is singular
-  CHECK(rodas3_step(infinite, jacobian, 0.0, 0.1, x, 3, rosenbrock) == Status::singular);
+  CHECK(rodas3_step(infinite, jacobian, {0.0, 0.1, x, 3}, rosenbrock) == Status::singular);
   jacobian(0, 0) = std::numeric_limits<double>::quiet_NaN();
-  CHECK(rodas3_step(infinite, jacobian, 0.0, 0.1, x, 3, rosenbrock) == Status::not_finite);
-  CHECK(rk4_step(infinite, 0.0, 0.1, x, 4, runge_kutta) == Status::bad_argument);
-  CHECK(rk3_step(infinite, 0.0, 0.1, x, 3, runge_kutta) == Status::not_finite);
-  CHECK(rk3_step(infinite, 0.0, 0.1, x, 0, runge_kutta) == Status::bad_argument);
-  CHECK(rodas3_step(infinite, jacobian, 0.0, 0.0, x, 3, rosenbrock) == Status::bad_argument);
+  CHECK(rodas3_step(infinite, jacobian, {0.0, 0.1, x, 3}, rosenbrock) == Status::not_finite);
+  CHECK(rk4_step(infinite, {0.0, 0.1, x, 4}, runge_kutta) == Status::bad_argument);
+  CHECK(rk3_step(infinite, {0.0, 0.1, x, 3}, runge_kutta) == Status::not_finite);
+  CHECK(rk3_step(infinite, {0.0, 0.1, x, 0}, runge_kutta) == Status::bad_argument);
+  CHECK(rodas3_step(infinite, jacobian, {0.0, 0.0, x, 3}, rosenbrock) == Status::bad_argument);
   CHECK_EQ(x[0], 1.0);
   CHECK_EQ(x[1], 2.0);
   CHECK_EQ(x[2], 3.0);
@@ -241,9 +240,9 @@ TEST(integrators_refuse_bad_sizes_times_and_states) {
   const double infinity = std::numeric_limits<double>::infinity();
   const auto both = [&](double t, double dt, double second, int n, Status expected) {
     double x[2] = {1.0, second}, error[2] = {5.0, 5.0};
-    CHECK(rk3_step(f, t, dt, x, n, runge_kutta) == expected);
-    CHECK(rk4_step(f, t, dt, x, n, runge_kutta) == expected);
-    CHECK(rodas3_step(f, jacobian, t, dt, x, n, rosenbrock, kNoSlope, error) == expected);
+    CHECK(rk3_step(f, {t, dt, x, n}, runge_kutta) == expected);
+    CHECK(rk4_step(f, {t, dt, x, n}, runge_kutta) == expected);
+    CHECK(rodas3_step(f, jacobian, {t, dt, x, n, nullptr, nullptr, error}, rosenbrock) == expected);
     CHECK(x[0] == 1.0 && error[0] == (expected == Status::ok ? 0.0 : 5.0));
   };
   both(0.0, 0.1, 2.0, 2, Status::ok);
@@ -266,15 +265,16 @@ TEST(integrators_report_a_sum_beyond_the_range) {
     return Status::ok;
   };
   double x[1] = {1.79e308}, error[1] = {5.0};
-  CHECK(rodas3_step(f, Matrix<double, 1, 1>{}, 0.0, 1.0, x, 1, rosenbrock, kNoSlope, error) ==
+  CHECK(rodas3_step(f, Matrix<double, 1, 1>{}, {0.0, 1.0, x, 1, nullptr, nullptr, error}, rosenbrock) ==
         Status::not_finite);
-  CHECK(rk3_step(f, 0.0, 1.0, x, 1, runge_kutta) == Status::not_finite);
-  CHECK(rk4_step(f, 0.0, 1.0, x, 1, runge_kutta) == Status::not_finite);
+  CHECK(rk3_step(f, {0.0, 1.0, x, 1}, runge_kutta) == Status::not_finite);
+  CHECK(rk4_step(f, {0.0, 1.0, x, 1}, runge_kutta) == Status::not_finite);
   CHECK(x[0] == 1.79e308 && error[0] == 5.0);
   // From zero it is a plain step, with the estimate of a constant slope or without.
   x[0] = 0;
-  CHECK(rodas3_step(f, Matrix<double, 1, 1>{}, 0.0, 1.0, x, 1, rosenbrock, kNoSlope, error) == Status::ok);
-  CHECK(rodas3_step(f, Matrix<double, 1, 1>{}, 0.0, 1.0, x, 1, rosenbrock) == Status::ok);
+  CHECK(rodas3_step(f, Matrix<double, 1, 1>{}, {0.0, 1.0, x, 1, nullptr, nullptr, error}, rosenbrock) ==
+        Status::ok);
+  CHECK(rodas3_step(f, Matrix<double, 1, 1>{}, {0.0, 1.0, x, 1}, rosenbrock) == Status::ok);
   CHECK_REL(x[0], 4e307, 1e-15);
   CHECK_EQ(error[0], 0.0);
 }
@@ -288,6 +288,6 @@ TEST(rk3_is_exact_for_cubic_polynomials_in_time) {
     return Status::ok;
   };
   double x[1] = {0.0};
-  CHECK(rk3_step(f, 1.0, 2.0, x, 1, work) == Status::ok);
+  CHECK(rk3_step(f, {1.0, 2.0, x, 1}, work) == Status::ok);
   CHECK_NEAR(x[0], 58.0, 1e-12);  // t^4 - 3 t^2 + t between 1 and 3: 57 + 1
 }

@@ -1,5 +1,6 @@
 // Horizontal tail and fins: printed loads, signs of elevator, rudder and sideslip, downwash, blends, tables
 // at hand.
+// Expected: printed runs (printed_runs.hpp), the tables read by eye, geometry of the stations.
 #include "printed_runs.hpp"
 
 using namespace flight_cases;

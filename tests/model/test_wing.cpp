@@ -1,4 +1,5 @@
 // Free wing: printed loads, split of the area, mast blending of drag, aileron and rate terms, downwash.
+// Expected: printed runs (printed_runs.hpp), the tables read by eye, closed forms of the blends.
 #include "printed_runs.hpp"
 
 using namespace flight_cases;

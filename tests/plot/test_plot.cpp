@@ -1,4 +1,5 @@
 // The plot writer: well-formed whatever the text, points where they belong.
+// Expected: well-formed XML, fractions of the axes by hand.
 #include "plot/plot.hpp"
 
 #include <cstdlib>

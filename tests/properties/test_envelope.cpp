@@ -1,4 +1,5 @@
 // The quick version of `make envelope`.
+// Expected: the contract.
 #include "check.hpp"
 #include "properties/envelope.hpp"
 

@@ -79,7 +79,7 @@ State<double> flown(const Configuration<double>& c, const State<double>& start, 
   double numbers[state_count];
   flatten(x, numbers);
   const InWind f{c, u, wind};
-  for (int k = 0; k < steps; ++k) CHECK(rk4_step(f, 0.0, dt, numbers, state_count, work) == Status::ok);
+  for (int k = 0; k < steps; ++k) CHECK(rk4_step(f, {0.0, dt, numbers, state_count}, work) == Status::ok);
   unflatten(numbers, x);
   x.velocity = x.velocity - to_body(wind, x.roll, x.pitch, x.yaw);
   return x;

@@ -1,4 +1,5 @@
 // What the page says follows from the numbers beside it, and says of what program and day it is.
+// Expected: the numbers of the same run, counted again; tables of the paper.
 
 #include <cstdlib>
 #include <filesystem>

@@ -1,4 +1,5 @@
 // The report as a whole: tables, published points, page, and the files of a run.
+// Expected: well-formed XML, the files of published numbers themselves.
 
 #include <filesystem>
 #include <fstream>

@@ -1,4 +1,5 @@
 // The validation: what it demands, that it holds, and that its list of known exceedances cannot go stale.
+// Expected: the files of published numbers themselves; lists changed on purpose.
 
 #include <filesystem>
 #include <fstream>

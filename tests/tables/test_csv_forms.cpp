@@ -1,4 +1,5 @@
 // Tables in the forms of CSV that spreadsheets write: the same cells, or a fault of file and line.
+// Expected: the cells of the plain form; RFC 4180.
 #include <cstdio>
 #include <fstream>
 

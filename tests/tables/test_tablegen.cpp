@@ -1,5 +1,6 @@
 // The table generator on broken copies of the tables: exit code 2, one line `file:line: message`, no output
 // left.
+// Expected: file and line of the fault that the test itself makes.
 #include <algorithm>
 #include <filesystem>
 #include <fstream>

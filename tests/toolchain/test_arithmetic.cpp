@@ -1,5 +1,6 @@
 // Arithmetic other than assumed is found when it is met: by the rounding modes of the C library,
 // fesetround().
+// Expected: the rounding modes of fenv.h.
 #include <cfenv>
 
 #include "check.hpp"

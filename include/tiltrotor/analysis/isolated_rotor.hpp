@@ -10,25 +10,10 @@
 
 #include <cmath>
 
+#include "tiltrotor/analysis/rotor_equations.hpp"
 #include "tiltrotor/analysis/trim/momentum_range.hpp"
-#include "tiltrotor/math/algebra/lu.hpp"
-#include "tiltrotor/model/rotor/rotor.hpp"
 
 namespace tiltrotor {
-
-enum class CyclicUse : unsigned char {
-  given,        // cyclic as given, the gimbal tilts freely
-  cancels_tilt  // cyclic found that holds the disk normal to the shaft
-};
-
-template <class R>
-struct RotorFlow {
-  R axial;                        // speed up the shaft (climb; airplane mode forward), m/s, -150..150
-  R in_plane;                     // speed of the hub across the shaft, m/s, -150..150
-  R collective;                   // blade pitch at the reference radius, rad, within 90 deg
-  R lateral_cyclic, long_cyclic;  // A1, B1, rad, within 30 deg
-  CyclicUse cyclic;
-};
 
 // Coefficients over rho pi R^2 (Omega R)^2 (and R).
 template <class R>
@@ -51,32 +36,9 @@ struct IsolatedRotor {
   R residual;  // largest scaled rate left over
 };
 
-// Two flapping or cyclic angles, three inflow states, coning.
-inline constexpr int kRotorUnknowns = 6;
-
-// Input, response and memory of one evaluation on scalar T.
-template <class T>
-struct SeededRotorWorkspace {
-  T flat[RotorInput<T>::kCount];
-  T variable[kRotorUnknowns];
-  T residual[kRotorUnknowns];
-  RotorInput<T> in;
-  RotorResponse<T> out;
-  RotorWorkspace<T> rotor;
-};
-
-template <class R>
-struct IsolatedRotorWorkspace {
-  RotorWorkspace<R> plain;
-  SeededRotorWorkspace<Dual<R, kRotorUnknowns>> seeded;
-  Matrix<R, kRotorUnknowns, kRotorUnknowns> jacobian;
-  LU<R, kRotorUnknowns> factors;
-};
-
 namespace isolated_rotor_detail {
 
-inline constexpr int kMaxIterations = 60;
-inline constexpr int kMaxHalvings = 12;
+inline constexpr int kMaxIterations = 60;  // of one start
 
 template <class R>
 bool valid(const RotorFlow<R>& flow) {
@@ -94,132 +56,6 @@ template <class R>
 bool finite(const RotorFlow<R>& flow) {
   return is_finite(flow.axial) && is_finite(flow.in_plane) && is_finite(flow.collective) &&
          is_finite(flow.lateral_cyclic) && is_finite(flow.long_cyclic);
-}
-
-// Which unknowns there are: always the two angles and the mean inflow.
-struct Unknowns {
-  int harmonics;  // 1 or 3 inflow states
-  bool coning;
-  int count() const { return 2 + harmonics + (coning ? 1 : 0); }
-};
-
-inline Unknowns unknowns(const Options& o) {
-  return {o.inflow == InflowShape::uniform ? 1 : 3, o.coning_states};
-}
-
-// Puts the unknowns z where they belong. The angles are tilt (b1c, b1s) or cyclic (A1, B1).
-template <class T>
-void place(const Unknowns& set, CyclicUse cyclic, const T* z, RotorInput<T>& in) {
-  if (cyclic == CyclicUse::given) {
-    in.state.b1c = z[0];
-    in.state.b1s = z[1];
-  } else {
-    in.lateral_cyclic = z[0];
-    in.long_cyclic = z[1];
-  }
-  in.state.lambda_0 = z[2];
-  if (set.harmonics == 3) {
-    in.state.lambda_c = z[3];
-    in.state.lambda_s = z[4];
-  }
-  if (set.coning) in.coning.angle = z[2 + set.harmonics];
-}
-
-// Rates that vanish in equilibrium, in parts of the rotor speed.
-template <class T>
-void residuals(const Configuration<Real<T>>& c, const Unknowns& set, const RotorResponse<T>& response,
-               T* residual) {
-  using R = Real<T>;
-  const R per_omega = R(1) / c.setup.rotor_speed;
-  const R per_omega2 = per_omega * per_omega;
-  if (c.setup.options.flapping == FlapOrder::first) {
-    residual[0] = response.flapping.b1c_rate * per_omega;
-    residual[1] = response.flapping.b1s_rate * per_omega;
-  } else {
-    residual[0] = response.flapping.b1c_acceleration * per_omega2;
-    residual[1] = response.flapping.b1s_acceleration * per_omega2;
-  }
-  residual[2] = response.inflow.lambda_0 * per_omega;
-  if (set.harmonics == 3) {
-    residual[3] = response.inflow.lambda_c * per_omega;
-    residual[4] = response.inflow.lambda_s * per_omega;
-  }
-  if (set.coning) residual[2 + set.harmonics] = response.coning_acceleration * per_omega2;
-}
-
-// Mean inflow by momentum theory, thrust from the angle of attack at the reference radius.
-template <class R>
-R first_inflow(const Configuration<R>& c, const RotorFlow<R>& flow, R solidity) {
-  const R reference = c.aircraft->rotor.twist_reference;
-  const R mu = flow.in_plane / c.tip_speed;
-  const R axial = flow.axial / c.tip_speed;
-  const R largest = R(0.02);  // thrust coefficient: beyond it the blades stall
-  const R least_flow = R(0.01);
-  R n0 = R(0);
-  for (int k = 0; k < 40; ++k) {
-    const R angle = flow.collective - std::atan2(axial + n0, reference);
-    R ct = solidity * c.aircraft->rotor.lift_slope * angle / R(6);
-    ct = ct > largest ? largest : ct < -largest ? -largest : ct;
-    const R speed = std::sqrt(mu * mu + square(axial + n0));
-    n0 = R(0.75) * n0 + R(0.125) * ct / (speed > least_flow ? speed : least_flow);
-  }
-  return n0;
-}
-
-template <class R>
-R sum_of_squares(const R* x, int n) {
-  R sum = R(0);
-  for (int i = 0; i < n; ++i) sum += x[i] * x[i];
-  return sum;
-}
-
-template <class R>
-R largest(const R* x, int n) {
-  R size = R(0);
-  for (int i = 0; i < n; ++i) size = std::fabs(x[i]) > size ? std::fabs(x[i]) : size;
-  return size;
-}
-
-// Residuals at z on plain numbers; `rotor` receives input and response.
-template <class R>
-void rotor_residuals(const Configuration<R>& c, const Unknowns& set, CyclicUse cyclic, const R* z,
-                     RotorWorkspace<R>& work, IsolatedRotor<R>& rotor, R* residual) {
-  place(set, cyclic, z, rotor.input);
-  rotor_response(c, rotor.input, c.azimuth, work, rotor.response);
-  residuals(c, set, rotor.response, residual);
-}
-
-template <class R>
-void jacobian(const Configuration<R>& c, const Unknowns& set, CyclicUse cyclic, const R* z,
-              const RotorInput<R>& at, IsolatedRotorWorkspace<R>& work) {
-  using D = Dual<R, kRotorUnknowns>;
-  SeededRotorWorkspace<D>& seeded = work.seeded;
-  R plain[RotorInput<R>::kCount];
-  flatten(at, plain);
-  for (int i = 0; i < RotorInput<R>::kCount; ++i) seeded.flat[i] = D(plain[i]);
-  unflatten(seeded.flat, seeded.in);
-  const int n = set.count();
-  for (int j = 0; j < n; ++j) seeded.variable[j] = D::variable(z[j], j);
-  place(set, cyclic, seeded.variable, seeded.in);
-  rotor_response(c, seeded.in, c.azimuth, seeded.rotor, seeded.out);
-  residuals(c, set, seeded.out, seeded.residual);
-  for (int i = 0; i < n; ++i) {
-    for (int j = 0; j < n; ++j) work.jacobian(i, j) = seeded.residual[i].d.get(j);
-  }
-}
-
-// Shortens the step so that no angle changes by more than 5 deg and no inflow by more than 0.02.
-template <class R>
-void limit_step(const Unknowns& set, R* step) {
-  const R angle = R(5) * kRadPerDeg<R>;
-  const R inflow = R(0.02);
-  R factor = R(1);
-  for (int j = 0; j < set.count(); ++j) {
-    const bool is_inflow = j >= 2 && j < 2 + set.harmonics;
-    const R limit = is_inflow ? inflow : angle;
-    if (std::fabs(step[j]) * factor > limit) factor = limit / std::fabs(step[j]);
-  }
-  for (int j = 0; j < set.count(); ++j) step[j] *= factor;
 }
 
 template <class R>
@@ -245,46 +81,18 @@ RotorFigures<R> figures(const Configuration<R>& c, const RotorFlow<R>& flow, con
   return f;
 }
 
-// Damped Newton iteration from z, which ends where the rotor is.
+// From z, which ends where the rotor is.
 template <class R>
-Status solve(const Configuration<R>& c, const Unknowns& set, CyclicUse cyclic, R* z,
+Status solve(const Configuration<R>& c, const Unknowns& set, CyclicUse cyclic,
              IsolatedRotorWorkspace<R>& work, IsolatedRotor<R>& rotor) {
-  const int n = set.count();
+  NewtonWorkspace<R, kRotorUnknowns>& iteration = work.newton;
+  RotorProblem<R> problem{c, set, cyclic, work, rotor.input, rotor.response};
   const R tolerance = R(5e4) * std::numeric_limits<R>::epsilon();
-  R residual[kRotorUnknowns];
-  isolated_rotor_detail::rotor_residuals(c, set, cyclic, z, work.plain, rotor, residual);
-  Status status = Status::not_converged;
-  for (int k = 0; k < kMaxIterations; ++k, ++rotor.iterations) {
-    rotor.residual = largest(residual, n);
-    if (!is_finite(sum_of_squares(residual, n))) {
-      status = Status::not_finite;
-      break;
-    }
-    if (rotor.residual < tolerance) {
-      status = Status::ok;
-      break;
-    }
-    jacobian(c, set, cyclic, z, rotor.input, work);
-    R step[kRotorUnknowns];
-    for (int i = 0; i < n; ++i) step[i] = -residual[i];
-    status = lu_factor(work.jacobian, n, work.factors);
-    if (status == Status::ok) status = lu_solve(work.factors, step);
-    if (status != Status::ok) break;
-    status = Status::not_converged;
-    limit_step(set, step);
-
-    const R before = sum_of_squares(residual, n);
-    R trial[kRotorUnknowns];
-    for (int halving = 0; halving <= kMaxHalvings; ++halving) {
-      for (int j = 0; j < n; ++j) trial[j] = z[j] + step[j];
-      isolated_rotor_detail::rotor_residuals(c, set, cyclic, trial, work.plain, rotor, residual);
-      if (sum_of_squares(residual, n) < before) break;
-      for (int j = 0; j < n; ++j) step[j] *= R(0.5);
-    }
-    for (int j = 0; j < n; ++j) z[j] = trial[j];
-  }
-  rotor.residual = largest(residual, n);
-  return status;
+  const NewtonResult<R> found =
+      newton(problem, set.count(), tolerance, {kMaxIterations}, iteration, rotor.iterations);
+  problem.values(iteration.z, iteration.residual);
+  rotor.residual = found.residual;
+  return found.status;
 }
 
 template <class R>
@@ -323,7 +131,8 @@ Status isolated_rotor(const Configuration<R>& c, const RotorFlow<R>& flow, Isola
   rotor.input.lateral_cyclic = flow.lateral_cyclic;
   rotor.input.long_cyclic = flow.long_cyclic;
 
-  const auto start = [&](R n0, R* z) {
+  R* const z = work.newton.z;
+  const auto start = [&](R n0) {
     for (int j = 0; j < kRotorUnknowns; ++j) z[j] = R(0);
     if (flow.cyclic == CyclicUse::cancels_tilt) {
       z[0] = flow.lateral_cyclic;
@@ -337,9 +146,8 @@ Status isolated_rotor(const Configuration<R>& c, const RotorFlow<R>& flow, Isola
   IsolatedRotor<R> best = rotor;
   Status status = Status::not_converged;
   for (const R n0 : starts) {
-    R z[kRotorUnknowns];
-    start(n0, z);
-    const Status ended = solve(c, set, flow.cyclic, z, work, rotor);
+    start(n0);
+    const Status ended = solve(c, set, flow.cyclic, work, rotor);
     rotor.momentum = range(c, rotor);
     const bool found = ended == Status::ok && rotor.momentum == MomentumRange::holds;
     if (found || best.iterations == 0 || (ended == Status::ok && status != Status::ok)) {

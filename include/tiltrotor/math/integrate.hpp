@@ -26,6 +26,17 @@ struct RosenbrockWorkspace {
   R stage[N];
 };
 
+// What a step starts from: n states x at t, which become those at t + dt when the step succeeds.
+template <class R>
+struct IntegrationStep {
+  R t, dt;
+  R* x;
+  int n;
+  const R* known = nullptr;       // f(t, x) where it is at hand: saves its evaluation
+  const R* time_slope = nullptr;  // df/dt[n] at (t, x), for RODAS3
+  R* error = nullptr;             // of RODAS3: receives the difference to the embedded solution of order 2
+};
+
 namespace integrate_detail {
 
 template <class R>
@@ -61,11 +72,13 @@ inline Status first_slope(RightSide&& f, R t, const R* x, int n, const R* known,
 // Kutta's method of order 3, three evaluations of f, from t to t + dt.
 // Status: that of f; not_finite; bad_argument (n outside 1..N).
 template <class R, int N, class RightSide>
-inline Status rk3_step(RightSide&& f, R t, R dt, R* x, int n, RungeKuttaWorkspace<R, N>& work,
-                       const R* known = nullptr) {
+inline Status rk3_step(RightSide&& f, const IntegrationStep<R>& step, RungeKuttaWorkspace<R, N>& work) {
+  const R t = step.t, dt = step.dt;
+  R* const x = step.x;
+  const int n = step.n;
   Status status = integrate_detail::startable(t, dt, x, n, N);
   if (status != Status::ok) return status;
-  status = integrate_detail::first_slope(f, t, static_cast<const R*>(x), n, known, work.slope[0]);
+  status = integrate_detail::first_slope(f, t, static_cast<const R*>(x), n, step.known, work.slope[0]);
   if (status != Status::ok) return status;
   for (int i = 0; i < n; ++i) work.stage[i] = x[i] + R(0.5) * dt * work.slope[0][i];
   status = f(t + R(0.5) * dt, static_cast<const R*>(work.stage), static_cast<R*>(work.slope[1]));
@@ -81,11 +94,13 @@ inline Status rk3_step(RightSide&& f, R t, R dt, R* x, int n, RungeKuttaWorkspac
 // The classical method of order 4, four evaluations of f, from t to t + dt.
 // Status: that of f; not_finite; bad_argument (n outside 1..N).
 template <class R, int N, class RightSide>
-inline Status rk4_step(RightSide&& f, R t, R dt, R* x, int n, RungeKuttaWorkspace<R, N>& work,
-                       const R* known = nullptr) {
+inline Status rk4_step(RightSide&& f, const IntegrationStep<R>& step, RungeKuttaWorkspace<R, N>& work) {
+  const R t = step.t, dt = step.dt;
+  R* const x = step.x;
+  const int n = step.n;
   Status status = integrate_detail::startable(t, dt, x, n, N);
   if (status != Status::ok) return status;
-  status = integrate_detail::first_slope(f, t, static_cast<const R*>(x), n, known, work.slope[0]);
+  status = integrate_detail::first_slope(f, t, static_cast<const R*>(x), n, step.known, work.slope[0]);
   if (status != Status::ok) return status;
   const R node[4] = {R(0), R(0.5), R(0.5), R(1)};
   for (int s = 1; s < 4; ++s) {
@@ -104,15 +119,16 @@ inline Status rk4_step(RightSide&& f, R t, R dt, R* x, int n, RungeKuttaWorkspac
 // Environment 31, 1997), in the form whose linear systems are (I / (gamma dt) - J) u_i = right side; three
 // evaluations of f, one LU factorisation and four solutions per step.
 //
-// `jacobian` is df/dx at (t, x); the order needs it exact. `time_slope` is df/dt[n] at (t, x), nullptr when f
-// does not depend on t: leaving it out for a right side that does lowers the order to 1, and 2 at best.
-// `error`, when given, receives the difference to the embedded solution of order 2.
-// Status: that of f; singular; not_finite; bad_argument (n outside 1..N, dt = 0). `error` is written only
+// `jacobian` is df/dx at (t, x); the order needs it exact. Without `step.time_slope` f must not depend on t: leaving it
+// out for a right side that does lowers the order to 1, and 2 at best.
+// Status: that of f; singular; not_finite; bad_argument (n outside 1..N, dt = 0). `step.error` is written only
 // with ok.
 template <class R, int N, class RightSide>
-inline Status rodas3_step(RightSide&& f, const Matrix<R, N, N>& jacobian, const R* time_slope, R t, R dt,
-                          R* x, int n, RosenbrockWorkspace<R, N>& work, const R* known = nullptr,
-                          R* error = nullptr) {
+inline Status rodas3_step(RightSide&& f, const Matrix<R, N, N>& jacobian, const IntegrationStep<R>& step,
+                          RosenbrockWorkspace<R, N>& work) {
+  const R t = step.t, dt = step.dt;
+  R* const x = step.x;
+  const int n = step.n;
   constexpr R kDiagonal = R(2);  // 1 / gamma
   constexpr R kNode[4] = {R(0), R(0), R(1), R(1)};
   constexpr R kTimeSlope[4] = {R(0.5), R(1.5), R(0), R(0)};
@@ -134,7 +150,7 @@ inline Status rodas3_step(RightSide&& f, const Matrix<R, N, N>& jacobian, const 
 
   for (int s = 0; s < 4; ++s) {
     if (s == 0) {
-      status = integrate_detail::first_slope(f, t, static_cast<const R*>(x), n, known, work.slope);
+      status = integrate_detail::first_slope(f, t, static_cast<const R*>(x), n, step.known, work.slope);
     } else if (s > 1) {  // the second stage shares the point of the first
       for (int i = 0; i < n; ++i) {
         work.stage[i] = x[i];
@@ -148,7 +164,7 @@ inline Status rodas3_step(RightSide&& f, const Matrix<R, N, N>& jacobian, const 
       R coupled = R(0);
       for (int p = 0; p < s; ++p) coupled += kCoupling[s][p] * work.increment[p][i];
       u[i] = work.slope[i] + coupled / dt;
-      if (time_slope != nullptr) u[i] += kTimeSlope[s] * dt * time_slope[i];
+      if (step.time_slope != nullptr) u[i] += kTimeSlope[s] * dt * step.time_slope[i];
     }
     status = lu_solve(work.lu, u);
     if (status != Status::ok) return status;
@@ -158,16 +174,9 @@ inline Status rodas3_step(RightSide&& f, const Matrix<R, N, N>& jacobian, const 
     for (int p = 0; p < 4; ++p) work.stage[i] += kWeight[p] * work.increment[p][i];
   }
   status = integrate_detail::accept(work.stage, n, x);
-  if (status == Status::ok && error != nullptr)
-    for (int i = 0; i < n; ++i) error[i] = work.increment[3][i];
+  if (status == Status::ok && step.error != nullptr)
+    for (int i = 0; i < n; ++i) step.error[i] = work.increment[3][i];
   return status;
-}
-
-// The same for a right side that does not depend on time.
-template <class R, int N, class RightSide>
-inline Status rodas3_step(RightSide&& f, const Matrix<R, N, N>& jacobian, R t, R dt, R* x, int n,
-                          RosenbrockWorkspace<R, N>& work, const R* known = nullptr, R* error = nullptr) {
-  return rodas3_step(f, jacobian, static_cast<const R*>(nullptr), t, dt, x, n, work, known, error);
 }
 
 }  // namespace tiltrotor

@@ -220,12 +220,12 @@ Status rodas3(const RightSide<R, Policy>& f, R time, R dt) {
   const int n = work.active.count;
   const R azimuth = c.setup.rotor_speed * time;
   for (int k = 0; k < n; ++k) work.scale[k] = state_scale<R>(work.active.index[k]);
-  Policy::jacobian([&f, azimuth](const auto* x, auto* rates) { f.rates(x, rates, azimuth); }, n, n, work.x,
-                   work.scale, work.rates, work.differentiation,
+  Policy::jacobian([&f, azimuth](const auto* x, auto* rates) { f.rates(x, rates, azimuth); },
+                   {n, n, work.x, work.scale, work.rates}, work.differentiation,
                    [&work](int i, int j, R slope) { work.jacobian(i, j) = slope; });
   const R* known = work.rates;
   if (c.setup.options.azimuth == AzimuthMode::averaged)
-    return rodas3_step(f, work.jacobian, time, dt, work.x, n, work.method.rosenbrock, known);
+    return rodas3_step(f, work.jacobian, {time, dt, work.x, n, known}, work.method.rosenbrock);
 
   // Blades that turn make f depend on time; azimuth carries no partials, so a central difference.
   const R step = std::cbrt(std::numeric_limits<R>::epsilon());
@@ -233,8 +233,7 @@ Status rodas3(const RightSide<R, Policy>& f, R time, R dt) {
   f.rates(static_cast<const R*>(work.x), work.behind, azimuth - step);
   for (int k = 0; k < n; ++k)
     work.ahead[k] = c.setup.rotor_speed * (work.ahead[k] - work.behind[k]) / (R(2) * step);
-  return rodas3_step(f, work.jacobian, static_cast<const R*>(work.ahead), time, dt, work.x, n,
-                     work.method.rosenbrock, known);
+  return rodas3_step(f, work.jacobian, {time, dt, work.x, n, known, work.ahead}, work.method.rosenbrock);
 }
 
 template <class R, class Policy>
@@ -243,9 +242,9 @@ Status step(const RightSide<R, Policy>& f, Integrator integrator, R time, R dt, 
   const int n = work.active.count;
   switch (integrator) {
     case Integrator::rk3:
-      return rk3_step(f, time, dt, work.x, n, work.method.runge_kutta, known);
+      return rk3_step(f, {time, dt, work.x, n, known}, work.method.runge_kutta);
     case Integrator::rk4:
-      return rk4_step(f, time, dt, work.x, n, work.method.runge_kutta, known);
+      return rk4_step(f, {time, dt, work.x, n, known}, work.method.runge_kutta);
     case Integrator::rodas3:
       return rodas3(f, time, dt);
   }

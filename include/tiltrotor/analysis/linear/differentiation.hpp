@@ -17,6 +17,16 @@
 
 namespace tiltrotor {
 
+// What is differentiated where: y[outputs] = f(x[inputs]) is written, `scale` says over which distance f bends in
+// each input; numerical differences need it.
+template <class R>
+struct JacobianRequest {
+  int inputs, outputs;
+  const R* x;
+  const R* scale;
+  R* y;
+};
+
 struct AutoDiff {
   static constexpr const char* kName = "automatic";
   static constexpr bool kJacobianIsCheap = true;  // it costs a few values
@@ -31,18 +41,19 @@ struct AutoDiff {
     Dual<R, N> y[MaxOutputs];
   };
 
-  // y[m] = f(x[n]) and put(i, j, dy_i/dx_j) for every entry. `scale` is not needed here.
+  // y = f(x) and put(i, j, dy_i/dx_j) for every entry.
   // Cost: ceil(n / N) evaluations of f on N partials.
   template <class R, int N, int MaxInputs, int MaxOutputs, class Function, class Put>
-  static void jacobian(Function&& f, int n, int m, const R* x, const R* /*scale*/, R* y,
+  static void jacobian(Function&& f, const JacobianRequest<R>& at,
                        Workspace<R, N, MaxInputs, MaxOutputs>& work, Put&& put) {
+    const int n = at.inputs, m = at.outputs;
     for (int first = 0; first < n; first += N) {
       const int last = first + N < n ? first + N : n;
-      for (int j = 0; j < n; ++j) work.x[j] = Dual<R, N>(x[j]);
+      for (int j = 0; j < n; ++j) work.x[j] = Dual<R, N>(at.x[j]);
       for (int j = first; j < last; ++j) work.x[j].d.set(j - first, R(1));
       f(static_cast<const Dual<R, N>*>(work.x), work.y);
       for (int i = 0; i < m; ++i) {
-        y[i] = work.y[i].v;
+        at.y[i] = work.y[i].v;
         for (int j = first; j < last; ++j) put(i, j, work.y[i].d.get(j - first));
       }
     }
@@ -67,14 +78,16 @@ struct NumDiff {
   // against rounding (eps / h) for a function that bends over a distance scale[j]; it is then rounded so that
   // x + h and x - h are machine numbers and their distance is exact. Cost: 2 n + 1 evaluations of f.
   template <class R, int N, int MaxInputs, int MaxOutputs, class Function, class Put>
-  static void jacobian(Function&& f, int n, int m, const R* x, const R* scale, R* y,
+  static void jacobian(Function&& f, const JacobianRequest<R>& at,
                        Workspace<R, N, MaxInputs, MaxOutputs>& work, Put&& put) {
+    const int n = at.inputs, m = at.outputs;
+    const R* const x = at.x;
     const R step = std::cbrt(std::numeric_limits<R>::epsilon());
-    f(x, y);
+    f(x, at.y);
     for (int j = 0; j < n; ++j) work.x[j] = x[j];
     for (int j = 0; j < n; ++j) {
-      const R above = x[j] + step * scale[j];
-      const R below = x[j] - step * scale[j];
+      const R above = x[j] + step * at.scale[j];
+      const R below = x[j] - step * at.scale[j];
       work.x[j] = above;
       f(static_cast<const R*>(work.x), work.above);
       work.x[j] = below;

@@ -154,7 +154,7 @@ Status linearize(const Configuration<R>& c, const State<R>& x, const Controls<R>
   int row[state_count];
   for (int& i : row) i = -1;
   for (int i = 0; i < n; ++i) row[model.state[i]] = i;
-  Policy::jacobian(rates_of, n + m, state_count, work.input, work.scale, model.xdot, work.differentiation,
+  Policy::jacobian(rates_of, {n + m, state_count, work.input, work.scale, model.xdot}, work.differentiation,
                    [&model, &row, n](int state, int j, R slope) {
                      const int i = row[state];
                      if (i >= 0) (j < n ? model.a(i, j) : model.b(i, j - n)) = slope;

@@ -119,29 +119,66 @@ R& rigid_share(int state, ModeShares<R>& shares) {
                                   : shares.r;
 }
 
+enum class ShareGroup : unsigned char { none, body, downwash, flap, inflow_mean, inflow_cyclic, coning };
+
+constexpr ShareGroup share_group(VariableKind kind) {
+  switch (kind) {
+    case VariableKind::speed:
+    case VariableKind::body_rate:
+    case VariableKind::bank:
+    case VariableKind::pitch:
+      return ShareGroup::body;
+    case VariableKind::downwash:
+      return ShareGroup::downwash;
+    case VariableKind::gimbal_tilt:
+    case VariableKind::gimbal_rate:
+      return ShareGroup::flap;
+    case VariableKind::mean_inflow:
+      return ShareGroup::inflow_mean;
+    case VariableKind::cyclic_inflow:
+      return ShareGroup::inflow_cyclic;
+    case VariableKind::coning:
+    case VariableKind::coning_rate:
+      return ShareGroup::coning;
+    default:
+      return ShareGroup::none;
+  }
+}
+
+// Every state of a linear model has a group, and those of the body are the eight of rigid_share().
+constexpr bool every_state_has_its_share() {
+  int body = 0;
+  for (const Variable& state : kStateVariables.row) {
+    const ShareGroup group = share_group(state.kind);
+    if (group == ShareGroup::none && !state.facts().ignorable) return false;
+    body += group == ShareGroup::body;
+  }
+  return body == 8;
+}
+static_assert(every_state_has_its_share(), "a new state counts for a share of the modes");
+
 template <class R>
 void add_share(const SplitCoordinate& coordinate, R part, ModeShares<R>& shares) {
   if (coordinate.symmetry != Symmetry::none)
     (coordinate.symmetry == Symmetry::mean ? shares.mean : shares.difference) += part;
-  switch (kStateVariables[coordinate.state].kind) {
-    case VariableKind::downwash:
+  switch (share_group(kStateVariables[coordinate.state].kind)) {
+    case ShareGroup::downwash:
       shares.downwash += part;
       return;
-    case VariableKind::gimbal_tilt:
-    case VariableKind::gimbal_rate:
+    case ShareGroup::flap:
       shares.flap += part;
       return;
-    case VariableKind::mean_inflow:
+    case ShareGroup::inflow_mean:
       shares.inflow_mean += part;
       return;
-    case VariableKind::cyclic_inflow:
+    case ShareGroup::inflow_cyclic:
       shares.inflow_cyclic += part;
       return;
-    case VariableKind::coning:
-    case VariableKind::coning_rate:
+    case ShareGroup::coning:
       shares.coning += part;
       return;
-    default:
+    case ShareGroup::body:
+    case ShareGroup::none:
       rigid_share(coordinate.state, shares) += part;
   }
 }

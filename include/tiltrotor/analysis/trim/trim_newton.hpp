@@ -1,30 +1,21 @@
-// Damped Newton iteration on the equations of trim.
+// The equations of trim, solved.
 #pragma once
-
-#include <type_traits>
 
 #include "tiltrotor/analysis/trim/trim_equations.hpp"
 #include "tiltrotor/analysis/trim/trim_limits.hpp"
-#include "tiltrotor/math/algebra/lu.hpp"
+#include "tiltrotor/math/newton.hpp"
 
 namespace tiltrotor {
 
 template <class R, class Policy = DefaultDifferentiation>
-struct TrimWorkspace {
+struct TrimWorkspace : NewtonWorkspace<R, kMaxTrimUnknowns> {
   // As many directions as every other analysis takes: a second width would be a second copy of the model.
   using Seeded = typename Policy::template Scalar<R, kModelDirections>;
   typename Policy::template Workspace<R, kModelDirections, kMaxTrimUnknowns, kMaxTrimUnknowns>
       differentiation;
   ModelWorkspaces<R, Seeded> model;
   TrimEquations<R> equations;
-  Matrix<R, kMaxTrimUnknowns, kMaxTrimUnknowns> jacobian;
-  LU<R, kMaxTrimUnknowns> lu;
-  R z[kMaxTrimUnknowns];        // current unknowns
   R first_z[kMaxTrimUnknowns];  // where the cold start ended
-  R trial[kMaxTrimUnknowns];
-  R step[kMaxTrimUnknowns];
-  R residual[kMaxTrimUnknowns];
-  R trial_residual[kMaxTrimUnknowns];
   Evaluation<R> evaluation;
 };
 
@@ -38,8 +29,6 @@ constexpr R tolerance() {
   return wanted > rounding ? wanted : rounding;
 }
 
-inline constexpr int kHalvings = 12;
-
 template <class R>
 struct NewtonOutcome {
   TrimStatus status;  // ok, not_converged, singular or not_finite; of from_less_weight() rotor_stall too
@@ -47,44 +36,47 @@ struct NewtonOutcome {
   int worst;          // its equation
 };
 
-// Largest entry by size, and where; NaN counts as infinite.
-template <class R>
-NewtonOutcome<R> largest(const R* residual, int n) {
-  NewtonOutcome<R> found{TrimStatus::not_converged, R(0), 0};
-  for (int i = 0; i < n; ++i) {
-    const R size = std::fabs(residual[i]);
-    if (!is_finite(size)) return {TrimStatus::not_finite, std::numeric_limits<R>::infinity(), i};
-    if (size > found.residual) {
-      found.residual = size;
-      found.worst = i;
+constexpr TrimStatus trim_status(Status status) {
+  return status == Status::ok              ? TrimStatus::ok
+         : status == Status::not_converged ? TrimStatus::not_converged
+         : status == Status::singular      ? TrimStatus::singular
+                                           : TrimStatus::not_finite;
+}
+
+// The equations of trim as newton() wants them.
+template <class R, class Policy>
+struct TrimProblem {
+  static constexpr bool kJacobianIsCheap = Policy::kJacobianIsCheap;
+  static constexpr bool kStopsUphill = true;
+
+  const Configuration<R>& c;
+  const SteadyFlight<R>& flight;
+  TrimWorkspace<R, Policy>& work;
+
+  template <class T>
+  void values(const T* z, T* residual) {
+    trim_residuals(c, flight, work.equations, work.model.template of<T>(), z, residual);
+  }
+  void jacobian(const R* z, R* residual, Matrix<R, kMaxTrimUnknowns, kMaxTrimUnknowns>& slopes) {
+    const int n = work.equations.count;
+    R scale[kMaxTrimUnknowns];
+    for (int j = 0; j < n; ++j) scale[j] = work.equations.row[j].scale;
+    Policy::jacobian([this](const auto* at, auto* f) { values(at, f); }, {n, n, z, scale, residual},
+                     work.differentiation, [&slopes](int i, int j, R slope) { slopes(i, j) = slope; });
+  }
+  // The whole step shortened, its direction kept, until no unknown moves by more than its limit.
+  void limit_step(R* step) const {
+    const TrimEquations<R>& equations = work.equations;
+    R factor = R(1);
+    for (int j = 0; j < equations.count; ++j) {
+      const R limit = equations.row[j].step_limit;
+      const R size = std::fabs(step[j]);
+      if (limit > R(0) && size * factor > limit) factor = limit / size;
     }
+    for (int j = 0; j < equations.count; ++j) step[j] *= factor;
   }
-  if (found.residual < tolerance<R>()) found.status = TrimStatus::ok;
-  return found;
-}
-
-template <class R>
-R square_norm(const R* residual, int n) {
-  R sum = R(0);
-  for (int i = 0; i < n; ++i) sum += residual[i] * residual[i];
-  return sum;
-}
-
-// The whole step shortened, its direction kept, until no unknown moves by more than its limit.
-template <class R>
-void limit_step(const TrimEquations<R>& equations, R* step) {
-  R factor = R(1);
-  for (int j = 0; j < equations.count; ++j) {
-    const R limit = equations.row[j].step_limit;
-    const R size = std::fabs(step[j]);
-    if (limit > R(0) && size * factor > limit) factor = limit / size;
-  }
-  for (int j = 0; j < equations.count; ++j) step[j] *= factor;
-}
-
-// Below this residual the next step is expected to be the last.
-template <class R>
-inline constexpr R kNearlyConverged = R(1e-4);
+  bool permits(const R* z) const { return has_attitude(flight, z[kRollRow], z[kPitchRow]); }
+};
 
 // Newton from work.z, which holds the best point found when it returns: an attitude that the flight may have,
 // if the start was one.
@@ -92,61 +84,13 @@ template <class R, class Policy>
 NewtonOutcome<R> newton(const Configuration<R>& c, const SteadyFlight<R>& flight,
                         TrimWorkspace<R, Policy>& work, int max_iterations, int& iterations) {
   const int n = work.equations.count;
-  const auto residuals = [&](const auto* z, auto* residual) {
-    using T = std::remove_reference_t<decltype(*residual)>;
-    trim_residuals(c, flight, work.equations, work.model.template of<T>(), z, residual);
-  };
-  R scale[kMaxTrimUnknowns];
-  for (int j = 0; j < n; ++j) scale[j] = work.equations.row[j].scale;
-  const auto differentiate = [&](const R* z, R* residual) {
-    Policy::jacobian(residuals, n, n, z, scale, residual, work.differentiation,
-                     [&work](int i, int j, R slope) { work.jacobian(i, j) = slope; });
-  };
-
+  TrimProblem<R, Policy> problem{c, flight, work};
   for (int j = 0; j < n; ++j)
     if (!is_finite(work.z[j])) return {TrimStatus::not_finite, std::numeric_limits<R>::infinity(), j};
-  if (!has_attitude(flight, work.z[kRollRow], work.z[kPitchRow]))
-    return {TrimStatus::not_converged, std::numeric_limits<R>::infinity(), 0};
-  differentiate(work.z, work.residual);
-  bool differentiated = true;  // the Jacobian is that of work.z
-  NewtonOutcome<R> outcome = largest(work.residual, n);
-  for (int k = 0; k < max_iterations && outcome.status == TrimStatus::not_converged; ++k) {
-    if (!differentiated) differentiate(work.z, work.residual);
-    for (int i = 0; i < n; ++i) work.step[i] = -work.residual[i];
-    if (lu_factor(work.jacobian, n, work.lu) != Status::ok || lu_solve(work.lu, work.step) != Status::ok) {
-      outcome.status = TrimStatus::singular;
-      return outcome;
-    }
-    limit_step(work.equations, work.step);
-
-    // Mostly the whole step is accepted, and the next one needs the Jacobian there: it costs two to four
-    // times the residuals, which come with it.
-    const bool at_once =
-        Policy::kJacobianIsCheap && outcome.residual > kNearlyConverged<R> && k + 1 < max_iterations;
-    const R before = square_norm(work.residual, n);
-    R length = R(1);
-    bool accepted = false;
-    for (int halving = 0; halving <= kHalvings && !accepted; ++halving) {
-      for (int j = 0; j < n; ++j) work.trial[j] = work.z[j] + length * work.step[j];
-      length *= R(0.5);
-      differentiated = at_once && halving == 0;
-      if (!has_attitude(flight, work.trial[kRollRow], work.trial[kPitchRow])) continue;
-      if (differentiated) {
-        differentiate(work.trial, work.trial_residual);
-      } else {
-        residuals(static_cast<const R*>(work.trial), work.trial_residual);
-      }
-      accepted = square_norm(work.trial_residual, n) < before;  // false for NaN
-    }
-    if (!accepted) return outcome;
-    ++iterations;
-    for (int j = 0; j < n; ++j) {
-      work.z[j] = work.trial[j];
-      work.residual[j] = work.trial_residual[j];
-    }
-    outcome = largest(work.residual, n);
-  }
-  return outcome;
+  if (!problem.permits(work.z)) return {TrimStatus::not_converged, std::numeric_limits<R>::infinity(), 0};
+  const NewtonResult<R> found =
+      tiltrotor::newton(problem, n, tolerance<R>(), {max_iterations}, work, iterations);
+  return {trim_status(found.status), found.residual, found.worst};
 }
 
 }  // namespace trim_detail

@@ -183,26 +183,29 @@ inline Shifts<R> shifts(const PaddedSquare<R, N>& block, int low, int high, int 
   return {nearest + nearest, nearest * nearest};
 }
 
-// Where the sweep may start, and the first column of (H - s1)(H - s2) there: below two small subdiagonal
-// entries in succession a start disturbs the entry above it by less than rounding.
+// Where a sweep may start, and the first column of (H - s1)(H - s2) there.
+template <class R>
+struct Start {
+  int row;
+  R x, y, z;
+};
+
+// Below two small subdiagonal entries in succession a start disturbs the entry above it by less than rounding.
 template <class R, int N>
-inline int start(const PaddedSquare<R, N>& block, int low, int high, const Shifts<R>& s, R unit, R& x, R& y,
-                 R& z) {
+inline Start<R> start(const PaddedSquare<R, N>& block, int low, int high, const Shifts<R>& s, R unit) {
   const auto h = [&](int i, int j) { return block(i, j) * unit; };
-  const auto set_column = [&](int m) {
+  const auto column = [&](int m) -> Start<R> {
     const R a = h(m, m), c = h(m + 1, m);
-    x = a * (a - s.sum) + s.product + h(m, m + 1) * c;
-    y = c * (a + h(m + 1, m + 1) - s.sum);
-    z = c * h(m + 2, m + 1);
+    return {m, a * (a - s.sum) + s.product + h(m, m + 1) * c, c * (a + h(m + 1, m + 1) - s.sum),
+            c * h(m + 2, m + 1)};
   };
   for (int m = high - 2; m > low; --m) {
-    set_column(m);
-    const R moved = std::fabs(h(m, m - 1)) * (std::fabs(y) + std::fabs(z));
+    const Start<R> at = column(m);
+    const R moved = std::fabs(h(m, m - 1)) * (std::fabs(at.y) + std::fabs(at.z));
     const R size = std::fabs(h(m - 1, m - 1)) + std::fabs(h(m, m)) + std::fabs(h(m + 1, m + 1));
-    if (moved <= kEps<R> * std::fabs(x) * size) return m;
+    if (moved <= kEps<R> * std::fabs(at.x) * size) return at;
   }
-  set_column(low);
-  return low;
+  return column(low);
 }
 
 // One sweep over the active block. Without the basis only the block itself is kept up to date.
@@ -210,8 +213,7 @@ template <bool kWithBasis, class R, int N>
 inline void sweep(PaddedSquare<R, N>& h, int n, int low, int high, int since_split, R unit,
                   PaddedSquare<R, N>& basis) {
   const Shifts<R> s = shifts<R, N>(h, low, high, since_split, unit);  // and the start in units of the block
-  R x = R(0), y = R(0), z = R(0);
-  const int first = start<R, N>(h, low, high, s, unit, x, y, z);
+  auto [first, x, y, z] = start<R, N>(h, low, high, s, unit);
   const int row_end = lane_ceil<R>(kWithBasis ? n : high + 1);
   const int column_begin = kWithBasis ? 0 : low;
   const int basis_end = lane_ceil<R>(n);

@@ -21,10 +21,20 @@ constexpr ControlRange<R> control_range(int control) {
       return {R(-2.5), R(2.5)};
     case VariableKind::gust:
       return {R(-50), R(50)};
+    case VariableKind::blade_pitch:
+    case VariableKind::surface:
+      return {R(-0.5), R(0.5)};  // increments
     default:
-      return {R(-0.5), R(0.5)};  // increments on blades and surfaces
+      return {R(0), R(0)};
   }
 }
+
+constexpr bool every_control_has_a_range() {
+  for (int j = 0; j < control_count; ++j)
+    if (!(control_range<double>(j).low < control_range<double>(j).high)) return false;
+  return true;
+}
+static_assert(every_control_has_a_range(), "a new kind of input has its range");
 
 // Of a stored state: trims beyond the stops included.
 template <class R>

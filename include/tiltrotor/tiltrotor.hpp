@@ -1,0 +1,22 @@
+// The whole library for a C++ program. It compiles the templates itself, with its own flags; link with
+// libtiltrotor-aircraft.a, which holds the tables.
+//
+//   const Aircraft<double>& aircraft = aircraft_data<double>();
+//   static Configuration<double> c;      // mast angle, mass, altitude, switches: fixed for a flight
+//   static TrimWorkspace<double> work;   // memory is the caller's; these structs are too large for small stacks
+//   static TrimResult<double> trimmed;
+//   if (prepare(aircraft, flight_setup(aircraft, 30.0), c) != Status::ok) ...      // mast angle 30 deg
+//   if (is_trimmed(trim(c, SteadyFlight<double>{40, 0, 0, 0}, work, trimmed))) ... // 40 m/s, level
+//
+// From there: linearize() and modes() give exact A, B and eigenvalues, start() and advance() fly, derivative() is
+// xdot = f(x, u) on double, float, Dual<double, N> or std::complex<double>, isolated_rotor() a rotor on a stand.
+#pragma once
+
+#include "tiltrotor/analysis/flight/input_signal.hpp"
+#include "tiltrotor/analysis/instances.hpp"
+#include "tiltrotor/analysis/isolated_rotor.hpp"
+#include "tiltrotor/analysis/linear/linear_eigenvalues.hpp"
+#include "tiltrotor/math/differentiation/complex_step.hpp"
+#include "tiltrotor/math/tables/table_slopes.hpp"
+#include "tiltrotor/model/aircraft_data.hpp"
+#include "tiltrotor/model/variables/control_range.hpp"
