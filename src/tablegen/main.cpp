@@ -12,6 +12,7 @@
 #include "tablegen/emit.hpp"
 #include "tablegen/entries.hpp"
 #include "tablegen/fault.hpp"
+#include "tablegen/identity.hpp"
 
 namespace fs = std::filesystem;
 
@@ -40,7 +41,8 @@ void generate(const std::string& folder, const fs::path& output) {
   entries.read_choices((base / "choices.csv").string());
   const std::vector<tablegen::TableArray> tables = tablegen::compose_tables(folder, entries);
   std::ostringstream text;
-  tablegen::emit(text, fs::absolute(base).lexically_normal().filename().string(), entries, tables);
+  const std::string name = fs::absolute(base).lexically_normal().filename().string();
+  tablegen::emit(text, tablegen::read_identity((base / "identity.csv").string(), name), entries, tables);
   write(output, text.str());
 }
 

@@ -23,9 +23,9 @@ enum class CyclicUse : unsigned char {
 
 template <class R>
 struct RotorFlow {
-  R axial;                        // speed up the shaft (climb; airplane mode forward), m/s, -150..150
-  R in_plane;                     // speed of the hub across the shaft, m/s, -150..150
-  R collective;                   // blade pitch at the reference radius, rad, within 90 deg
+  R axial;       // speed up the shaft (climb; airplane mode forward), m/s, within LimitTables::speed
+  R in_plane;    // speed of the hub across the shaft, m/s, within LimitTables::speed
+  R collective;  // blade pitch at the reference radius, rad, within 90 deg
   R lateral_cyclic, long_cyclic;  // A1, B1, rad, within 30 deg
   CyclicUse cyclic;
 };
@@ -79,8 +79,8 @@ inline constexpr int kMaxIterations = 60;
 inline constexpr int kMaxHalvings = 12;
 
 template <class R>
-bool valid(const RotorFlow<R>& flow) {
-  const R speed = R(150);
+bool valid(const Aircraft<R>& aircraft, const RotorFlow<R>& flow) {
+  const R speed = aircraft.limits.speed;
   const R pitch = R(90) * kRadPerDeg<R>;
   const R cyclic = R(30) * kRadPerDeg<R>;
   return configuration_detail::within(flow.axial, -speed, speed) &&
@@ -311,7 +311,7 @@ Status isolated_rotor(const Configuration<R>& c, const RotorFlow<R>& flow, Isola
   using namespace isolated_rotor_detail;
   rotor = IsolatedRotor<R>{};
   if (!finite(flow)) return Status::not_finite;
-  if (!valid(flow)) return Status::out_of_range;
+  if (!valid(*c.aircraft, flow)) return Status::out_of_range;
   const RotorTables<R>& tables = c.aircraft->rotor;
   const R chord = blade_chord(tables, c.setup.options.chord, tables.twist_reference);
   const R solidity = static_cast<R>(tables.blades) * chord / (kPi<R> * tables.radius);

@@ -1,29 +1,22 @@
-// Ranges of the controls: what a program may command, and what a stored flight may hold.
+// Ranges of the controls, which are the aircraft's: what a program may command, and what a stored flight may hold.
 #pragma once
 
+#include "tiltrotor/model/aircraft.hpp"
 #include "tiltrotor/model/variables/controls.hpp"
 
 namespace tiltrotor {
 
+// Of a command: rad, in from neutral, m/s. `control`: place in kControlVariables.
 template <class R>
-struct ControlRange {
-  R low, high;  // rad, in from neutral, m/s
-};
-
-// Of a command. `control`: place in kControlVariables.
-template <class R>
-constexpr ControlRange<R> control_range(int control) {
-  if (control == kControlIndex.collective) return {R(-0.35), R(1.4)};
-  switch (kControlVariables[control].kind) {
-    case VariableKind::stick:
-      return {R(-4.8), R(4.8)};
-    case VariableKind::pedal:
-      return {R(-2.5), R(2.5)};
-    case VariableKind::gust:
-      return {R(-50), R(50)};
-    default:
-      return {R(-0.5), R(0.5)};  // increments on blades and surfaces
-  }
+Bounds<R> control_range(const Aircraft<R>& aircraft, int control) {
+  const ControlTables<R>& t = aircraft.controls;
+  const LimitTables<R>& limits = aircraft.limits;
+  const auto around_zero = [](R size) { return Bounds<R>{-size, size}; };
+  if (control == kControlIndex.collective) return limits.collective;
+  if (control == kControlIndex.long_stick) return around_zero(t.long_travel);
+  if (control == kControlIndex.lat_stick) return around_zero(t.lat_travel);
+  if (control == kControlIndex.pedal) return around_zero(t.pedal_travel);
+  return around_zero(kControlVariables[control].kind == VariableKind::gust ? limits.gust : limits.increment);
 }
 
 // Of a stored state: trims beyond the stops included.
