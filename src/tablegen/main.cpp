@@ -8,6 +8,7 @@
 #include <string>
 #include <system_error>
 
+#include "tablegen/aircraft_fields.hpp"
 #include "tablegen/aircraft_tables.hpp"
 #include "tablegen/emit.hpp"
 #include "tablegen/entries.hpp"
@@ -39,6 +40,7 @@ void generate(const std::string& folder, const fs::path& output) {
   tablegen::Entries entries;
   entries.read_aircraft((base / "aircraft.csv").string());
   entries.read_choices((base / "choices.csv").string());
+  tablegen::check_fields(entries);
   const std::vector<tablegen::TableArray> tables = tablegen::compose_tables(folder, entries);
   std::ostringstream text;
   const std::string name = fs::absolute(base).lexically_normal().filename().string();
