@@ -7,7 +7,7 @@
 #             RUNNER=                  starts a program of another machine; found for the usual CROSS_COMPILE
 #             PRECISION=double         or single: tr_real of the C interface is float
 #             HOST_CXX, HOST_CXXFLAGS  compiler of the table generator, which runs on this machine
-#             AIRCRAFT=xv15            folder below tables/ that is compiled in
+#             AIRCRAFT=xv15            folder below tables/ that is compiled in: xv15, scaled_xv15 or one of your own
 #             BUILD=build              give each variant (sanitizers, clang, cross) its own
 #             TESTS=                   arguments of the test runner: names to select, --skip, --verbose
 #             WERROR=1                 warnings are errors
@@ -29,7 +29,7 @@ V        ?=
 one_of = $(if $(and $(filter 1,$(words $($(1)))),$(filter $(2),$($(1)))),,$(error $(1)=$($(1)) is none of: $(2)))
 $(call one_of,PRECISION,double single)
 $(if $(TARGET),$(call one_of,TARGET,cortex-m7 cortex-m4f))
-$(call one_of,AIRCRAFT,$(patsubst tables/%/aircraft.csv,%,$(wildcard tables/*/aircraft.csv)))
+$(call one_of,AIRCRAFT,$(patsubst tables/%/identity.csv,%,$(wildcard tables/*/identity.csv)))
 $(if $(WERROR),$(call one_of,WERROR,1))
 $(if $(V),$(call one_of,V,1))
 # Emptied by `make clean`, and one word for make.
@@ -98,7 +98,9 @@ find = $(sort $(shell find $(1) -name '$(2)' 2>/dev/null))
 
 HEADERS         := $(call find,include,*.h) $(call find,include,*.hpp)
 PUBLISHED       := $(call find,tables/$(AIRCRAFT)/published,*.csv)
-TABLES          := $(filter-out $(PUBLISHED),$(call find,tables/$(AIRCRAFT),*.csv))
+# Some aircraft are made from another one, by make.sh of their folder.
+MADE_TABLES     := $(if $(wildcard tables/$(AIRCRAFT)/make.sh),$(BUILD)/tables/$(AIRCRAFT))
+TABLES          := $(filter-out $(PUBLISHED),$(call find,tables/$(AIRCRAFT),*.csv)) $(MADE_TABLES:%=%/identity.csv)
 TABLEGEN_SOURCE := $(call find,src/tablegen,*.cpp)
 LIBRARY_SOURCE  := $(call find,src/library,*.cpp)
 PROGRAM_SOURCE  := $(call find,src/text src/plot src/study src/cli,*.cpp)
@@ -227,11 +229,11 @@ $(STAMPS): $(BUILD)/%.stamp: FORCE
 	@mkdir -p $(@D)
 	@printf '%s\n' '$(subst ','\'',$(STAMP_$*))' | cmp -s - $@ || printf '%s\n' '$(subst ','\'',$(STAMP_$*))' > $@
 
-# What every output names: aircraft and commit, the latter empty outside a git tree and with a + where files differ from
+# What every output names beside the aircraft: the commit, empty outside a git tree and with a + where files differ from
 # it. One small source includes it, so that a commit rebuilds nothing else.
 COMMIT   := $(shell test "$$(git rev-parse --show-toplevel 2>/dev/null)" = "$$(pwd -P)" && \
               GIT_OPTIONAL_LOCKS=0 git describe --always --abbrev=12 --exclude='*' --dirty=+ 2>/dev/null)
-IDENTITY := "$(AIRCRAFT)", "$(COMMIT)"
+IDENTITY := "$(COMMIT)"
 $(BUILD)/generated/identity.inc: FORCE
 	@mkdir -p $(@D)
 	@printf '%s\n' '$(IDENTITY)' | cmp -s - $@ || printf '%s\n' '$(IDENTITY)' > $@
@@ -247,7 +249,18 @@ $(BUILD)/tablegen: $(TABLEGEN_OBJECTS)
 # Written beside its place and moved there only when complete.
 $(BUILD)/generated/aircraft_tables.inc: $(BUILD)/tablegen $(TABLES) $(BUILD)/tables.stamp
 	@echo "  tables  tables/$(AIRCRAFT)"; mkdir -p $(@D)
-	$(Q)$(BUILD)/tablegen tables/$(AIRCRAFT) $@.part && mv $@.part $@ || { rm -f $@.part; exit 1; }
+	$(Q)$(BUILD)/tablegen $(or $(MADE_TABLES),tables/$(AIRCRAFT)) $@.part && mv $@.part $@ || { rm -f $@.part; exit 1; }
+
+# The tests compare this aircraft with the XV-15, whichever is compiled in.
+$(BUILD)/generated/scaled_xv15_tables.inc: $(BUILD)/tablegen $(BUILD)/tables/scaled_xv15/identity.csv
+	@echo "  tables  tables/scaled_xv15"; mkdir -p $(@D)
+	$(Q)$(BUILD)/tablegen $(BUILD)/tables/scaled_xv15 $@.part && mv $@.part $@ || { rm -f $@.part; exit 1; }
+$(BUILD)/tests/properties/test_scaled_tables.o: $(BUILD)/generated/scaled_xv15_tables.inc
+
+# identity.csv is written last.
+$(BUILD)/tables/%/identity.csv: tables/%/make.sh tables/%/identity.csv $(call find,tables/xv15,*.csv)
+	@echo "  make    tables/$*"; mkdir -p $(@D)
+	$(Q)sh $< tables/xv15 $(@D)
 
 # Published numbers that the report lays over its curves, as text inside the program: it runs without the source tree.
 $(BUILD)/generated/reference_points.inc: $(PUBLISHED) $(BUILD)/tables.stamp

@@ -7,6 +7,8 @@
 #include <exception>
 #include <vector>
 
+#include "tiltrotor/model/aircraft_data.hpp"
+
 namespace {
 
 const char* const usage_text =
@@ -25,6 +27,7 @@ struct Test {
   const char* file;
   int line;
   check::TestFunction function;
+  int aircraft;
 };
 
 /// In a function, because registrations in other files may run before this file's own initialisers.
@@ -103,6 +106,10 @@ bool is_selected(const Test& test, const Options& options) {
   return options.names.empty() || std::any_of(options.names.begin(), options.names.end(), named);
 }
 
+bool is_of_this_aircraft(const Test& test) {
+  return test.aircraft == check::any_aircraft || test.aircraft == tiltrotor::aircraft_identity().id;
+}
+
 bool run(const Test& test, bool verbose) {
   running_test = test.name.c_str();
   failures_of_running_test = 0;
@@ -131,8 +138,9 @@ bool run(const Test& test, bool verbose) {
 
 namespace check {
 
-Registration::Registration(const char* name, const char* file, int line, TestFunction function) {
-  all_tests().push_back({name, file, line, function});
+Registration::Registration(const char* name, const char* file, int line, TestFunction function,
+                           int aircraft) {
+  all_tests().push_back({name, file, line, function, aircraft});
 }
 
 bool report(bool passed, const char* file, int line, const std::string& expression,
@@ -160,8 +168,20 @@ int main(int count, char** arguments) {
   if (!sort_tests() || !every_name_matches(options)) return exit_nothing_run;
 
   std::vector<Test> selected;
+  int left_out = 0;
   for (const Test& test : all_tests()) {
-    if (is_selected(test, options)) selected.push_back(test);
+    if (!is_selected(test, options)) continue;
+    if (is_of_this_aircraft(test)) {
+      selected.push_back(test);
+    } else {
+      ++left_out;
+      if (options.verbose) std::printf("out   %s\n", test.name.c_str());
+    }
+  }
+  if (left_out > 0 && !options.list) {
+    std::printf(
+        "%d tests left out: they know numbers of the XV-15, and this is the %s (--verbose names them)\n",
+        left_out, tiltrotor::aircraft_identity().name);
   }
   if (selected.empty()) {
     std::fputs("run_tests: there is no test to run\n", stderr);

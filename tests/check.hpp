@@ -21,8 +21,12 @@ namespace check {
 
 using TestFunction = void (*)();
 
+constexpr int any_aircraft = 0;
+constexpr int xv15 = 1;  // AircraftIdentity::id
+
 struct Registration {
-  Registration(const char* name, const char* file, int line, TestFunction function);
+  Registration(const char* name, const char* file, int line, TestFunction function,
+               int aircraft = any_aircraft);
 };
 
 /// Counts one check of the running test and prints it when it failed; returns `passed`.
@@ -144,6 +148,13 @@ bool check_le(const A& left, const B& right, const char* file, int line, const c
 #define TEST(name)                                                                              \
   static void test_##name();                                                                    \
   static const check::Registration registration_##name(#name, __FILE__, __LINE__, test_##name); \
+  static void test_##name()
+
+/// A test that knows numbers of the XV-15: printed runs, reference files, column texts with its ranges. Left out,
+/// and counted as such, when another aircraft is compiled in.
+#define TEST_OF_XV15(name)                                                                                   \
+  static void test_##name();                                                                                 \
+  static const check::Registration registration_##name(#name, __FILE__, __LINE__, test_##name, check::xv15); \
   static void test_##name()
 
 #define CHECK(...) \

@@ -83,6 +83,10 @@ typedef double tr_real;
 #ifdef TR_SINGLE_PRECISION
 #define tr_default_setup tr_default_setup_single
 #define tr_init tr_init_single
+#define tr_check_setup tr_check_setup_single
+#define tr_aircraft_at tr_aircraft_at_single
+#define tr_aircraft_name tr_aircraft_name_single
+#define tr_aircraft_description tr_aircraft_description_single
 #define tr_trim tr_trim_single
 #define tr_step tr_step_single
 #define tr_sim_size tr_sim_size_single
@@ -138,7 +142,12 @@ typedef struct tr_work {
   uint64_t reserved[TR_WORK_SIZE / 8];
 } tr_work;
 
-typedef enum tr_aircraft { TR_XV15 = 1 } tr_aircraft;
+/* Aircraft with tables in this project; a library holds those it was made with (tr_aircraft_at). Numbers from
+ * 1000 on are for aircraft of your own. */
+typedef enum tr_aircraft {
+  TR_XV15 = 1,
+  TR_SCALED_XV15 = 2 /* four blades, 0.8 times the size; flies at 8866 m as the XV-15 at sea level */
+} tr_aircraft;
 typedef enum tr_grid {
   TR_GRID_REALTIME = 1,     /* fewest blade stations that keep the accuracy of the finer grid */
   TR_GRID_SPECIFICATION = 2 /* 20 radial by 24 azimuth stations a rotor */
@@ -148,7 +157,8 @@ typedef enum tr_tables {
   TR_TABLES_LINEAR = 2  /* the tables' own linear interpolation */
 } tr_tables;
 
-/* What stays fixed during a flight. tr_default_setup fills it; change fields afterwards. */
+/* What stays fixed during a flight. tr_default_setup fills it; change fields afterwards. Ranges are the
+ * aircraft's, here those of the XV-15; tr_check_setup says them. */
 typedef struct tr_setup {
   int32_t aircraft;      /* tr_aircraft */
   int32_t grid;          /* tr_grid; default TR_GRID_REALTIME */
@@ -220,6 +230,18 @@ typedef struct tr_state {
 /* Fills `setup` with the defaults for a tr_aircraft and a mast angle, 0..90 deg.
  * TR_WRONG_VERSION, TR_BAD_ARGUMENT, TR_OUT_OF_RANGE. Cost: a few assignments. */
 tr_status tr_default_setup(tr_setup* setup, uint32_t version, int32_t aircraft, tr_real mast_deg);
+
+/* What tr_init would say of `setup`, and which field it refuses, in one line: "mass 2000 kg lies outside
+ * 3000..10000 kg". `text` holds `length` characters (100 are enough) and is always terminated; it may be NULL
+ * with length 0, and stays empty with other statuses than TR_OUT_OF_RANGE. TR_WRONG_VERSION, TR_BAD_ARGUMENT,
+ * TR_OUT_OF_RANGE. Cost: a few comparisons. */
+tr_status tr_check_setup(const tr_setup* setup, uint32_t version, char* text, size_t length);
+
+/* The aircraft in this library: a tr_aircraft for place 0, 1, ..., 0 beyond the last. */
+int32_t tr_aircraft_at(int32_t place);
+/* "XV-15", and a line about it. Never NULL; "unknown" and "" for an aircraft that the library has not. */
+const char* tr_aircraft_name(int32_t aircraft);
+const char* tr_aircraft_description(int32_t aircraft);
 
 /* Makes an aircraft at rest: all states and controls zero, time zero. `version` is TR_API_VERSION.
  * With TR_WRONG_VERSION `sim` is untouched; with TR_BAD_ARGUMENT and TR_OUT_OF_RANGE it is not initialised.

@@ -26,7 +26,7 @@ int run(const Arguments& arguments) {
 Command report_command() {
   return {"report",
           "the whole study: figures, numbers and a page to read",
-          "Trim curves, modes, response and timing of the XV-15 as SVG, CSV and one index.html.\n",
+          "Trim curves, modes, response and timing as SVG, CSV and one index.html.\n",
           "tiltrotor report --output build/report",
           {{"--output", "DIR", "folder to write, made when missing (build/report)"},
            {"--validate", "",

@@ -19,7 +19,7 @@ constexpr double kilo = 1000;
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
 constexpr Range collective_range{-90, 90, "deg"};
-constexpr Range speed_range{-150, 150, "m/s"};
+Range hub_speed_range() { return {-kSpeedRange.high, kSpeedRange.high, "m/s"}; }
 constexpr Range cyclic_range{-30, 30, "deg"};
 
 struct Column {
@@ -85,8 +85,8 @@ std::vector<Case> cases(const Arguments& arguments, double default_rotor_speed) 
     rotor_speeds = arguments.sweep("--rpm", "", kRotorSpeedRange);
     for (double& speed : rotor_speeds) speed *= rpm_unit;
   }
-  const std::vector<double> axial = arguments.sweep("--speed-axial", "0", speed_range);
-  const std::vector<double> in_plane = arguments.sweep("--speed-inplane", "0", speed_range);
+  const std::vector<double> axial = arguments.sweep("--speed-axial", "0", hub_speed_range());
+  const std::vector<double> in_plane = arguments.sweep("--speed-inplane", "0", hub_speed_range());
   const std::vector<double> collective = arguments.sweep("--collective75", "0:1:16", collective_range);
   require_few(arguments.command(), {rotor_speeds.size(), axial.size(), in_plane.size(), collective.size()});
   std::vector<Case> all;
@@ -146,11 +146,18 @@ int run(const Arguments& arguments) {
 }
 
 OptionList options() {
+  const auto limits = [](const Range& range) {
+    return number_text(range.low) + ".." + number_text(range.high);
+  };
+  static const std::string rotor = "rotor speed, " + limits(kRotorSpeedRange) + " (that of the mast angle)";
+  static const std::string axial =
+      "up the shaft: climb, or forward in airplane mode, " + limits(hub_speed_range()) + " (0)";
+  static const std::string across = "across the shaft, " + limits(hub_speed_range()) + " (0)";
   return {
       {"--collective75", "DEG", "blade pitch at 0.75 R, -90..90 (0:1:16)"},
-      {"--rpm", "RPM", "rotor speed, 200..760 (that of the mast angle)"},
-      {"--speed-axial", "MPS", "up the shaft: climb, or forward in airplane mode, -150..150 (0)"},
-      {"--speed-inplane", "MPS", "across the shaft, -150..150 (0)"},
+      {"--rpm", "RPM", rotor.c_str()},
+      {"--speed-axial", "MPS", axial.c_str()},
+      {"--speed-inplane", "MPS", across.c_str()},
       {"--lateral-cyclic", "DEG", "A1, -30..30 (0)"},
       {"--long-cyclic", "DEG", "B1, -30..30 (0)"},
       {"--cancel-tilt", "", "find the cyclic that holds the disk normal to the shaft"},

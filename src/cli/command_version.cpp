@@ -4,6 +4,7 @@
 #include "cli/errors.hpp"
 #include "text/identity.hpp"
 #include "text/sink.hpp"
+#include "tiltrotor/model/aircraft_data.hpp"
 
 namespace tiltrotor::cli {
 
@@ -11,7 +12,7 @@ namespace {
 
 int run(const Arguments&) {
   Sink sink("-", "");
-  sink.write(identity_text() + "\n");
+  sink.write(identity_text() + "\n" + aircraft_identity().description + "\n");
   sink.finish();
   return exit_success;
 }
@@ -23,7 +24,7 @@ Command version_command() {
           "version, aircraft, commit, and how this program differentiates",
           "Prints what was compiled in: version, aircraft, commit (where built from a git tree; + for "
           "changed files)\n"
-          "and the way of differentiation, automatic or numerical.\n",
+          "and the way of differentiation, automatic or numerical; then what the aircraft is.\n",
           "tiltrotor version",
           {},
           run};

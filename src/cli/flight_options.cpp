@@ -1,17 +1,18 @@
 #include "cli/flight_options.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "cli/errors.hpp"
 #include "cli/model_options.hpp"
 #include "tiltrotor/model/aircraft_data.hpp"
+#include "tiltrotor/model/setup_explanation.hpp"
 
 namespace tiltrotor::cli {
 
 namespace {
 
 constexpr double radian = kRadPerDeg<double>;
-constexpr double rpm = kPi<double> / 30;
 
 constexpr Range climb_range{-90, 90, "deg"};
 constexpr Range turn_rate_range{-60, 60, "deg/s"};
@@ -31,13 +32,38 @@ std::vector<std::optional<double>> optional_numbers(const Arguments& arguments, 
   return values;
 }
 
-std::optional<double> flap_setting(const Arguments& arguments) {
-  if (!arguments.given("--flap")) return std::nullopt;
-  const std::size_t setting = arguments.choice("--flap", "0", {"0", "20", "40", "75"});
-  return aircraft_data<double>().wing.flap_deg[setting];
+std::vector<std::string> flap_words() {
+  const WingTables<double>& wing = aircraft_data<double>().wing;
+  std::vector<std::string> words;
+  for (int k = 0; k < wing.flap_settings; ++k) words.push_back(number_text(wing.flap_deg[k]));
+  return words;
 }
 
-const Option altitude_option = {"--altitude", "M", "-500..11000, standard atmosphere (0)"};
+std::optional<double> flap_setting(const Arguments& arguments) {
+  if (!arguments.given("--flap")) return std::nullopt;
+  const std::vector<std::string> words = flap_words();
+  return aircraft_data<double>().wing.flap_deg[arguments.choice("--flap", words[0], words)];
+}
+
+// "3000..10000"
+std::string limits_text(const Range& range) {
+  return number_text(range.low) + ".." + number_text(range.high);
+}
+
+Option altitude_option() {
+  static const std::string help = limits_text(kAltitudeRange) + ", standard atmosphere (0)";
+  return {"--altitude", "M", help.c_str()};
+}
+
+double inward(double x, double size, bool up) {
+  constexpr double digits = 3;
+  constexpr double rounding = 1e-9;
+  if (x == 0) return 0;
+  const double place = std::pow(10, std::ceil(std::log10(std::abs(x / size))) - digits);
+  const double steps = x / size / place;
+  return (up ? std::ceil(steps - rounding) : std::floor(steps + rounding)) * place;
+}
+
 const OptionList switch_options = {
     {"--tables", "KIND", "interpolation: c1 or linear (c1)"},
     {"--grid", "KIND", "blade stations: specification or realtime (specification)"},
@@ -50,22 +76,45 @@ Configuration<double> prepared(const FlightSetup<double>& setup, const std::stri
   Configuration<double> configuration;
   const Status status = prepare(aircraft_data<double>(), setup, configuration);
   if (status == Status::ok) return configuration;
-  throw UsageError(where + "mast " + number_text(setup.mast_deg) +
-                   " deg: this configuration cannot be prepared: " + status_text(status));
+  constexpr int longest = 120;
+  char fault[longest];
+  const bool explained = explain(first_out_of_range(aircraft_data<double>(), setup), fault, longest) > 0;
+  throw UsageError(
+      where + "mast " + number_text(setup.mast_deg) +
+      " deg: this configuration cannot be prepared: " + (explained ? fault : status_text(status)));
 }
 
+Range shown_range(SetupField field, double unit, const char* unit_name) {
+  const Bounds<double> range = setup_range(aircraft_data<double>(), field);
+  return {inward(range.low, unit, true), inward(range.high, unit, false), unit_name};
+}
+
+Range speed_range() { return {0, inward(aircraft_data<double>().limits.speed, 1, false), "m/s"}; }
+
 OptionList SetupOptions::list() {
+  const Aircraft<double>& a = aircraft_data<double>();
+  constexpr int digits = 5;
+  static const std::string flap = one_of(flap_words()) +
+                                  " (mast 0: " + number_text(a.defaults.flap_helicopter) +
+                                  "; mast 90: " + number_text(a.defaults.flap_airplane) +
+                                  "; between: " + number_text(a.defaults.flap_conversion) + ")";
+  static const std::string rotor = limits_text(kRotorSpeedRange) +
+                                   " (mast 90: " + number_text(a.rotor.speed_airplane / kRpm, digits) +
+                                   "; else " + number_text(a.rotor.speed_helicopter / kRpm, digits) + ")";
+  static const std::string mass = limits_text(kMassRange) + " (" + number_text(a.mass.gross, digits) + ")";
+  static const std::string station = "station of the CG at mast 0, " + limits_text(kCgRange) + " (" +
+                                     number_text(a.mass.sl_cg / kInch, digits) + ")";
   const OptionList aircraft = {
-      altitude_option,
-      {"--flap", "DEG", "0, 20, 40 or 75 (mast 0: 40; mast 90: 0; between: 20)"},
-      {"--rotor-rpm", "RPM", "200..760 (mast 90: 517; else 589)"},
-      {"--mass", "KG", "3000..10000 (5896.7 = 13000 lb)"},
-      {"--cg-sl", "IN", "station of the CG at mast 0, 276..314 (301.2)"},
+      altitude_option(),
+      {"--flap", "DEG", flap.c_str()},
+      {"--rotor-rpm", "RPM", rotor.c_str()},
+      {"--mass", "KG", mass.c_str()},
+      {"--cg-sl", "IN", station.c_str()},
   };
   return aircraft + switch_options;
 }
 
-OptionList SetupOptions::rotor_list() { return OptionList{altitude_option} + switch_options; }
+OptionList SetupOptions::rotor_list() { return OptionList{altitude_option()} + switch_options; }
 
 SetupOptions::SetupOptions(const Arguments& arguments) : SetupOptions(arguments, Common{}) {
   altitude_ = optional_number(arguments, "--altitude", kAltitudeRange, 1);
@@ -95,7 +144,7 @@ std::vector<SetupOptions> SetupOptions::every_combination(const Arguments& argum
 
 SetupOptions::SetupOptions(const Arguments& arguments, Common)
     : flap_deg_(flap_setting(arguments)),
-      rotor_speed_(optional_number(arguments, "--rotor-rpm", kRotorSpeedRange, rpm)) {
+      rotor_speed_(optional_number(arguments, "--rotor-rpm", kRotorSpeedRange, kRpm)) {
   std::vector<std::string> assigned;
   for (const std::string& assignment : arguments.texts("--option")) {
     const std::string where = arguments.where("--option") + " " + assignment;
@@ -151,9 +200,10 @@ Configuration<double> SetupOptions::configuration(double mast_deg, double rotor_
 OptionList mast_option() { return {{"--mast", "DEG", "mast angle: 0 helicopter .. 90 airplane (0)"}}; }
 
 OptionList flight_list() {
+  static const std::string speed = "true airspeed, " + limits_text(kSpeedRange) + " (0)";
   return {
       {"--mast", "DEG", "mast angle: 0 helicopter .. 90 airplane (0)"},
-      {"--speed", "MPS", "true airspeed, 0..150 (0)"},
+      {"--speed", "MPS", speed.c_str()},
       {"--climb", "DEG", "angle of the flight path, -90..90, at speed 0 it must be 0 (0)"},
       {"--sideslip", "DEG", "wind from the right, -60..60, at speed 0 and climb +-90 it must\nbe 0 (0)"},
       {"--turn-rate", "DEGPS", "of the heading, + right, -60..60 (0)"},

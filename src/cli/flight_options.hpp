@@ -12,13 +12,19 @@ namespace tiltrotor::cli {
 
 inline constexpr double kInch = 0.0254;  // m
 
-inline constexpr Range kMastRange{0, 90, "deg"};
-inline constexpr Range kSpeedRange{0, 150, "m/s"};
-inline constexpr Range kAltitudeRange{-500, 11000, "m"};
-inline constexpr Range kRotorSpeedRange{200, 760, "rpm"};
-inline constexpr Range kFlapRange{0, 75, "deg"};
-inline constexpr Range kMassRange{3000, 10000, "kg"};
-inline constexpr Range kCgRange{276, 314, "in"};
+inline constexpr double kRpm = kPi<double> / 30;  // rad/s
+
+// Range of the aircraft for a field, in a unit of so many of the field's; rounded inward to three digits.
+Range shown_range(SetupField field, double unit, const char* unit_name);
+Range speed_range();
+
+inline const Range kMastRange = shown_range(SetupField::mast_deg, 1, "deg");
+inline const Range kSpeedRange = speed_range();
+inline const Range kAltitudeRange = shown_range(SetupField::altitude, 1, "m");
+inline const Range kRotorSpeedRange = shown_range(SetupField::rotor_speed, kRpm, "rpm");
+inline const Range kFlapRange = shown_range(SetupField::flap_deg, 1, "deg");
+inline const Range kMassRange = shown_range(SetupField::mass, 1, "kg");
+inline const Range kCgRange = shown_range(SetupField::sl_cg, kInch, "in");
 inline constexpr Range kAngleRange{-60, 60, "deg"};
 
 // The same configuration for any mast angle.

@@ -6,6 +6,7 @@
 #include "cli/errors.hpp"
 #include "text/number.hpp"
 #include "tiltrotor/math/differentiation/preaccumulate.hpp"
+#include "tiltrotor/model/aircraft_data.hpp"
 #include "tiltrotor/model/variables/control_range.hpp"
 
 namespace tiltrotor::cli {
@@ -41,7 +42,7 @@ struct Shown {
 }  // namespace
 
 double largest_amplitude(int control) {
-  const ControlRange<double> range = control_range<double>(control);
+  const Bounds<double> range = control_range(aircraft_data<double>(), control);
   return range.high - range.low;
 }
 
@@ -51,7 +52,7 @@ void require_inputs(const Simulation<double>& simulation, const std::string& whe
   for (int i = 0; i < simulation.inputs; ++i) {
     const InputSignal<double>& signal = simulation.input[i];
     const int control = signal.control;
-    const ControlRange<double> range = control_range<double>(control);
+    const Bounds<double> range = control_range(aircraft_data<double>(), control);
     // Inputs change at these times only.
     for (const double edge :
          {signal.start, signal.start + signal.duration, signal.start + 2 * signal.duration}) {

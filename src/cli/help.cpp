@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "cli/model_options.hpp"
+#include "tiltrotor/model/aircraft_data.hpp"
 
 namespace tiltrotor::cli {
 
@@ -17,7 +18,9 @@ std::string general_help(const std::vector<Command>& commands) {
   constexpr std::size_t summary_column = 15;
   std::string text =
       "usage: tiltrotor COMMAND [options]\n"
-      "Flight dynamics of the XV-15 tilt-rotor: trim, exact linear models, modes, time responses.\n\n";
+      "Flight dynamics of a tilt-rotor: trim, exact linear models, modes, time responses.\n"
+      "Aircraft " +
+      std::string(aircraft_identity().name) + ": " + aircraft_identity().description + ".\n\n";
   for (const Command& command : commands) {
     std::string line = std::string("  ") + command.name;
     line.resize(summary_column, ' ');

@@ -58,7 +58,7 @@ static void random_state(tr_real mast_deg, tr_state* s) {
 
 static tr_status init(tr_real mast_deg) {
   tr_setup setup;
-  const tr_status status = tr_default_setup(&setup, TR_API_VERSION, TR_XV15, mast_deg);
+  const tr_status status = tr_default_setup(&setup, TR_API_VERSION, tr_aircraft_at(0), mast_deg);
   return status != TR_OK ? status : tr_init(&sim, TR_API_VERSION, &setup);
 }
 

@@ -87,7 +87,7 @@ static int trim(text_sink write) {
   tr_flight flight;
   flight.speed_mps = 40;
   flight.climb_rad = flight.turn_rate_radps = flight.sideslip_rad = 0;
-  if (failed(write, "tr_default_setup", tr_default_setup(&setup, TR_API_VERSION, TR_XV15, 0)) ||
+  if (failed(write, "tr_default_setup", tr_default_setup(&setup, TR_API_VERSION, tr_aircraft_at(0), 0)) ||
       failed(write, "tr_init", tr_init(&sim, TR_API_VERSION, &setup)) ||
       failed(write, "tr_trim", tr_trim(&sim, &work, &flight, &result)) ||
       failed(write, "tr_get_state", tr_get_state(&sim, &state)))

@@ -6,8 +6,8 @@ namespace tiltrotor {
 
 namespace {
 
-constexpr Aircraft<double> kAircraftDouble = make_aircraft<double>();
-constexpr Aircraft<float> kAircraftFloat = make_aircraft<float>();
+constexpr Aircraft<double> kAircraftDouble = aircraft_tables::make_aircraft<double>();
+constexpr Aircraft<float> kAircraftFloat = aircraft_tables::make_aircraft<float>();
 
 }  // namespace
 
@@ -19,6 +19,7 @@ template <>
 const Aircraft<float>& aircraft_data<float>() {
   return kAircraftFloat;
 }
-std::uint64_t aircraft_fingerprint() { return kAircraftFingerprint; }
+const AircraftIdentity& aircraft_identity() { return aircraft_tables::kAircraftIdentity; }
+std::uint64_t aircraft_fingerprint() { return aircraft_tables::kAircraftFingerprint; }
 
 }  // namespace tiltrotor

@@ -4,6 +4,7 @@
 #include "library/c_state.hpp"
 #include "library/c_words.hpp"
 #include "library/processor.hpp"
+#include "tiltrotor/model/setup_explanation.hpp"
 #include "tiltrotor/model/variables/control_range.hpp"
 
 namespace tiltrotor::c_interface {
@@ -52,6 +53,16 @@ bool in_bounds(const tr_state& state) {
   return state.time_s >= 0 && state.time_s <= kLongestFlight && state.steps <= kMostSteps;
 }
 
+constexpr std::size_t kLongestLine = 1000;
+
+// A library holds one aircraft.
+bool compiled_in(int32_t aircraft) { return aircraft == aircraft_identity().id; }
+
+bool mast_in_range(R mast_deg) {
+  const Bounds<R> range = setup_range(aircraft_data<R>(), SetupField::mast_deg);
+  return configuration_detail::within(mast_deg, range.low, range.high);
+}
+
 bool choice(Options& options, const tr_setup& setup) {
   if (setup.grid != TR_GRID_REALTIME && setup.grid != TR_GRID_SPECIFICATION) return false;
   if (setup.tables != TR_TABLES_SMOOTH && setup.tables != TR_TABLES_LINEAR) return false;
@@ -66,8 +77,8 @@ bool choice(Options& options, const tr_setup& setup) {
 }  // namespace
 
 tr_status wanted_setup(const tr_setup& setup, FlightSetup<R>& wanted) {
-  if (setup.aircraft != TR_XV15) return TR_BAD_ARGUMENT;
-  if (!configuration_detail::within(setup.mast_deg, R(0), R(90))) return TR_OUT_OF_RANGE;
+  if (!compiled_in(setup.aircraft)) return TR_BAD_ARGUMENT;
+  if (!mast_in_range(setup.mast_deg)) return TR_OUT_OF_RANGE;
   wanted = flight_setup(aircraft_data<R>(), setup.mast_deg);
   wanted.flap_deg = setup.flap_deg;
   wanted.altitude = setup.altitude_m;
@@ -80,7 +91,7 @@ tr_status wanted_setup(const tr_setup& setup, FlightSetup<R>& wanted) {
 tr_setup setup_of(const FlightSetup<R>& setup) {
   const Options& o = setup.options;
   tr_setup found;
-  found.aircraft = TR_XV15;
+  found.aircraft = aircraft_identity().id;
   found.grid = o.grid == BladeGrid::realtime ? TR_GRID_REALTIME : TR_GRID_SPECIFICATION;
   found.tables = o.tables == Interpolation::c1 ? TR_TABLES_SMOOTH : TR_TABLES_LINEAR;
   found.coning_states = o.coning_states ? 1 : 0;
@@ -144,8 +155,8 @@ using namespace tiltrotor::c_interface;
 tr_status tr_default_setup(tr_setup* setup, uint32_t version, int32_t aircraft, tr_real mast_deg) {
   if (version != TR_API_VERSION) return TR_WRONG_VERSION;
   if (!processor_runs(kInstructions) || !rounds_once_to_nearest<R>()) return TR_BAD_ARITHMETIC;
-  if (setup == nullptr || aircraft != TR_XV15) return TR_BAD_ARGUMENT;
-  if (!configuration_detail::within(mast_deg, R(0), R(90))) return TR_OUT_OF_RANGE;
+  if (setup == nullptr || !compiled_in(aircraft)) return TR_BAD_ARGUMENT;
+  if (!mast_in_range(mast_deg)) return TR_OUT_OF_RANGE;
   const FlightSetup<R> defaults = flight_setup(aircraft_data<R>(), mast_deg);
   setup->aircraft = aircraft;
   setup->grid = TR_GRID_REALTIME;
@@ -172,6 +183,28 @@ tr_status tr_init(tr_sim* sim, uint32_t version, const tr_setup* setup) {
   return status == TR_OK ? make(wanted, sim) : status;
 }
 
+tr_status tr_check_setup(const tr_setup* setup, uint32_t version, char* text, size_t length) {
+  if (text != nullptr && length > 0) text[0] = '\0';
+  if (version != TR_API_VERSION) return TR_WRONG_VERSION;
+  if (!processor_runs(kInstructions) || !rounds_once_to_nearest<R>()) return TR_BAD_ARITHMETIC;
+  if (setup == nullptr || (text == nullptr && length > 0)) return TR_BAD_ARGUMENT;
+  FlightSetup<R> wanted{};
+  const tr_status possible = wanted_setup(*setup, wanted);
+  if (possible == TR_BAD_ARGUMENT) return possible;
+  wanted.mast_deg = setup->mast_deg;
+  const SetupFault<R> fault = first_out_of_range(aircraft_data<R>(), wanted);
+  explain(fault, text, static_cast<int>(length < kLongestLine ? length : kLongestLine));
+  return fault.field == SetupField::none ? TR_OK : TR_OUT_OF_RANGE;
+}
+
+int32_t tr_aircraft_at(int32_t place) { return place == 0 ? aircraft_identity().id : 0; }
+const char* tr_aircraft_name(int32_t aircraft) {
+  return compiled_in(aircraft) ? aircraft_identity().name : "unknown";
+}
+const char* tr_aircraft_description(int32_t aircraft) {
+  return compiled_in(aircraft) ? aircraft_identity().description : "";
+}
+
 size_t tr_sim_size(void) { return sizeof(Sim); }
 size_t tr_work_size(void) { return kWorkBytes; }
 
@@ -181,7 +214,7 @@ tr_status tr_set_controls(tr_sim* sim, const tr_real* controls, size_t length) {
   if (controls == nullptr || length < 1 || length > TR_CONTROLS) return TR_BAD_ARGUMENT;
   if (!all_finite(controls, length)) return TR_NOT_FINITE;
   for (std::size_t j = 0; j < length; ++j) {
-    const ControlRange<R> range = control_range<R>(static_cast<int>(j));
+    const Bounds<R> range = control_range(aircraft_data<R>(), static_cast<int>(j));
     if (!configuration_detail::within(controls[j], range.low, range.high)) return TR_OUT_OF_RANGE;
   }
   Sim& s = *opened(sim);

@@ -17,6 +17,7 @@
 #include "text/identity.hpp"
 #include "text/progress.hpp"
 #include "text/sink.hpp"
+#include "tiltrotor/model/aircraft_data.hpp"
 
 namespace tiltrotor::study {
 
@@ -65,9 +66,11 @@ PageHead page_head(const std::vector<Section>& sections, double seconds) {
     for (const Finding& f : s.findings) ++counts[f.verdict];
   }
   PageHead head;
-  head.title = "XV-15 flight dynamics: the study";
+  const std::string name = aircraft_identity().name;
+  head.title = name + " flight dynamics: the study";
   head.lead =
-      "Trim, exact linear models, modes and response of the XV-15 tilt rotor, computed from its published "
+      "Trim, exact linear models, modes and response of the " + name +
+      " tilt rotor, computed from its published "
       "tables, in the "
       "order of Yuan, Thomson and Anderson (Journal of Aircraft, 2020). Every curve was computed in this "
       "run; marks without "

@@ -44,6 +44,7 @@ const std::vector<Field> kFields = {
     {"rotor.coning.at_0", "coning_mast0", "rad"},
     {"rotor.coning.at_90", "coning_mast90", "rad"},
     {"rotor.tip_loss", "tip_loss", "ND"},
+    {"rotor.taper_end", "blade_taper_end", "ND"},
     {"rotor.lift_slope", "section_lift_slope", "1/rad"},
     {"rotor.region_edge[0]", "section_region_edge_1", "ND"},
     {"rotor.region_edge[1]", "section_region_edge_2", "ND"},
@@ -84,10 +85,6 @@ const std::vector<Field> kFields = {
     {"wing.sl", "SL_wing_pylon_ref", "m"},
     {"wing.bl", "BL_wing_ref", "m"},
     {"wing.wl", "WL_wing_ref", "m"},
-    {"wing.flap_deg[0]", "flap_setting_1", "deg"},
-    {"wing.flap_deg[1]", "flap_setting_2", "deg"},
-    {"wing.flap_deg[2]", "flap_setting_3", "deg"},
-    {"wing.flap_deg[3]", "flap_setting_4", "deg"},
     {"wing.aileron_roll_slope", "Cl_delta_a", "1/rad"},
     {"wing.roll_rate", "Cl_p_wing", "1/rad"},
     {"wing.roll_yaw_rate_per_lift", "Cl_r_over_CL", "1/rad"},
@@ -107,6 +104,8 @@ const std::vector<Field> kFields = {
     {"wing.aileron_full_alpha", "aileron_full_alpha", "deg"},
     {"wing.aileron_zero_alpha", "aileron_zero_alpha", "deg"},
     {"wing.crossflow_alpha_limit", "crossflow_alpha_limit", "deg"},
+    {"wing.stall_deg", "wing_stall", "deg"},
+    {"wing.borne_mast_deg", "wingborne_mast", "deg"},
     {"wing.downwash_arm", "downwash_arm", "m"},
     {"wing.downwash_speed_floor", "downwash_speed_floor", "m/s"},
 
@@ -138,14 +137,14 @@ const std::vector<Field> kFields = {
     {"htail.wash_fit[4]", "htail_wash_fit_4", "ft/s/deg"},
     {"htail.wash_fit_speed", "htail_wash_fit_speed", "ft/s"},
 
-    {"fin.surface.area", "vtail_area_panel_alt", "m2"},
+    {"fin.surface.area", "vtail_area_panel_drawings", "m2"},
     {"fin.surface.sl", "SL_vtail", "m"},
     {"fin.surface.bl", "BL_vtail", "m"},
     {"fin.surface.wl", "WL_vtail", "m"},
     {"fin.surface.incidence", "vtail_incidence", "rad"},
     {"fin.surface.control_tau", "vtail_tau_r", "ND"},
     {"fin.surface.control_loss", "vtail_D_Kr", "ND"},
-    {"fin.area_other", "vtail_area_panel", "m2"},
+    {"fin.area_report", "vtail_area_panel_report", "m2"},
     {"fin.pressure", "vtail_K_VNU", "ND"},
     {"fin.pressure_ratio", "fin_pressure_ratio", "ND"},
     {"fin.lift_slope", "vtail_lift_slope", "1/rad"},
@@ -171,8 +170,43 @@ const std::vector<Field> kFields = {
     {"controls.power_limit", "transmission_limit_helicopter", "W"},
     {"controls.engine_power", "engine_power_takeoff", "W"},
     {"controls.engine_power_continuous", "engine_power_continuous", "W"},
+    {"controls.engines", "engine_count", "count"},
     {"controls.transmission_efficiency", "transmission_efficiency", "ND"},
     {"controls.mast_torque", "mast_torque_steady", "N m"},
+
+    {"limits.mast_deg.low", "mast_min", "deg"},
+    {"limits.mast_deg.high", "mast_max", "deg"},
+    {"limits.mast_rate.low", "mast_rate_min", "rad/s"},
+    {"limits.mast_rate.high", "mast_rate_max", "rad/s"},
+    {"limits.rotor_speed.low", "rotor_speed_min", "rad/s"},
+    {"limits.rotor_speed.high", "rotor_speed_max", "rad/s"},
+    {"limits.altitude.low", "altitude_min", "m"},
+    {"limits.altitude.high", "altitude_max", "m"},
+    {"limits.mass.low", "mass_min", "kg"},
+    {"limits.mass.high", "mass_max", "kg"},
+    {"limits.sl_cg.low", "cg_station_min", "m"},
+    {"limits.sl_cg.high", "cg_station_max", "m"},
+    {"limits.wl_cg.low", "cg_waterline_min", "m"},
+    {"limits.wl_cg.high", "cg_waterline_max", "m"},
+    {"limits.collective.low", "collective_min", "rad"},
+    {"limits.collective.high", "collective_max", "rad"},
+    {"limits.speed", "speed_max", "m/s"},
+    {"limits.increment", "increment_max", "rad"},
+    {"limits.gust", "gust_max", "m/s"},
+
+    {"defaults.flap_helicopter", "default_flap_helicopter", "deg"},
+    {"defaults.flap_conversion", "default_flap_conversion", "deg"},
+    {"defaults.flap_airplane", "default_flap_airplane", "deg"},
+
+    {"guess.wing_speed", "guess_wing_speed", "m/s"},
+    {"guess.hover_load", "guess_hover_load", "ND"},
+    {"guess.wing_load", "guess_wing_load", "ND"},
+    {"guess.hover_inflow", "guess_hover_inflow", "ND"},
+    {"guess.pitch_helicopter_deg", "guess_pitch_helicopter", "deg"},
+    {"guess.pitch_airplane_deg", "guess_pitch_airplane", "deg"},
+    {"guess.blade_angle_deg", "guess_blade_angle", "deg"},
+    {"guess.blade_angle_hover_deg", "guess_blade_angle_hover", "deg"},
+    {"guess.stick_step", "guess_stick_step", "in"},
 
     {"smooth.section_speed", "smooth_section_speed", "m/s"},
     {"smooth.inflow_speed", "smooth_inflow_speed", "ND"},
@@ -200,5 +234,43 @@ const std::vector<Field> kFields = {
     {"smooth.side_plate_axial", "smooth_side_plate_axial", "m/s"},
     {"smooth.rear_flow_start", "smooth_rear_flow_start", "rad"},
 };
+
+namespace {
+
+bool ends_with(const std::string& text, const std::string& end) {
+  return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
+}
+
+struct Inside {
+  const char *entry, *low, *high, *unit;
+};
+constexpr Inside kInside[] = {{"weight_gross", "mass_min", "mass_max", "kg"},
+                              {"SL_CG_aft_helicopter", "cg_station_min", "cg_station_max", "m"},
+                              {"WL_CG_helicopter", "cg_waterline_min", "cg_waterline_max", "m"},
+                              {"rotor_rpm_helicopter", "rotor_speed_min", "rotor_speed_max", "rad/s"},
+                              {"rotor_rpm_airplane", "rotor_speed_min", "rotor_speed_max", "rad/s"}};
+
+}  // namespace
+
+void check_fields(const Entries& entries) {
+  for (std::size_t i = 0; i + 1 < kFields.size(); ++i) {
+    if (!ends_with(kFields[i].field, ".low")) continue;
+    const Field& low = kFields[i];
+    const Field& high = kFields[i + 1];
+    if (!(entries.in(low.entry, low.unit) < entries.in(high.entry, high.unit)))
+      entries.refuse(high.entry, std::string("'") + high.entry + "' is not above '" + low.entry + "'");
+  }
+  for (const Inside& one : kInside) {
+    const double value = entries.in(one.entry, one.unit);
+    if (!(value >= entries.in(one.low, one.unit) && value <= entries.in(one.high, one.unit)))
+      entries.refuse(one.entry, std::string("'") + one.entry + "' lies outside '" + one.low + "' and '" +
+                                    one.high + "'");
+  }
+  const double blades = entries.in("rotor_blades", "count");
+  constexpr double fewest = 3;  // two have no cyclic harmonics of their own
+  constexpr double most = 12;
+  if (!(blades >= fewest && blades <= most) || blades != static_cast<int>(blades))
+    entries.refuse("rotor_blades", "a gimballed rotor has 3 to 12 blades");
+}
 
 }  // namespace tablegen

@@ -1,8 +1,9 @@
 // Which entry of aircraft.csv or choices.csv fills which number of struct Aircraft, and in which unit.
 #pragma once
 
-#include <string>
 #include <vector>
+
+#include "tablegen/entries.hpp"
 
 namespace tablegen {
 
@@ -13,5 +14,9 @@ struct Field {
 };
 
 extern const std::vector<Field> kFields;
+
+// Refuses numbers that the model cannot take: an empty range, blades that make no gimballed rotor, a gross weight, CG
+// or rotor speed outside its own range.
+void check_fields(const Entries& entries);
 
 }  // namespace tablegen

@@ -19,6 +19,9 @@ struct TableArray {
   std::vector<double> end_width = {};  // of each smooth axis: tiltrotor::Axis::end_width
 };
 
+// Flap angles of flap_setting_1, _2, ..., deg: two at least, increasing.
+std::vector<double> flap_settings(const Entries& entries);
+
 // Reads every table of the folder, also those the product does not use yet.
 std::vector<TableArray> compose_tables(const std::string& folder, const Entries& entries);
 

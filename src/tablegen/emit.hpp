@@ -7,10 +7,11 @@
 
 #include "tablegen/aircraft_tables.hpp"
 #include "tablegen/entries.hpp"
+#include "tablegen/identity.hpp"
 
 namespace tablegen {
 
-void emit(std::ostream& out, const std::string& aircraft, const Entries& entries,
+void emit(std::ostream& out, const Identity& aircraft, const Entries& entries,
           const std::vector<TableArray>& tables);
 
 }  // namespace tablegen

@@ -91,11 +91,14 @@ double Entries::in(const std::string& name, const std::string& unit) const {
   const Entry& entry = (*this)[name];
   const Unit& from = *find_unit(entry.unit);
   const Unit* const to = find_unit(unit);
-  if (to == nullptr || std::string(from.si) != to->si) {
-    const Position& place = positions_.at(name);
-    throw Fault{place.file, place.line, "'" + name + "' in " + entry.unit + " cannot be turned into " + unit};
-  }
+  if (to == nullptr || std::string(from.si) != to->si)
+    refuse(name, "'" + name + "' in " + entry.unit + " cannot be turned into " + unit);
   return converted(entry.value, from, *to);
+}
+
+void Entries::refuse(const std::string& name, const std::string& message) const {
+  const Position& place = positions_.at(name);
+  throw Fault{place.file, place.line, message};
 }
 
 }  // namespace tablegen

@@ -25,6 +25,9 @@ class Entries {
 
   const Entry& operator[](const std::string& name) const;
   double in(const std::string& name, const std::string& unit) const;
+  bool has(const std::string& name) const { return entries_.count(name) != 0; }
+  // Throws the fault at the line of an entry.
+  [[noreturn]] void refuse(const std::string& name, const std::string& message) const;
 
  private:
   struct Position {

@@ -1,5 +1,6 @@
 #include "tablegen/grid.hpp"
 
+#include <algorithm>
 #include <cctype>
 
 #include "tablegen/fault.hpp"
@@ -90,7 +91,10 @@ std::vector<double> Grid::labels(const std::vector<std::string>& from, const std
     std::string digits = begins ? name.substr(prefix.size()) : "";
     const bool minus = digits.size() > 1 && digits[0] == 'm';
     if (minus) digits.erase(0, 1);
-    if (digits.empty() || digits.size() > 4 || digits.find_first_not_of("0123456789") != std::string::npos)
+    const bool plain = digits.find_first_not_of("0123456789.") == std::string::npos;
+    constexpr std::size_t most_digits = 20;
+    if (digits.empty() || digits.size() > most_digits || !plain || digits[0] == '.' ||
+        std::count(digits.begin(), digits.end(), '.') > 1)
       throw Fault{csv.file, csv.header_line, "column '" + name + "' is not " + prefix + " and a number"};
     result.push_back(minus ? -std::stod(digits) : std::stod(digits));
     if (result.size() > 1 && !(result[result.size() - 2] < result.back()))

@@ -8,10 +8,12 @@
 #include <string>
 #include <system_error>
 
+#include "tablegen/aircraft_fields.hpp"
 #include "tablegen/aircraft_tables.hpp"
 #include "tablegen/emit.hpp"
 #include "tablegen/entries.hpp"
 #include "tablegen/fault.hpp"
+#include "tablegen/identity.hpp"
 
 namespace fs = std::filesystem;
 
@@ -38,9 +40,11 @@ void generate(const std::string& folder, const fs::path& output) {
   tablegen::Entries entries;
   entries.read_aircraft((base / "aircraft.csv").string());
   entries.read_choices((base / "choices.csv").string());
+  tablegen::check_fields(entries);
   const std::vector<tablegen::TableArray> tables = tablegen::compose_tables(folder, entries);
   std::ostringstream text;
-  tablegen::emit(text, fs::absolute(base).lexically_normal().filename().string(), entries, tables);
+  const std::string name = fs::absolute(base).lexically_normal().filename().string();
+  tablegen::emit(text, tablegen::read_identity((base / "identity.csv").string(), name), entries, tables);
   write(output, text.str());
 }
 

@@ -5,25 +5,24 @@
 
 #include "library/analyses.hpp"
 #include "text/json.hpp"
+#include "tiltrotor/model/aircraft_data.hpp"
 
 namespace tiltrotor::text {
 
 namespace {
 
-constexpr struct {
-  const char *aircraft, *commit;
-} identity = {
+constexpr const char* commit_of_sources =
 #include "identity.inc"
-};
+    ;
 
 }  // namespace
 
 std::string program_text() {
-  return std::string("tiltrotor " TILTROTOR_VERSION ", aircraft ") + identity.aircraft;
+  return std::string("tiltrotor " TILTROTOR_VERSION ", aircraft ") + aircraft_identity().name;
 }
 
 std::string identity_text() {
-  const std::string commit = identity.commit;
+  const std::string commit = commit_of_sources;
   return program_text() + (commit.empty() ? "" : ", commit " + commit) + ", " + differentiation_name() +
          " derivatives";
 }
@@ -31,7 +30,7 @@ std::string identity_text() {
 const std::string& program_json() {
   static const std::string text = json_object({{"name", json_text("tiltrotor")},
                                                {"version", json_text(TILTROTOR_VERSION)},
-                                               {"aircraft", json_text(identity.aircraft)}});
+                                               {"aircraft", json_text(aircraft_identity().name)}});
   return text;
 }
 

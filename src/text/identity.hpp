@@ -5,12 +5,12 @@
 
 namespace tiltrotor::text {
 
-// "tiltrotor 0.2.0, aircraft xv15, commit 0123456789ab, automatic derivatives"; the commit only where known.
+// "tiltrotor 0.2.0, aircraft XV-15, commit 0123456789ab, automatic derivatives"; the commit only where known.
 std::string identity_text();
 
-// For results, without the commit, so that they stay comparable: "tiltrotor 0.2.0, aircraft xv15", and as
+// For results, without the commit, so that they stay comparable: "tiltrotor 0.2.0, aircraft XV-15", and as
 // JSON
-// {"name": "tiltrotor", "version": "0.2.0", "aircraft": "xv15"}.
+// {"name": "tiltrotor", "version": "0.2.0", "aircraft": "XV-15"}.
 std::string program_text();
 const std::string& program_json();
 

@@ -25,7 +25,7 @@ inline std::unique_ptr<tr_work> new_work() {
 
 inline tr_setup setup_at(tr_real mast_deg) {
   tr_setup setup;
-  CHECK_EQ(tr_default_setup(&setup, TR_API_VERSION, TR_XV15, mast_deg), TR_OK);
+  CHECK_EQ(tr_default_setup(&setup, TR_API_VERSION, tr_aircraft_at(0), mast_deg), TR_OK);
   return setup;
 }
 

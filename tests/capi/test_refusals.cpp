@@ -8,11 +8,11 @@ TEST(capi_setup_errors) {
   tr_setup setup;
   std::memset(&setup, 0x5a, sizeof setup);
   const tr_setup before = setup;
-  CHECK_EQ(tr_default_setup(nullptr, TR_API_VERSION, TR_XV15, 0), TR_BAD_ARGUMENT);
-  CHECK_EQ(tr_default_setup(&setup, TR_API_VERSION + 1, TR_XV15, 0), TR_WRONG_VERSION);
-  CHECK_EQ(tr_default_setup(&setup, TR_API_VERSION, 2, 0), TR_BAD_ARGUMENT);
+  CHECK_EQ(tr_default_setup(nullptr, TR_API_VERSION, tr_aircraft_at(0), 0), TR_BAD_ARGUMENT);
+  CHECK_EQ(tr_default_setup(&setup, TR_API_VERSION + 1, tr_aircraft_at(0), 0), TR_WRONG_VERSION);
+  CHECK_EQ(tr_default_setup(&setup, TR_API_VERSION, tr_aircraft_at(0) + 1, 0), TR_BAD_ARGUMENT);
   for (const tr_real mast : {tr_real(-1), tr_real(90.5), kNan, kInfinity})
-    CHECK_EQ(tr_default_setup(&setup, TR_API_VERSION, TR_XV15, mast), TR_OUT_OF_RANGE);
+    CHECK_EQ(tr_default_setup(&setup, TR_API_VERSION, tr_aircraft_at(0), mast), TR_OUT_OF_RANGE);
   CHECK(same_bits(setup, before));
 }
 

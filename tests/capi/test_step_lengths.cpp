@@ -17,7 +17,7 @@ constexpr Case kCases[] = {
 
 bool trimmed(const Case& which, tr_work* work, tr_sim* sim) {
   tr_setup setup;
-  CHECK_EQ(tr_default_setup(&setup, TR_API_VERSION, TR_XV15, which.mast_deg), TR_OK);
+  CHECK_EQ(tr_default_setup(&setup, TR_API_VERSION, tr_aircraft_at(0), which.mast_deg), TR_OK);
   setup.altitude_m = which.altitude_m;
   setup.coning_states = 1;
   if (which.rotor_radps > 0) setup.rotor_radps = which.rotor_radps;
@@ -80,7 +80,7 @@ TEST(capi_step_is_stable_in_fast_air) {
   for (int direction = 0; direction < 6; ++direction) {
     tr_sim sim;
     tr_setup setup;
-    CHECK_EQ(tr_default_setup(&setup, TR_API_VERSION, TR_XV15, 90), TR_OK);
+    CHECK_EQ(tr_default_setup(&setup, TR_API_VERSION, tr_aircraft_at(0), 90), TR_OK);
     CHECK_EQ(tr_init(&sim, TR_API_VERSION, &setup), TR_OK);
     tr_state state;
     CHECK_EQ(tr_get_state(&sim, &state), TR_OK);

@@ -47,7 +47,7 @@ void check_file_refused(const ScratchFolder& folder, const std::string& text, co
 
 }  // namespace
 
-TEST(cli_bad_usage_is_one_line_and_status_2) {
+TEST_OF_XV15(cli_bad_usage_is_one_line_and_status_2) {
   const BadUsage cases[] = {
       {"", "a command is needed; choose trim"},
       {"fly", "unknown command 'fly'; choose trim"},
@@ -131,7 +131,7 @@ TEST(cli_bad_usage_is_one_line_and_status_2) {
       {"loads --states /tmp", "/tmp: cannot be read"},
       {"loads --states /dev/null", "/dev/null:1: no header line"},
       {"rotor --collective75 91", "--collective75: 91 lies outside -90..90 deg"},
-      {"rotor --rpm 0", "--rpm: 0 lies outside 200..760 rpm"},
+      {"rotor --rpm 0", "--rpm: 0 lies outside 191..763 rpm"},
       {"rotor --cancel-tilt=1", "--cancel-tilt: takes no value"},
       // Ranges of inputs are those of tr_set_controls, told from the command line alone or with the trim.
       {"respond --input collective=1000deg@0",

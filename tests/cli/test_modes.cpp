@@ -182,7 +182,7 @@ TEST(cli_modes_are_those_of_the_c_interface) {
     std::size_t row = 0;
     for (int speed = 20; speed <= 50; speed += 5) {
       tr_setup setup;
-      CHECK_EQ(tr_default_setup(&setup, TR_API_VERSION, TR_XV15, mast), TR_OK);
+      CHECK_EQ(tr_default_setup(&setup, TR_API_VERSION, tr_aircraft_at(0), mast), TR_OK);
       CHECK_EQ(tr_init(&sim, TR_API_VERSION, &setup), TR_OK);
       const tr_flight flight = {tr_real(speed), 0, 0, 0};
       tr_linear_shape shape;

@@ -205,7 +205,7 @@ TEST(cli_bad_states_column_gets_the_nearest_name) {
 }
 
 // The bounds of tr_set_state: tiltrotor.h states them.
-TEST(cli_bad_states_ranges_are_those_of_the_c_interface) {
+TEST_OF_XV15(cli_bad_states_ranges_are_those_of_the_c_interface) {
   const ScratchFolder folder;
   const std::string good = beginning(reference_text(), 2);
   const auto with = [&](const char* column, const char* value) { return cell_replaced(good, column, value); };

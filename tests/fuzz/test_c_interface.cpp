@@ -35,7 +35,7 @@ bool known(tr_status status) { return status >= TR_OK && status < TR_STATUS_COUN
 tr_setup any_setup(fuzz::Bytes& in) {
   tr_setup setup;
   const double masts[] = {0, 30, 90};
-  REQUIRE(tr_default_setup(&setup, TR_API_VERSION, TR_XV15, masts[in.below(3)]) == TR_OK);
+  REQUIRE(tr_default_setup(&setup, TR_API_VERSION, tr_aircraft_at(0), masts[in.below(3)]) == TR_OK);
   tr_real* const number[] = {&setup.mast_deg, &setup.flap_deg,    &setup.altitude_m,
                              &setup.mass_kg,  &setup.rotor_radps, &setup.cg_station_m};
   std::int32_t* const word[] = {&setup.aircraft, &setup.grid, &setup.tables, &setup.coning_states};
@@ -197,7 +197,10 @@ void call_with_nothing(Workspace& call, fuzz::Bytes& in) {
   REQUIRE(tr_linearize(sim, nullptr, 1, nullptr, nullptr, 0, nullptr, 0) != TR_OK);
   REQUIRE(tr_eigenvalues(nullptr, nullptr, in.byte(), nullptr, nullptr, 0) != TR_OK);
   REQUIRE(tr_modes(nullptr, nullptr, nullptr, 0, nullptr, 0, nullptr) != TR_OK);
+  REQUIRE(tr_check_setup(nullptr, TR_API_VERSION, nullptr, in.byte()) != TR_OK);
   const auto number = in.raw<std::int32_t>();
+  REQUIRE(tr_aircraft_at(number) >= 0 && tr_aircraft_name(number) != nullptr &&
+          tr_aircraft_description(number) != nullptr);
   REQUIRE(tr_status_word(number) != nullptr && tr_status_text(number) != nullptr &&
           tr_state_name(number) != nullptr && tr_state_unit(number) != nullptr &&
           tr_control_name(number) != nullptr && tr_control_unit(number) != nullptr);
@@ -212,7 +215,7 @@ FUZZ_TARGET(c_interface) {
   call.linear_model = false;
   std::memset(call.sim, 0, sizeof call.sim);
   tr_setup setup;
-  REQUIRE(tr_default_setup(&setup, TR_API_VERSION, TR_XV15, 60) == TR_OK);
+  REQUIRE(tr_default_setup(&setup, TR_API_VERSION, tr_aircraft_at(0), 60) == TR_OK);
   REQUIRE(tr_init(&call.bystander, TR_API_VERSION, &setup) == TR_OK);
   const tr_sim bystander = call.bystander;
 
@@ -226,6 +229,8 @@ FUZZ_TARGET(c_interface) {
         setup = any_setup(in);
         const std::uint32_t version = in.below(8) == 0 ? in.raw<std::uint32_t>() : TR_API_VERSION;
         const tr_status status = tr_init(&sim, version, &setup);
+        char line[100];
+        REQUIRE(tr_check_setup(&setup, version, line, in.byte() % sizeof line) == status);
         if (status == TR_WRONG_VERSION) REQUIRE(std::memcmp(&sim, &before, sizeof sim) == 0);
         tr_state state;
         if (status == TR_BAD_ARGUMENT || status == TR_OUT_OF_RANGE)

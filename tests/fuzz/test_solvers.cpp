@@ -152,7 +152,7 @@ void look_up(fuzz::Bytes& in) {
   const Interpolation mode = in.below(2) == 0 ? Interpolation::c1 : Interpolation::linear;
   const double found[] = {lookup(aircraft.rotor.section_drag[in.below(kSectionRegions)], mode, x, y),
                           lookup(aircraft.fuselage.yaw_beta, mode, x),
-                          lookup(aircraft.wing.lift_90[in.below(kFlapSettings)], mode, x, y)};
+                          lookup(aircraft.wing.lift_90[in.below(aircraft.wing.flap_settings)], mode, x, y)};
   const bool number = !std::isnan(x) && !std::isnan(y);
   REQUIRE(!number || entries_finite(found, 3));
   const SineCosine<double> f = sine_cosine(x);

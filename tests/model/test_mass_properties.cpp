@@ -21,7 +21,7 @@ MassProperties<double> at(double mast, double sl_cg0_in = 301.2, InertiaSet set 
 }  // namespace
 
 // Hand-evaluated numbers for SL 300, WL 81.65 at mast 0 (in, two decimals).
-TEST(mass_properties_printed_stations) {
+TEST_OF_XV15(mass_properties_printed_stations) {
   struct Row {
     double mast, sl, wl;
   };
@@ -34,7 +34,7 @@ TEST(mass_properties_printed_stations) {
 
 // 4200 lb of 13000 lb turn about SL 300, WL 100; their own CG lies at SL 291.7, WL 118 with the mast up.
 // Explicit rotation of that point, nose down, and the moment balance of fixed and turning part.
-TEST(mass_properties_by_rotation_of_the_nacelles) {
+TEST_OF_XV15(mass_properties_by_rotation_of_the_nacelles) {
   for (double mast = 0; mast <= 90; mast += 7.5) {
     const double angle = mast * kRadPerDeg<double>;
     const double aft = 291.7 - 300;
@@ -52,7 +52,7 @@ TEST(mass_properties_by_rotation_of_the_nacelles) {
              (at(90).sl_cg - 301.2 * kInch) * 13000 * kPound, 1e-9);
 }
 
-TEST(mass_properties_inertia) {
+TEST_OF_XV15(mass_properties_inertia) {
   for (const double mast : {0.0, 45.0, 90.0}) {
     const Inertia<double> i = at(mast).inertia;
     CHECK_REL(i.xx / kSlugSquareFoot, 52795 - 20.5 * mast, 1e-6);

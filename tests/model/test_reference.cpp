@@ -232,19 +232,19 @@ void with_each_rounding(Function&& function) {
 
 }  // namespace
 
-TEST(reference_rotor_loads) {
+TEST_OF_XV15(reference_rotor_loads) {
   with_each_rounding([](const Replay& replay) {
     replay_rotor_loads(replay, "c1");
     replay_rotor_loads(replay, "linear");
   });
 }
-TEST(reference_component_loads) {
+TEST_OF_XV15(reference_component_loads) {
   with_each_rounding([](const Replay& replay) {
     replay_component_loads(replay, "c1");
     replay_component_loads(replay, "linear");
   });
 }
-TEST(reference_state_derivatives) {
+TEST_OF_XV15(reference_state_derivatives) {
   with_each_rounding([](const Replay& replay) {
     replay_state_derivatives(replay, "c1");
     replay_state_derivatives(replay, "linear");

@@ -73,15 +73,19 @@ struct StateCounts {
 inline tr_setup random_setup(Generator& random, bool& valid) {
   tr_setup setup;
   const double masts[] = {0, 90, random.between(0, 90)};
-  valid = tr_default_setup(&setup, TR_API_VERSION, TR_XV15, masts[random.below(3)]) == TR_OK;
+  valid = tr_default_setup(&setup, TR_API_VERSION, tr_aircraft_at(0), masts[random.below(3)]) == TR_OK;
   setup.grid = random.chance(0.8) ? TR_GRID_REALTIME : TR_GRID_SPECIFICATION;
   setup.tables = random.chance(0.5) ? TR_TABLES_SMOOTH : TR_TABLES_LINEAR;
   setup.coning_states = random.below(2);
-  setup.flap_deg = random.between(0, 75);
-  setup.altitude_m = random.between(-500, 11000);
-  setup.mass_kg = random.between(3000, 10000);
-  setup.rotor_radps = random.between(20, 80);
-  setup.cg_station_m = random.between(7, 8);
+  const auto inside = [&random](const Bounds<double>& range) {
+    return random.between(range.low, range.high);
+  };
+  const LimitTables<double>& limits = aircraft_data<double>().limits;
+  setup.flap_deg = inside(limits.flap_deg);
+  setup.altitude_m = inside(limits.altitude);
+  setup.mass_kg = inside(limits.mass);
+  setup.rotor_radps = inside(limits.rotor_speed);
+  setup.cg_station_m = inside(limits.sl_cg);
   if (!random.chance(0.125)) return setup;
   valid = false;
   tr_real* const number[] = {&setup.mast_deg, &setup.flap_deg,    &setup.altitude_m,
@@ -200,7 +204,7 @@ inline StateCounts try_states(std::uint64_t seed, long count, Breaches& breaches
   tr_sim sim{};
   tr_sim bystander{};
   tr_setup setup;
-  breaches.expect(tr_default_setup(&setup, TR_API_VERSION, TR_XV15, 45) == TR_OK &&
+  breaches.expect(tr_default_setup(&setup, TR_API_VERSION, tr_aircraft_at(0), 45) == TR_OK &&
                       tr_init(&bystander, TR_API_VERSION, &setup) == TR_OK,
                   "no bystander");
   const tr_sim bystander_before = bystander;

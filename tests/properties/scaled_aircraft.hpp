@@ -11,6 +11,8 @@
 #include <deque>
 #include <vector>
 
+#include "check.hpp"
+#include "model/flight_cases.hpp"
 #include "tiltrotor/model/aircraft_data.hpp"
 #include "tiltrotor/model/configuration.hpp"
 
@@ -40,6 +42,7 @@ class ScaledAircraft {
     scale_tail();
     scale_controls();
     scale_smoothing();
+    scale_limits();
   }
   ScaledAircraft(const ScaledAircraft&) = delete;
   ScaledAircraft& operator=(const ScaledAircraft&) = delete;
@@ -131,7 +134,7 @@ class ScaledAircraft {
       times(s_.length * s_.length, surface->area);
       times(s_.length, surface->sl, surface->bl, surface->wl);
     }
-    times(s_.length * s_.length, f.area_other);
+    times(s_.length * s_.length, f.area_report);
     times(s_.speed(), f.speed_floor, h.wash_fit_speed, h.wash_fit[4]);
     times(1, h.rotor_wash, {1, s_.speed()});
     times(1, h.pressure_ratio, {1, s_.speed()});
@@ -148,6 +151,17 @@ class ScaledAircraft {
     SmoothingWidths<double>& e = aircraft_.smooth;
     times(s_.speed(), e.section_speed, e.forward_speed, e.lateral_plane_speed, e.airspeed, e.rate_speed,
           e.wake_axis, e.wake_radius, e.drag_speed, e.side_plate_speed, e.side_plate_axial);
+  }
+
+  void scale_limits() {
+    const auto ranges = [](double factor, Bounds<double>& range) { times(factor, range.low, range.high); };
+    LimitTables<double>& l = aircraft_.limits;
+    ranges(1 / s_.time(), l.mast_rate);
+    ranges(1 / s_.time(), l.rotor_speed);
+    ranges(s_.mass(), l.mass);
+    ranges(s_.length, l.sl_cg);
+    ranges(s_.length, l.wl_cg);
+    times(s_.speed(), l.speed, l.gust, aircraft_.guess.wing_speed);
   }
 
   Aircraft<double> aircraft_;
@@ -197,6 +211,37 @@ inline State<double> scaled_rates(State<double> rates, const Scale& s) {
 inline Controls<double> scaled_controls(Controls<double> u, const Scale& s) {
   u.gust = product(s.speed(), u.gust);
   return u;
+}
+
+// Every switch that selects another formula.
+inline Options random_options(flight_cases::Generator& random) {
+  Options o;
+  o.tables = random.coin() ? Interpolation::c1 : Interpolation::linear;
+  o.grid = random.coin() ? BladeGrid::specification : BladeGrid::realtime;
+  o.flapping = random.coin() ? FlapOrder::second : FlapOrder::first;
+  o.flap_angular_acceleration = random.coin();
+  o.coning_states = random.coin();
+  o.inflow = random.coin() ? InflowShape::pitt_peters : InflowShape::uniform;
+  o.disk_plane_inflow = random.coin();
+  o.side_by_side = random.coin();
+  o.sideward_flight = random.coin();
+  o.wake = random.coin() ? WakeModel::geometric : WakeModel::gtrs_empirical;
+  o.wash = random.coin() ? WashFactor::constant : WashFactor::vortex_cylinder;
+  o.wing_rate_velocity = random.coin();
+  o.downwash_lag = random.coin();
+  o.tail_pressure = random.coin() ? TailPressure::by_mast : TailPressure::constant;
+  o.tail_sideslip_loss = random.coin();
+  o.fin_area = random.coin() ? FinArea::drawings : FinArea::report;
+  o.chord = random.coin() ? ChordSource::cutout : ChordSource::camrad;
+  o.lateral_cyclic = random.coin();
+  o.position_states = true;
+  return o;
+}
+
+inline void check_vectors(const Vec3<double>& actual, const Vec3<double>& expected, double tolerance) {
+  CHECK_NEAR(actual.x, expected.x, tolerance);
+  CHECK_NEAR(actual.y, expected.y, tolerance);
+  CHECK_NEAR(actual.z, expected.z, tolerance);
 }
 
 }  // namespace scaled

@@ -10,45 +10,15 @@ using namespace tiltrotor;
 using flight_cases::flat;
 using flight_cases::Generator;
 using flight_cases::StateAndControls;
+using scaled::check_vectors;
+using scaled::random_options;
 using scaled::Scale;
 using scaled::ScaledAircraft;
-using V = Vec3<double>;
 
 namespace {
 
 constexpr unsigned kSeed = 20260602;
-constexpr Scale kScales[] = {{0.93, 1.25}, {1.04, 0.8}};  // within the ranges of mass and stations
-
-// Every switch that selects another formula.
-Options random_options(Generator& random) {
-  Options o;
-  o.tables = random.coin() ? Interpolation::c1 : Interpolation::linear;
-  o.grid = random.coin() ? BladeGrid::specification : BladeGrid::realtime;
-  o.flapping = random.coin() ? FlapOrder::second : FlapOrder::first;
-  o.flap_angular_acceleration = random.coin();
-  o.coning_states = random.coin();
-  o.inflow = random.coin() ? InflowShape::pitt_peters : InflowShape::uniform;
-  o.disk_plane_inflow = random.coin();
-  o.side_by_side = random.coin();
-  o.sideward_flight = random.coin();
-  o.wake = random.coin() ? WakeModel::geometric : WakeModel::gtrs_empirical;
-  o.wash = random.coin() ? WashFactor::constant : WashFactor::vortex_cylinder;
-  o.wing_rate_velocity = random.coin();
-  o.downwash_lag = random.coin();
-  o.tail_pressure = random.coin() ? TailPressure::by_mast : TailPressure::constant;
-  o.tail_sideslip_loss = random.coin();
-  o.fin_area = random.coin() ? FinArea::drawings : FinArea::report;
-  o.chord = random.coin() ? ChordSource::cutout : ChordSource::camrad;
-  o.lateral_cyclic = random.coin();
-  o.position_states = true;
-  return o;
-}
-
-void check_vectors(const V& actual, const V& expected, double tolerance) {
-  CHECK_NEAR(actual.x, expected.x, tolerance);
-  CHECK_NEAR(actual.y, expected.y, tolerance);
-  CHECK_NEAR(actual.z, expected.z, tolerance);
-}
+constexpr Scale kScales[] = {{0.93, 1.25}, {1.04, 0.8}, {0.3, 0.5}};  // ranges of a setup scale, too
 
 }  // namespace
 

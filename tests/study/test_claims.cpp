@@ -101,7 +101,7 @@ TEST(cli_version_names_aircraft_and_json_names_the_program) {
   CHECK(contains(run_tiltrotor("linearize --speed 40 --format matlab").out, "% " + numbered));
 }
 
-TEST(slow_report_says_what_its_numbers_say) {
+TEST_OF_XV15(slow_report_says_what_its_numbers_say) {
   const check::ScratchFolder folder;
   const std::string path = folder.path("out");
   const std::string another = folder.path("again");

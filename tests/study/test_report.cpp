@@ -85,7 +85,7 @@ TEST(report_wording) {
   CHECK_EQ(root_text(-1, 0), "-1.000");
 }
 
-TEST(slow_report_writes_whole_files) {
+TEST_OF_XV15(slow_report_writes_whole_files) {
   const check::ScratchFolder folder;
   const std::string path = folder.path("out");
   const check::ProgramResult run = check::run_tiltrotor("report --output " + path);

@@ -84,7 +84,7 @@ TEST(validation_sets_have_kind_and_source) {
   }
 }
 
-TEST(slow_validation_holds_and_its_list_is_true) {
+TEST_OF_XV15(slow_validation_holds_and_its_list_is_true) {
   const check::ScratchFolder folder;
   const std::string path = folder.path("out");
   const check::ProgramResult run = check::run_tiltrotor("report --validate --output " + path);

@@ -96,7 +96,7 @@ R evaluate(const Case& c, bool& known) {
   return R(0);
 }
 
-TEST(lookups_agree_with_independent_implementation) {
+TEST_OF_XV15(lookups_agree_with_independent_implementation) {
   const std::vector<Case> cases = read_cases();
   CHECK_EQ(cases.size(), std::size_t{238});
   double worst = 0;
@@ -113,7 +113,7 @@ TEST(lookups_agree_with_independent_implementation) {
   NOTE(cases.size() << " look-ups, worst relative difference " << worst);
 }
 
-TEST(lookups_in_single_precision) {
+TEST_OF_XV15(lookups_in_single_precision) {
   for (const Case& c : read_cases()) {
     bool known = false;
     const float value = evaluate<float>(c, known);
@@ -123,7 +123,7 @@ TEST(lookups_in_single_precision) {
 }
 
 // Values read by eye off the CSV files and converted by hand.
-TEST(aircraft_numbers_in_si) {
+TEST_OF_XV15(aircraft_numbers_in_si) {
   const Aircraft<double>& a = aircraft<double>();
   CHECK_REL(a.mass.gross, 13000 * 0.45359237, 1e-15);
   CHECK_REL(a.mass.inertia.xx, 52795 * 1.3558179483314004, 1e-14);
@@ -154,7 +154,7 @@ TEST(odd_fuselage_tables_have_a_slope_at_zero) {
 }
 
 // Table 4-V(c), alpha 8 deg, flap 40/25: 7.7 deg. Table 8a-II, mast 30 deg, 80 kt: 0.9 deg/in.
-TEST(tables_with_linear_axes_hit_printed_cells) {
+TEST_OF_XV15(tables_with_linear_axes_hit_printed_cells) {
   const Aircraft<double>& a = aircraft<double>();
   const double degree = 3.14159265358979323846 / 180;
   const auto& downwash = a.wing.downwash;

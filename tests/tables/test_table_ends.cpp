@@ -36,7 +36,7 @@ void every_table(Visit&& visit) {
   }
   visit("rotor.side_by_side", a.rotor.side_by_side);
   visit("rotor.sideward", a.rotor.sideward);
-  for (int i = 0; i < kFlapSettings; ++i) {
+  for (int i = 0; i < a.wing.flap_settings; ++i) {
     visit("wing.lift_0", a.wing.lift_0[i]);
     visit("wing.drag_0", a.wing.drag_0[i]);
     visit("wing.lift_90", a.wing.lift_90[i]);

@@ -116,6 +116,67 @@ TEST(tablegen_takes_another_aircraft) {
   CHECK(text.find("R(0.0), R(1.5),") != std::string::npos);
 }
 
+// tables.csv and identity.csv: each row has its line.
+TEST(tablegen_refuses_a_table_without_its_files) {
+  {
+    const Copy copy;
+    Lines lines = copy.read("tables.csv");
+    lines.push_back("fin.unheard,,,,airframe/t6-III_vtail_CD.csv");
+    copy.write("tables.csv", lines);
+    expect_refusal(copy, "tables.csv", static_cast<int>(lines.size()), "no table 'fin.unheard'");
+    lines.pop_back();
+    lines.erase(lines.begin() + line_of(lines, "fin.drag,") - 1);
+    copy.write("tables.csv", lines);
+    expect_refusal(copy, "tables.csv", static_cast<int>(lines.size()), "no row for table 'fin.drag'");
+  }
+  expect_refusal_of_line("tables.csv", "wing.downwash,,15,",
+                         "wing.downwash,,0,,airframe/t4-V_d_wing_downwash_bm15.csv", "do not increase");
+  expect_refusal_of_line("tables.csv", "wing.downwash,,15,",
+                         "wing.downwash,,100,,airframe/t4-V_d_wing_downwash_bm15.csv", "outside 0..90");
+  expect_refusal_of_line("tables.csv", "fin.sidewash,,0,2,",
+                         "fin.sidewash,,0,3,airframe/t6-V_sidewash_FL2_bm00.csv", "flap settings");
+  expect_refusal_of_line("tables.csv", "fin.sidewash,,0,2,",
+                         "fin.sidewash,,0,9,airframe/t6-V_sidewash_FL2_bm00.csv", "none of 1..4");
+  expect_refusal_of_line("tables.csv", "fin.drag,", "fin.drag,,,,airframe/t6-III_vtail_CD",
+                         "no name of a .csv file");
+}
+
+TEST(tablegen_refuses_an_aircraft_without_identity) {
+  expect_refusal_of_line("identity.csv", "id,", "id,0", "whole number");
+  expect_refusal_of_line("identity.csv", "id,", "id,1.5", "whole number");
+  expect_refusal_of_line("identity.csv", "name,", "name,", "plain characters");
+}
+
+TEST(tablegen_refuses_numbers_that_the_model_cannot_take) {
+  expect_refusal_of_line("aircraft.csv", "rotor_blades,", "rotor_blades,2,count,2,count,source,high",
+                         "3 to 12 blades");
+  expect_refusal_of_line("choices.csv", "mass_max,", "mass_max,2000,kg,reason", "not above 'mass_min'");
+  expect_refusal_of_line("aircraft.csv", "rotor_rpm_airplane,",
+                         "rotor_rpm_airplane,51.7,rpm,5.414011,rad/s,source,high",
+                         "outside 'rotor_speed_min'");
+}
+
+TEST(tablegen_takes_any_number_of_flap_settings) {
+  const Copy copy;
+  Lines choices = copy.read("choices.csv");
+  choices.erase(choices.begin() + line_of(choices, "flap_setting_4,") - 1);
+  copy.write("choices.csv", choices);
+  Lines files = copy.read("tables.csv");
+  files.erase(std::remove_if(files.begin(), files.end(),
+                             [](const std::string& line) { return line.find("_FL4_") != std::string::npos; }),
+              files.end());
+  copy.write("tables.csv", files);
+  Lines loss = copy.read("airframe/t4-XII_aileron_lift_loss.csv");
+  loss.erase(loss.begin() + line_of(loss, "FL4,") - 1);
+  copy.write("airframe/t4-XII_aileron_lift_loss.csv", loss);
+  CHECK_EQ(copy.generate().exit_status, 0);
+  std::ifstream in(copy.output());
+  const std::string text{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+  CHECK(text.find("a.wing.flap_settings = 3;") != std::string::npos);
+  CHECK(text.find("a.wing.lift_0[3]") == std::string::npos);
+  expect_refusal_of_line("choices.csv", "flap_setting_3,", "flap_setting_3,10,deg,reason", "do not increase");
+}
+
 TEST(tablegen_refuses_hole_in_a_column) {
   expect_refusal_of_line("airframe/t5-II_htail_CL_mach.csv", "-2,", "-2,-0.155,,-0.176", "hole");
 }

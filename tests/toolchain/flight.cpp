@@ -11,7 +11,7 @@ int main() {
   flight.speed_mps = 40;
   tr_state state;
   uint64_t hash = TR_HASH_START;
-  if (tr_default_setup(&setup, TR_API_VERSION, TR_XV15, 30) != TR_OK) return 1;
+  if (tr_default_setup(&setup, TR_API_VERSION, tr_aircraft_at(0), 30) != TR_OK) return 1;
   if (tr_init(&sim, TR_API_VERSION, &setup) != TR_OK) return 2;
   if (tr_trim(&sim, &work, &flight, nullptr) != TR_OK) return 3;
   if (tr_get_state(&sim, &state) != TR_OK) return 4;

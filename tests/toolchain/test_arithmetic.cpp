@@ -57,7 +57,7 @@ TEST(arithmetic_other_rounding_is_found_by_every_call_that_computes) {
   tr_setup setup;
   tr_flight flight{};
   flight.speed_mps = 40;
-  CHECK_EQ(tr_default_setup(&setup, TR_API_VERSION, TR_XV15, 0), TR_OK);
+  CHECK_EQ(tr_default_setup(&setup, TR_API_VERSION, tr_aircraft_at(0), 0), TR_OK);
   CHECK_EQ(tr_init(&sim, TR_API_VERSION, &setup), TR_OK);
   CHECK_EQ(tr_trim(&sim, &work, &flight, nullptr), TR_OK);
   const tr_real one[1] = {1};
@@ -69,7 +69,7 @@ TEST(arithmetic_other_rounding_is_found_by_every_call_that_computes) {
     {
       const Rounding rounding(mode);
       if (!rounding.changed()) continue;
-      found[0] = tr_default_setup(&setup, TR_API_VERSION, TR_XV15, 0);
+      found[0] = tr_default_setup(&setup, TR_API_VERSION, tr_aircraft_at(0), 0);
       found[1] = tr_init(&other, TR_API_VERSION, &setup);
       found[2] = tr_trim(&sim, &work, &flight, nullptr);
       found[3] = tr_step(&sim, &work, static_cast<tr_real>(0.005));

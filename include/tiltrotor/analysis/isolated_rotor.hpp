@@ -41,8 +41,8 @@ namespace isolated_rotor_detail {
 inline constexpr int kMaxIterations = 60;  // of one start
 
 template <class R>
-bool valid(const RotorFlow<R>& flow) {
-  const R speed = R(150);
+bool valid(const Aircraft<R>& aircraft, const RotorFlow<R>& flow) {
+  const R speed = aircraft.limits.speed;
   const R pitch = R(90) * kRadPerDeg<R>;
   const R cyclic = R(30) * kRadPerDeg<R>;
   return configuration_detail::within(flow.axial, -speed, speed) &&
@@ -119,7 +119,7 @@ Status isolated_rotor(const Configuration<R>& c, const RotorFlow<R>& flow, Isola
   using namespace isolated_rotor_detail;
   rotor = IsolatedRotor<R>{};
   if (!finite(flow)) return Status::not_finite;
-  if (!valid(flow)) return Status::out_of_range;
+  if (!valid(*c.aircraft, flow)) return Status::out_of_range;
   const RotorTables<R>& tables = c.aircraft->rotor;
   const R chord = blade_chord(tables, c.setup.options.chord, tables.twist_reference);
   const R solidity = static_cast<R>(tables.blades) * chord / (kPi<R> * tables.radius);

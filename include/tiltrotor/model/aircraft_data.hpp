@@ -16,6 +16,9 @@ const Aircraft<double>& aircraft_data<double>();
 template <>
 const Aircraft<float>& aircraft_data<float>();
 
+// Its number in the C interface, name and description.
+const AircraftIdentity& aircraft_identity();
+
 // Hash of its numbers: libraries of equal tables have the same.
 std::uint64_t aircraft_fingerprint();
 

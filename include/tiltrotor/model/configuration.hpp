@@ -10,17 +10,18 @@
 #include "tiltrotor/model/frames.hpp"
 #include "tiltrotor/model/mass_properties.hpp"
 #include "tiltrotor/model/rotor/blade_grid.hpp"
+#include "tiltrotor/model/setup_range.hpp"
 
 namespace tiltrotor {
 
-// What the user chooses. Defaults by mast angle: flight_setup().
+// What the user chooses. Defaults by mast angle: flight_setup(); ranges: setup_range().
 template <class R>
 struct FlightSetup {
   R mast_deg;      // 0 helicopter .. 90 airplane
-  R mast_rate;     // rad/s, + towards airplane; |rate| <= 1
-  R flap_deg;      // 0..75 (flaperons follow the flap settings of the tables)
+  R mast_rate;     // rad/s, + towards airplane
+  R flap_deg;      // flaperons follow the flap settings of the tables
   R rotor_speed;   // rad/s
-  R altitude;      // m, -500..11000
+  R altitude;      // m
   R mass;          // kg
   R sl_cg, wl_cg;  // CG at mast 0, m
   Options options;
@@ -79,15 +80,15 @@ struct Configuration {
   GridPoint<R> sidewash_mast_flap[2];
 };
 
-// Default setup: 13000 lbf, CG of the printed runs, sea level; flap 40/25 and helicopter rotor speed at mast
-// 0, 20/12.5 between, 0/0 and airplane rotor speed at mast 90.
+// Default setup at a mast angle: gross weight, sea level; flaps as the aircraft's defaults say, airplane rotor
+// speed at mast 90 and that of helicopter mode below.
 template <class R>
 FlightSetup<R> flight_setup(const Aircraft<R>& aircraft, R mast_deg) {
   FlightSetup<R> s{};
   s.mast_deg = mast_deg;
-  s.flap_deg = mast_deg <= R(0)   ? aircraft.wing.flap_deg[2]
-               : mast_deg < R(90) ? aircraft.wing.flap_deg[1]
-                                  : aircraft.wing.flap_deg[0];
+  s.flap_deg = mast_deg <= R(0)   ? aircraft.defaults.flap_helicopter
+               : mast_deg < R(90) ? aircraft.defaults.flap_conversion
+                                  : aircraft.defaults.flap_airplane;
   s.rotor_speed = mast_deg < R(90) ? aircraft.rotor.speed_helicopter : aircraft.rotor.speed_airplane;
   s.mass = aircraft.mass.gross;
   s.sl_cg = aircraft.mass.sl_cg;
@@ -96,24 +97,6 @@ FlightSetup<R> flight_setup(const Aircraft<R>& aircraft, R mast_deg) {
 }
 
 namespace configuration_detail {
-
-template <class R>
-bool within(R x, R low, R high) {
-  return x >= low && x <= high;  // false for NaN
-}
-
-template <class R>
-bool valid(const FlightSetup<R>& s) {
-  const Options& o = s.options;
-  return within(s.mast_deg, R(0), R(90)) && within(s.mast_rate, R(-1), R(1)) &&
-         within(s.flap_deg, R(0), R(75)) && within(s.rotor_speed, R(20), R(80)) &&
-         within(s.altitude, R(-500), R(11000)) && within(s.mass, R(3000), R(10000)) &&
-         within(s.sl_cg, R(7), R(8)) && within(s.wl_cg, R(1.5), R(2.5)) && o.grid_refinement >= 1 &&
-         o.grid_refinement <= 4 &&
-         (o.azimuth_stations == 0 ||
-          (o.azimuth_stations >= 3 && o.azimuth_stations <= kMaxAzimuthStations)) &&
-         within(o.hub_spring_factor, 0.0, 10.0) && within(o.induced_power_factor, 0.0, 2.0);
-}
 
 template <class R>
 WingConstants<R> wing_constants(const Aircraft<R>& aircraft, const FlightSetup<R>& s) {
@@ -138,7 +121,7 @@ WingConstants<R> wing_constants(const Aircraft<R>& aircraft, const FlightSetup<R
           ? aircraft.wake.load_factor.at(s.mast_deg)
           : aircraft.wake.gtrs_load_factor_0 + aircraft.wake.gtrs_load_factor_flap * s.flap_deg;
   c.aspect_ratio = w.span * w.span / w.area;
-  const Axis<R> settings{kFlapSettings, w.flap_deg, nullptr, 0, R(0)};
+  const Axis<R> settings{w.flap_settings, w.flap_deg, nullptr, 0, R(0)};
   const GridPoint<R> flap = grid_point(settings, s.flap_deg);
   c.flap_below = flap.interval;
   c.flap_above = flap.interval + 1;
@@ -170,14 +153,14 @@ Vec3<R> station_arm(const MassProperties<R>& mass, R sl, R bl, R wl) {
   return {mass.sl_cg - sl, bl, mass.wl_cg - wl};
 }
 
-// Prepare a configuration. Status out_of_range (and `c` unusable) when a setting lies outside the ranges
-// given at FlightSetup, bad_arithmetic when this code or the processor does not round as arithmetic.hpp says.
+// Prepare a configuration. Status out_of_range (and `c` unusable) when a setting lies outside its range, which
+// first_out_of_range() names; bad_arithmetic when this code or the processor does not round as arithmetic.hpp says.
 // Cost: about one derivative.
 template <class R>
 Status prepare(const Aircraft<R>& aircraft, const FlightSetup<R>& setup, Configuration<R>& c) {
   c = Configuration<R>{};
   if (!rounds_once_to_nearest<R>()) return Status::bad_arithmetic;
-  if (!configuration_detail::valid(setup)) return Status::out_of_range;
+  if (first_out_of_range(aircraft, setup).field != SetupField::none) return Status::out_of_range;
   const Options& o = setup.options;
   c.aircraft = &aircraft;
   c.setup = setup;

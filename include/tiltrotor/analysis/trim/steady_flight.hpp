@@ -10,7 +10,7 @@ namespace tiltrotor {
 // Straight or turning, level or climbing, with or without sideslip. Relative to the air at the aircraft.
 template <class R>
 struct SteadyFlight {
-  R speed;      // m/s, 0..150
+  R speed;      // m/s, 0 up to LimitTables::speed
   R climb;      // angle of the flight path, rad, + up, within 90 deg; 0 at speed 0
   R turn_rate;  // of the heading, rad/s, + right, within 60 deg/s
   R sideslip;   // beta: v = speed sin beta, rad, + wind from the right, within 60 deg; 0 at speed 0 and in
@@ -29,10 +29,11 @@ bool is_vertical(const SteadyFlight<R>& flight) {
 }
 
 template <class R>
-SteadyFlightField first_invalid(const SteadyFlight<R>& flight) {
+SteadyFlightField first_invalid(const Aircraft<R>& aircraft, const SteadyFlight<R>& flight) {
   const R angle = R(60) * kRadPerDeg<R>;
   const R vertical = R(0.5) * kPi<R> * (R(1) + R(2) * std::numeric_limits<R>::epsilon());
-  if (!configuration_detail::within(flight.speed, R(0), R(150))) return SteadyFlightField::speed;
+  if (!configuration_detail::within(flight.speed, R(0), aircraft.limits.speed))
+    return SteadyFlightField::speed;
   if (!configuration_detail::within(flight.climb, -vertical, vertical)) return SteadyFlightField::climb;
   if (!configuration_detail::within(flight.turn_rate, -angle, angle)) return SteadyFlightField::turn_rate;
   if (!configuration_detail::within(flight.sideslip, -angle, angle)) return SteadyFlightField::sideslip;

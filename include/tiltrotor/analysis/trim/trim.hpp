@@ -31,6 +31,7 @@ struct TrimResult {
   R residual;          // largest scaled residual: accelerations over g, angular accelerations over 1 rad/s^2
   int residual_state;  // place in kStateVariables of the state whose rate is left over
   SteadyFlightField invalid;  // with out_of_range and not_finite: the first bad input
+  R largest_speed;            // that the aircraft's ranges allow, m/s
 
   State<R> state;           // yaw and position 0
   Controls<R> controls;     // the four inceptors, and the gust asked for; increments 0
@@ -61,7 +62,7 @@ struct TrimOptions {
 // Trim from a cold start. The result is defined whatever is returned; when is_trimmed(status) it fulfils the
 // equations of motion to the tolerance (1e-10 in double), otherwise it describes the best point of the first
 // attempt. rotor_stall: there is none short of the rotors' stall, and result.weight_carried is the part of
-// the weight that can be carried; looked for below kWingborneMast. not_converged: no trim found;
+// the weight that can be carried; looked for below WingTables::borne_mast_deg. not_converged: no trim found;
 // result.residual_state tells which equation is left, result.obstacle and result.limits, what the last point
 // exceeds, often the reason. not_finite: a field of `flight` is NaN or infinite. No call raises a
 // floating-point exception for an invalid operation, a division by zero or an overflow. Cost: typically 3 to
@@ -195,9 +196,10 @@ bool accepts(const Configuration<R>& c, const SteadyFlight<R>& flight, const Tri
   result.obstacle = TrimObstacle::none;
   result.weight_carried = R(1);
   result.limits = LimitCheck<R>{};
-  result.invalid = first_invalid(flight);
-  const bool options_valid = options.max_iterations >= 1 && options.max_iterations <= kMaxTrimIterations;
   const bool prepared = c.aircraft != nullptr;
+  result.invalid = prepared ? first_invalid(*c.aircraft, flight) : SteadyFlightField::none;
+  result.largest_speed = prepared ? c.aircraft->limits.speed : R(0);
+  const bool options_valid = options.max_iterations >= 1 && options.max_iterations <= kMaxTrimIterations;
   result.status = all_finite(flight) ? TrimStatus::out_of_range : TrimStatus::not_finite;
   if (result.invalid != SteadyFlightField::none || !options_valid || !prepared) return false;
   trim_equations(c, work.equations);
@@ -228,7 +230,7 @@ TrimStatus trim(const Configuration<R>& c, const SteadyFlight<R>& flight, TrimWo
       ++result.attempts;
       outcome = trim_detail::from_other_speed(c, flight, side == 0 ? R(-1) : R(1), work, result.iterations);
     }
-    if (outcome.status != TrimStatus::ok && c.setup.mast_deg < kWingborneMast<R>) {
+    if (outcome.status != TrimStatus::ok && c.setup.mast_deg < c.aircraft->wing.borne_mast_deg) {
       ++result.attempts;
       outcome = trim_detail::from_less_weight(c, flight, work, result.iterations, result.weight_carried);
     }

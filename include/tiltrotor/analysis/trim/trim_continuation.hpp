@@ -39,7 +39,7 @@ NewtonOutcome<R> from_other_speed(const Configuration<R>& c, const SteadyFlight<
   int distance = 0;
   for (int k = 1; k <= kSpeedSearch && outcome.status != TrimStatus::ok; ++k) {
     stage.speed = flight.speed + direction * spacing * static_cast<R>(k);
-    if (first_invalid(stage) != SteadyFlightField::none) return outcome;
+    if (first_invalid(*c.aircraft, stage) != SteadyFlightField::none) return outcome;
     trim_first_guess(c, stage, work.equations, work.z);
     outcome = newton(c, stage, work, kStageIterations, iterations);
     distance = k;

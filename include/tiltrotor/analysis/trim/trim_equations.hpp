@@ -42,8 +42,6 @@ inline namespace trim_limits_of_step {
 template <class R>
 inline constexpr R kAngleStep = R(3) * kRadPerDeg<R>;
 template <class R>
-inline constexpr R kStickStep = R(1.5);  // in
-template <class R>
 inline constexpr R kInflowStep = R(0.02);
 }  // namespace trim_limits_of_step
 
@@ -54,6 +52,7 @@ void trim_equations(const Configuration<R>& c, TrimEquations<R>& equations) {
   const Options& o = c.setup.options;
   const R omega = c.setup.rotor_speed;
   const R gravity = R(1) / kGravity<R>;
+  const R stick_step = c.aircraft->guess.stick_step;
   equations.count = 0;
   equations.relieved = false;
   equations.carried = R(1);
@@ -67,9 +66,9 @@ void trim_equations(const Configuration<R>& c, TrimEquations<R>& equations) {
   add_state(kStateIndex.roll, kAngleStep<R>, kStateIndex.velocity.y, gravity);
   add_state(kStateIndex.pitch, kAngleStep<R>, kStateIndex.velocity.x, gravity);
   add_control(kControlIndex.collective, kAngleStep<R>, kStateIndex.velocity.z, gravity);
-  add_control(kControlIndex.long_stick, kStickStep<R>, kStateIndex.rates.y, R(1));
-  add_control(kControlIndex.lat_stick, kStickStep<R>, kStateIndex.rates.x, R(1));
-  add_control(kControlIndex.pedal, kStickStep<R>, kStateIndex.rates.z, R(1));
+  add_control(kControlIndex.long_stick, stick_step, kStateIndex.rates.y, R(1));
+  add_control(kControlIndex.lat_stick, stick_step, kStateIndex.rates.x, R(1));
+  add_control(kControlIndex.pedal, stick_step, kStateIndex.rates.z, R(1));
   const bool second_order = o.flapping == FlapOrder::second;
   const R flap_scale = second_order ? R(1) / (omega * omega) : R(1) / omega;
   for (int side = 0; side < 2; ++side) {
@@ -164,6 +163,12 @@ void trim_residuals(const Configuration<Real<T>>& c, const SteadyFlight<Real<T>>
   }
 }
 
+// Pitch of the blade at the reference radius above the inflow angle, rad; `cm`: cosine of the mast angle.
+template <class R>
+R blade_angle(const TrimGuessTables<R>& guess, R cm) {
+  return (guess.blade_angle_deg + guess.blade_angle_hover_deg * cm * cm) * kRadPerDeg<R>;
+}
+
 // First guess for any mast angle and speed, extended to turns and climbs: bank of a
 // coordinated turn, its load factor on the rotors, and the part of the climb that thrust along the path must
 // carry.
@@ -177,10 +182,9 @@ void trim_first_guess(const Configuration<R>& c, const SteadyFlight<R>& flight,
   R bank = atan2(flight.speed * cos(flight.climb) * flight.turn_rate, kGravity<R>);
   bank = bank > bank_limit ? bank_limit : bank < -bank_limit ? -bank_limit : bank;
 
-  const R wing_share = flight.speed < R(40) ? flight.speed / R(40) : R(1);
-  const R hover_factor = R(1.1);
-  const R wing_factor = R(0.95);
-  R load = (hover_factor - wing_factor * sm * sm * wing_share) / cos(bank) + sm * sin(flight.climb);
+  const TrimGuessTables<R>& guess = c.aircraft->guess;
+  const R wing_share = flight.speed < guess.wing_speed ? flight.speed / guess.wing_speed : R(1);
+  R load = (guess.hover_load - guess.wing_load * sm * sm * wing_share) / cos(bank) + sm * sin(flight.climb);
   const R least_load = R(0.02);
   load = load < least_load ? least_load : load;
   const R radius = c.aircraft->rotor.radius;
@@ -191,8 +195,7 @@ void trim_first_guess(const Configuration<R>& c, const SteadyFlight<R>& flight,
   // climb.
   const R mu = flight.speed * std::fabs(cos(c.mast + flight.climb * (R(1) - sm * sm))) / c.tip_speed;
   const R through = flight.speed * sin(c.mast + flight.climb * (R(1) - sm * sm)) / c.tip_speed;
-  const R n_hover = R(0.07);
-  R n0 = n_hover;
+  R n0 = guess.hover_inflow;
   for (int k = 0; k < 40; ++k) {
     const R flow = std::sqrt(mu * mu + (through + n0) * (through + n0));
     const R floor = R(1e-3);
@@ -200,8 +203,9 @@ void trim_first_guess(const Configuration<R>& c, const SteadyFlight<R>& flight,
   }
 
   const R reference = c.aircraft->rotor.twist_reference;
-  const R level_pitch = c.setup.mast_deg < R(15) ? R(0.5) * kRadPerDeg<R> : R(3) * kRadPerDeg<R>;
-  const R collective = atan2(through + n0, reference) + (R(2) + R(4) * cm * cm) * kRadPerDeg<R>;
+  const bool wingborne = c.setup.mast_deg >= c.aircraft->wing.borne_mast_deg;
+  const R level_pitch = (wingborne ? guess.pitch_airplane_deg : guess.pitch_helicopter_deg) * kRadPerDeg<R>;
+  const R collective = atan2(through + n0, reference) + blade_angle(guess, cm);
   for (int j = 0; j < equations.count; ++j) {
     const TrimEquation<R>& row = equations.row[j];
     z[j] = R(0);
@@ -243,9 +247,8 @@ void trim_windmill_guess(const Configuration<R>& c, const SteadyFlight<R>& fligh
   const R half = R(-0.5) * shaft_speed(c, flight);
   const R rest = half * half - square(hover_induced_speed(c));
   const R induced = half - (rest > R(0) ? std::sqrt(rest) : R(0));
-  const R cm = cos(c.mast);
   const R angle = atan2((induced - R(2) * half) / c.tip_speed, c.aircraft->rotor.twist_reference);
-  z[kCollectiveRow] = angle + (R(2) + R(4) * cm * cm) * kRadPerDeg<R>;
+  z[kCollectiveRow] = angle + blade_angle(c.aircraft->guess, cos(c.mast));
   for (int j = 0; j < equations.count; ++j) {
     const int state = equations.row[j].state;
     if (state == kStateIndex.rotor[right].lambda_0 || state == kStateIndex.rotor[left].lambda_0)

@@ -2,77 +2,26 @@
 #pragma once
 
 #include "tiltrotor/analysis/trim/trim.hpp"
+#include "tiltrotor/math/sentence.hpp"
 
 namespace tiltrotor {
 
 namespace trim_detail {
 
 inline constexpr const char* kFieldWords[] = {
-    "",
-    "speed must be 0..150 m/s",
+    "configuration or options",
+    "speed must be 0..",
     "climb angle must be within 90 deg, and 0 at speed 0",
     "turn rate must be within 60 deg/s",
     "sideslip must be within 60 deg, and 0 at speed 0 and climb +-90 deg",
     "gust must be within 100 m/s"};
 
-// Appends to a buffer and always leaves it terminated; what does not fit is cut.
-class Sentence {
- public:
-  Sentence(char* text, int capacity) : text_(text), capacity_(capacity) {
-    if (capacity_ > 0) text_[0] = '\0';
-  }
-  Sentence& operator<<(const char* words) {
-    for (; *words != '\0'; ++words) put(*words);
-    return *this;
-  }
-  Sentence& operator<<(int number) {
-    char digit[12];
-    int count = 0;
-    long rest = number < 0 ? -static_cast<long>(number) : number;
-    if (number < 0) put('-');
-    do {
-      digit[count++] = static_cast<char>('0' + rest % 10);
-      rest /= 10;
-    } while (rest > 0 && count < 12);
-    while (count > 0) put(digit[--count]);
-    return *this;
-  }
-  // Two decimals.
-  Sentence& fixed(double number) {
-    const double limit = 1e7;
-    if (!(number > -limit && number < limit)) return *this << (number == number ? "very large" : "no number");
-    const double size = number < 0 ? -number : number;
-    // Never negative, and small enough to be exact.
-    const long hundredths = static_cast<long>(size * 100 + 0.5);  // NOLINT(bugprone-incorrect-roundings)
-    if (number < 0 && hundredths > 0) put('-');
-    *this << static_cast<int>(hundredths / 100);
-    put('.');
-    put(static_cast<char>('0' + hundredths / 10 % 10));
-    put(static_cast<char>('0' + hundredths % 10));
-    return *this;
-  }
-  // One digit and a power of ten, rounded down.
-  Sentence& scientific(double number) {
-    if (!(number > 0 && number < 1e300)) return *this << (number == 0 ? "0" : "no number");
-    int exponent = 0;
-    for (int k = 0; k < 330 && number >= 10; ++k, ++exponent) number /= 10;
-    for (int k = 0; k < 330 && number < 1; ++k, --exponent) number *= 10;
-    *this << static_cast<int>(number) << "e" << exponent;
-    return *this;
-  }
-  int length() const { return length_; }
-  int room() const { return capacity_ - 1 - length_; }
-
- private:
-  void put(char c) {
-    if (length_ + 1 >= capacity_) return;
-    text_[length_++] = c;
-    text_[length_] = '\0';
-  }
-  char* text_;
-  int capacity_;
-  int length_ = 0;
-};
+// "speed must be 0..150 m/s"
+template <class R>
+void write_field(const TrimResult<R>& r, Sentence& sentence) {
+  sentence << kFieldWords[static_cast<unsigned>(r.invalid)];
+  if (r.invalid == SteadyFlightField::speed) sentence.number(static_cast<double>(r.largest_speed)) << " m/s";
+}
 
 // "wing angle of attack 17.20 deg". The longitudinal stick is counted as trim prints it: 0 at its rear stop,
 // 4.8 in neutral, 9.6 at its front stop.
@@ -112,7 +61,7 @@ void write_limits(const LimitCheck<R>& check, Sentence& sentence) {
 // enough but for a long list of limits, which then ends in their number.
 template <class R>
 int explain(const TrimResult<R>& r, char* text, int capacity) {
-  trim_detail::Sentence sentence(text, capacity);
+  Sentence sentence(text, capacity);
   switch (r.status) {
     case TrimStatus::ok:
       sentence << "trimmed in " << r.iterations << " Newton steps";
@@ -157,8 +106,8 @@ int explain(const TrimResult<R>& r, char* text, int capacity) {
       break;
     case TrimStatus::not_finite:
       if (r.invalid != SteadyFlightField::none) {
-        sentence << "bad input, not a finite number: "
-                 << trim_detail::kFieldWords[static_cast<unsigned>(r.invalid)];
+        sentence << "bad input, not a finite number: ";
+        trim_detail::write_field(r, sentence);
         break;
       }
       sentence << "the rate of " << kStateVariables[r.residual_state].name
@@ -166,10 +115,8 @@ int explain(const TrimResult<R>& r, char* text, int capacity) {
       break;
     case TrimStatus::out_of_range:
     case TrimStatus::count:
-      sentence << "bad input: "
-               << (r.invalid == SteadyFlightField::none
-                       ? "configuration or options"
-                       : trim_detail::kFieldWords[static_cast<unsigned>(r.invalid)]);
+      sentence << "bad input: ";
+      trim_detail::write_field(r, sentence);
       break;
   }
   return sentence.length();

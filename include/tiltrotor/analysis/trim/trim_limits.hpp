@@ -93,17 +93,13 @@ constexpr bool is_trimmed(TrimStatus status) {
          status == TrimStatus::torque_limit;
 }
 
-// The angle of attack beyond which the free wing stalls. It is a limit where the aircraft
-// rests on the wing: not in helicopter mode, where rotors carry it through a descent with the wing stalled,
-// and not where a unit of lift coefficient carries less than a fiftieth of the weight (10 m/s at sea level).
-template <class R>
-inline constexpr R kWingStall = R(16) * kRadPerDeg<R>;
-template <class R>
-inline constexpr R kWingborneMast = R(15);  // deg
+// The stall of the free wing is a limit where the aircraft rests on the wing: not in helicopter mode, where
+// rotors carry it through a descent with the wing stalled, and not where a unit of lift coefficient carries
+// less than this part of the weight.
 template <class R>
 inline constexpr R kWingLoadShare = R(0.02);
 
-// Shaft power that both engines give the rotors at an altitude, W, from a rating of one engine at sea level:
+// Shaft power that all engines give the rotors at an altitude, W, from a rating of one engine at sea level:
 // less the losses of the transmission, and as choice engine_lapse says by pressure over the square root of
 // temperature.
 template <class R>
@@ -112,7 +108,8 @@ R shaft_power(const Configuration<R>& c, R engine_rating) {
   const Air<R> sea_level = standard_air(R(0));
   const R lapse = here.density / sea_level.density * (here.speed_of_sound / sea_level.speed_of_sound);
   const ControlTables<R>& t = c.aircraft->controls;
-  return R(2) * engine_rating * t.transmission_efficiency * (R(1) + t.engine_lapse * (lapse - R(1)));
+  return static_cast<R>(t.engines) * engine_rating * t.transmission_efficiency *
+         (R(1) + t.engine_lapse * (lapse - R(1)));
 }
 
 template <class R>
@@ -165,10 +162,11 @@ LimitCheck<R> check_limits(const Configuration<R>& c, R speed, R wing_angle, con
     check_descent(c, x, velocity, blades, rotor[side].loads.force.z, side, check);
 
   const R pressure_lift = R(0.5) * c.air.density * speed * speed * aircraft.wing.area;
-  const bool wingborne =
-      c.setup.mast_deg >= kWingborneMast<R> && pressure_lift > kWingLoadShare<R> * c.mass.mass * kGravity<R>;
-  if (wingborne && wing_angle > kWingStall<R>)
-    check.add(TrimStatus::wing_stall, TrimLimit::wing_angle, wing_angle, kWingStall<R>);
+  const bool wingborne = c.setup.mast_deg >= aircraft.wing.borne_mast_deg &&
+                         pressure_lift > kWingLoadShare<R> * c.mass.mass * kGravity<R>;
+  const R stall = aircraft.wing.stall_deg * kRadPerDeg<R>;
+  if (wingborne && wing_angle > stall)
+    check.add(TrimStatus::wing_stall, TrimLimit::wing_angle, wing_angle, stall);
 
   const auto travel = [&check](TrimLimit limit, R value, R bound) {
     if (std::fabs(value) > bound)
@@ -191,7 +189,7 @@ LimitCheck<R> check_limits(const Configuration<R>& c, R speed, R wing_angle, con
   const R available = shaft_power(c, t.engine_power);
   if (power > available) check.add(TrimStatus::power_limit, TrimLimit::power, power, available);
   // Rotors that drive the shafts speed up: nothing takes more than the losses of the transmission.
-  const R absorbed = R(2) * t.engine_power * (R(1) - t.transmission_efficiency);
+  const R absorbed = static_cast<R>(t.engines) * t.engine_power * (R(1) - t.transmission_efficiency);
   if (power < -absorbed) check.add(TrimStatus::power_limit, TrimLimit::windmill_power, power, -absorbed);
   for (int side = 0; side < 2; ++side) {
     const R torque = rotor[side].loads.torque;

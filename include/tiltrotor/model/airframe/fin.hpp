@@ -48,7 +48,7 @@ Loads<T> fin_loads(const Configuration<Real<T>>& c, const AirframeInput<T>& in, 
   const T side_coefficient = slow + tail_mach_weight(c, stream.mach) * (fast - slow);
   const T drag_coefficient = lookup(f.drag, o.tables, T((beta + rudder_beta) * kDegPerRad<R>), stream.mach);
 
-  const R area = o.fin_area == FinArea::drawings ? f.surface.area : f.area_other;
+  const R area = o.fin_area == FinArea::drawings ? f.surface.area : f.area_report;
   const T q = (R(0.5) * c.air.density * f.pressure * f.pressure_ratio) * dot(v, v);
   const T scale = q * area * tail_sideslip_factor(c, stream);
   return force_at(arm, scale * wind_force(T(R(0)), drag_coefficient, T(-side_coefficient), alpha,

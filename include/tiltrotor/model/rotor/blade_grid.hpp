@@ -53,7 +53,6 @@ R blade_chord(const RotorTables<R>& rotor, ChordSource source, R x) {
 // The blade is integrated interval by interval: their ends are the end of the root's taper, the section
 // regions and the tip-loss radius, so that no station straddles a step and no interval a kink of the chord.
 inline constexpr int kBladeIntervals = 6;
-inline constexpr double kTaperEnd = 0.25;  // r/R: last kink of the chord tables
 
 enum class RadialRule : unsigned char {
   midpoint,
@@ -149,7 +148,7 @@ BladeStations<R> blade_stations(const RotorTables<R>& rotor, const Options& opti
                                 const Quadrature& quadrature, int refinement) {
   const bool joined = quadrature.radial[0] == 0;
   const R edge[kBladeIntervals + 1] = {rotor.root_cutout,
-                                       joined ? rotor.root_cutout : R(kTaperEnd),
+                                       joined ? rotor.root_cutout : rotor.taper_end,
                                        rotor.region_edge[0],
                                        rotor.region_edge[1],
                                        rotor.region_edge[2],

@@ -1,37 +1,41 @@
-// Ranges of the controls: what a program may command, and what a stored flight may hold.
+// Ranges of the controls, which are the aircraft's: what a program may command, and what a stored flight may hold.
 #pragma once
 
+#include "tiltrotor/model/aircraft.hpp"
 #include "tiltrotor/model/variables/controls.hpp"
 
 namespace tiltrotor {
 
+// Of a command: rad, in from neutral, m/s. `control`: place in kControlVariables.
 template <class R>
-struct ControlRange {
-  R low, high;  // rad, in from neutral, m/s
-};
-
-// Of a command. `control`: place in kControlVariables.
-template <class R>
-constexpr ControlRange<R> control_range(int control) {
-  if (control == kControlIndex.collective) return {R(-0.35), R(1.4)};
+Bounds<R> control_range(const Aircraft<R>& aircraft, int control) {
+  const ControlTables<R>& t = aircraft.controls;
+  const LimitTables<R>& limits = aircraft.limits;
+  const auto around_zero = [](R size) { return Bounds<R>{-size, size}; };
+  if (control == kControlIndex.collective) return limits.collective;
   switch (kControlVariables[control].kind) {
     case VariableKind::stick:
-      return {R(-4.8), R(4.8)};
+      return around_zero(control == kControlIndex.lat_stick ? t.lat_travel : t.long_travel);
     case VariableKind::pedal:
-      return {R(-2.5), R(2.5)};
+      return around_zero(t.pedal_travel);
     case VariableKind::gust:
-      return {R(-50), R(50)};
+      return around_zero(limits.gust);
     case VariableKind::blade_pitch:
     case VariableKind::surface:
-      return {R(-0.5), R(0.5)};  // increments
+      return around_zero(limits.increment);
     default:
-      return {R(0), R(0)};
+      return around_zero(R(0));
   }
 }
 
+// A kind of input that has a case above.
+constexpr bool has_control_range(VariableKind kind) {
+  return kind == VariableKind::stick || kind == VariableKind::pedal || kind == VariableKind::gust ||
+         kind == VariableKind::blade_pitch || kind == VariableKind::surface;
+}
 constexpr bool every_control_has_a_range() {
   for (int j = 0; j < control_count; ++j)
-    if (!(control_range<double>(j).low < control_range<double>(j).high)) return false;
+    if (!has_control_range(kControlVariables[j].kind)) return false;
   return true;
 }
 static_assert(every_control_has_a_range(), "a new kind of input has its range");

@@ -1,0 +1,14 @@
+// A number that changes with mast angle.
+#pragma once
+
+namespace tiltrotor {
+
+// Values at mast angle 0 and 90 deg that change linearly between.
+template <class R>
+struct MastRange {
+  R at_0;
+  R at_90;
+  R at(R mast_deg) const { return at_0 + (at_90 - at_0) * (mast_deg / R(90)); }
+};
+
+}  // namespace tiltrotor
