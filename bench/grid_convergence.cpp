@@ -117,7 +117,7 @@ double distance(const Spectrum& fine, const Spectrum& other) {
 
 void rotor_sums(const Configuration<double>& c, const TrimResult<double>& at, Workspace& work, double* thrust,
                 double* torque) {
-  evaluate(c, at.state, at.controls, work.evaluation);
+  evaluate_aircraft(c, at.state, at.controls, work.evaluation);
   for (int side = 0; side < 2; ++side) {
     thrust[side] = work.evaluation.rotor[side].loads.force.z;
     torque[side] = work.evaluation.rotor[side].loads.torque;

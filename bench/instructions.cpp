@@ -9,7 +9,7 @@ using namespace bench;
 
 namespace {
 
-struct Rooms {
+struct Workspaces {
   Configuration<double> c;
   ConfigurationSetting<double> setting;
   TrimResult<double> flight, again;
@@ -24,21 +24,21 @@ struct Rooms {
 
 // The real-time grid, unless the name says otherwise.
 extern "C" {
-__attribute__((noinline)) void counted_derivative(Rooms& r) {
+__attribute__((noinline)) void counted_derivative(Workspaces& r) {
   derivative(r.c, r.flight.state, r.flight.controls, r.rates);
 }
-__attribute__((noinline)) void counted_configuration(Rooms& r) {
+__attribute__((noinline)) void counted_configuration(Workspaces& r) {
   require(reconfigure(r.setting, r.c) == Status::ok, "setting out of range");
 }
-__attribute__((noinline)) void counted_jacobian(Rooms& r) {
+__attribute__((noinline)) void counted_jacobian(Workspaces& r) {
   require(linearize(r.c, r.flight.state, r.flight.controls, kBladeControls, r.work.linearization, r.model) ==
               Status::ok,
           "A, B");
 }
-__attribute__((noinline)) void counted_trim(Rooms& r) {
+__attribute__((noinline)) void counted_trim(Workspaces& r) {
   require(is_trimmed(trim(r.c, level(kMiddleSpeed), r.trim, r.again)), "no trim");
 }
-__attribute__((noinline)) void counted_frame(Rooms& r) { frame(r.c, r.work, r.simulation); }
+__attribute__((noinline)) void counted_frame(Workspaces& r) { frame(r.c, r.work, r.simulation); }
 }
 
 // Argument: the name of the function to call, without counted_; a second argument chooses the specification
@@ -46,8 +46,8 @@ __attribute__((noinline)) void counted_frame(Rooms& r) { frame(r.c, r.work, r.si
 int main(int argc, char** argv) {
   require(argc == 2 || argc == 3,
           "usage: bench_instructions derivative|configuration|jacobian|trim|frame [specification]");
-  const auto rooms = std::make_unique<Rooms>();
-  Rooms& r = *rooms;
+  const auto workspaces = std::make_unique<Workspaces>();
+  Workspaces& r = *workspaces;
   r.c = configuration(kMiddleMast, with_grid(argc == 3 ? BladeGrid::specification : BladeGrid::realtime));
   // Mast and flap between knots, where a place on a table costs most.
   r.setting = r.c.setup;

@@ -44,11 +44,11 @@ auto traced_jacobian(const PeerCase& p) {
   return [&p](PeerJacobian& out) {
     trace_on(kTag);
     {
-      ModelWorkspace<Traced> room;
+      ModelWorkspace<Traced> work;
       Traced z[kPeerInputs];
       Traced y[kMaxLinearStates];
       for (int j = 0; j < kPeerInputs; ++j) z[j].n <<= p.input[j];
-      p.rates(room, z, y);
+      p.rates(work, z, y);
       double ignored = 0;
       for (int i = 0; i < p.exact.states; ++i) y[i].n >>= ignored;
     }

@@ -13,8 +13,9 @@ template <class T>
 class SingleBlades {
  public:
   static constexpr int kBlades = 1;
-  void begin(const tiltrotor::RotorInput<T>&) {}
-  void compute(const tiltrotor::Configuration<double>&, const tiltrotor::AzimuthStations<double>&, int) {}
+  void set_input(const tiltrotor::RotorInput<T>&) {}
+  void compute_blades(const tiltrotor::Configuration<double>&, const tiltrotor::AzimuthStations<double>&,
+                      int) {}
   tiltrotor::BladeLoads<T> loads(const tiltrotor::Configuration<double>& c, int,
                                  const tiltrotor::BladeFlow<T>& flow) const {
     return tiltrotor::blade_loads(c, flow);

@@ -26,19 +26,19 @@ struct PeerCase {
   LinearModel<double> exact;
   double input[kPeerInputs];  // states of the linear model, then its controls
 
-  // y[i] = rate of state i at the inputs z. `room` is the caller's.
+  // y[i] = rate of state i at the inputs z. `work` is the caller's.
   template <class T>
-  void rates(ModelWorkspace<T>& room, const T* z, T* y) const {
+  void rates(ModelWorkspace<T>& work, const T* z, T* y) const {
     double x[state_count];
     double u[control_count];
     flatten(flight.state, x);
     flatten(flight.controls, u);
-    for (int i = 0; i < state_count; ++i) room.x[i] = T(x[i]);
-    for (int j = 0; j < control_count; ++j) room.u[j] = T(u[j]);
-    for (int i = 0; i < exact.states; ++i) room.x[exact.state[i]] = z[i];
-    for (int j = 0; j < exact.controls; ++j) room.u[exact.control[j]] = z[exact.states + j];
-    model_rates(c, 0.0, room);
-    for (int i = 0; i < exact.states; ++i) y[i] = room.x[exact.state[i]];
+    for (int i = 0; i < state_count; ++i) work.x[i] = T(x[i]);
+    for (int j = 0; j < control_count; ++j) work.u[j] = T(u[j]);
+    for (int i = 0; i < exact.states; ++i) work.x[exact.state[i]] = z[i];
+    for (int j = 0; j < exact.controls; ++j) work.u[exact.control[j]] = z[exact.states + j];
+    model_rates(c, 0.0, work);
+    for (int i = 0; i < exact.states; ++i) y[i] = work.x[exact.state[i]];
   }
 };
 
@@ -74,16 +74,16 @@ inline double difference(const PeerCase& p, const PeerJacobian& theirs) {
 // One pass of forward mode with `seed(T&, value, direction)` and `partial(const T&, direction)`.
 template <class T, class Seed, class Partial>
 auto forward_pass(const PeerCase& p, Seed seed, Partial partial) {
-  struct Room {
+  struct Workspace {
     ModelWorkspace<T> model;
     T z[kPeerInputs];
     T y[kMaxLinearStates];
   };
-  return [&p, seed, partial, room = std::make_shared<Room>()](PeerJacobian& out) {
-    for (int j = 0; j < kPeerInputs; ++j) seed(room->z[j], p.input[j], j);
-    p.rates(room->model, room->z, room->y);
+  return [&p, seed, partial, work = std::make_shared<Workspace>()](PeerJacobian& out) {
+    for (int j = 0; j < kPeerInputs; ++j) seed(work->z[j], p.input[j], j);
+    p.rates(work->model, work->z, work->y);
     for (int i = 0; i < p.exact.states; ++i)
-      for (int j = 0; j < kPeerInputs; ++j) out.entry[i][j] = partial(room->y[i], j);
+      for (int j = 0; j < kPeerInputs; ++j) out.entry[i][j] = partial(work->y[i], j);
   };
 }
 

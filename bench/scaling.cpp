@@ -90,19 +90,19 @@ void over_elements(Results& results, std::ostringstream& csv) {
 template <int N>
 int enter_seeds(Contest& contest, const Configuration<double>& c, const TrimResult<double>& flight) {
   using D = Dual<double, N>;
-  static ModelWorkspace<D> room;
+  static ModelWorkspace<D> work;
   return contest.enter("seeds", [&c, &flight] {
     double x[state_count];
     double u[control_count];
     flatten(flight.state, x);
     flatten(flight.controls, u);
     const ActiveStates active = active_states(c.setup.options, false);
-    for (int i = 0; i < state_count; ++i) room.x[i] = D(x[i]);
-    for (int j = 0; j < control_count; ++j) room.u[j] = D(u[j]);
-    for (int k = 0; k < N && k < active.count; ++k) room.x[active.index[k]].d.set(k, 1);
+    for (int i = 0; i < state_count; ++i) work.x[i] = D(x[i]);
+    for (int j = 0; j < control_count; ++j) work.u[j] = D(u[j]);
+    for (int k = 0; k < N && k < active.count; ++k) work.x[active.index[k]].d.set(k, 1);
     for (int k = active.count; k < N && k < active.count + control_count; ++k)
-      room.u[k - active.count].d.set(k, 1);
-    model_rates(c, 0.0, room);
+      work.u[k - active.count].d.set(k, 1);
+    model_rates(c, 0.0, work);
   });
 }
 

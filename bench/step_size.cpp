@@ -51,14 +51,14 @@ void jacobian(const FlightPoint& p, double relative, Jacobian& out) {
   const double own_step = std::cbrt(std::numeric_limits<double>::epsilon());
   for (int j = 0; j < inputs; ++j) scale[j] = out.scale[j] * relative / own_step;
   static NumDiff::Workspace<double, kModelDirections, kInputs, kMaxLinearStates> work;
-  static ModelWorkspace<double> room;
+  static ModelWorkspace<double> work;
   double rates[kMaxLinearStates];
   const auto f = [&](const double* x, double* y) {
-    flatten(p.trim.state, room.x);
-    flatten(p.trim.controls, room.u);
-    for (int j = 0; j < inputs; ++j) (j < n ? room.x[model.state[j]] : room.u[model.control[j - n]]) = x[j];
-    model_rates(p.c, 0.0, room);
-    for (int i = 0; i < n; ++i) y[i] = room.x[model.state[i]];
+    flatten(p.trim.state, work.x);
+    flatten(p.trim.controls, work.u);
+    for (int j = 0; j < inputs; ++j) (j < n ? work.x[model.state[j]] : work.u[model.control[j - n]]) = x[j];
+    model_rates(p.c, 0.0, work);
+    for (int i = 0; i < n; ++i) y[i] = work.x[model.state[i]];
   };
   NumDiff::jacobian(f, inputs, n, input, scale, rates, work,
                     [&out](int i, int j, double slope) { out.entry[i][j] = slope; });

@@ -25,11 +25,11 @@ class Linearizer {
         model_(std::make_unique<LinearModel<double>>()) {}
 
   const Shard& shard() const { return output_.shard(); }
-  Analyses& room() const { return *room_; }
+  Analyses& work() const { return *work_; }
 
   int add(LinearCase which, const Configuration<double>& c, const State<double>& x,
           const Controls<double>& u) {
-    Status status = linearize(c, x, u, controls_, *room_, *model_);
+    Status status = linearize(c, x, u, controls_, *work_, *model_);
     if (status == Status::ok && rigid_) status = reduce_to_rigid(*model_);
     which.valid = status == Status::ok;
     if (!which.valid) {
@@ -50,7 +50,7 @@ class Linearizer {
   ControlSet controls_;
   LinearOutput output_;  // last of what arguments can refuse, since it begins to write
   std::unique_ptr<LinearModel<double>> model_;
-  AnalysesRoom room_;
+  AnalysesWorkspace work_;
 };
 
 int at_given_states(const Arguments& arguments, const SetupOptions& setup) {
@@ -73,7 +73,7 @@ int at_given_states(const Arguments& arguments, const SetupOptions& setup) {
 int at_trim(const Arguments& arguments, const SetupOptions& setup) {
   Linearizer linearizer(arguments, flight_cases(arguments).size() == 1);
   const int exit_status = for_each_trim(
-      arguments, {setup}, linearizer.shard(), linearizer.room(), [&](const TrimmedFlight& flight) -> int {
+      arguments, {setup}, linearizer.shard(), linearizer.work(), [&](const TrimmedFlight& flight) -> int {
         const bool trimmed = is_trimmed(flight.trim.status);
         const LinearCase which{std::to_string(flight.number), flight.mast_deg, flight.flight.speed,
                                trim_status_word(flight.trim.status), trimmed};

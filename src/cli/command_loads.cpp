@@ -27,7 +27,7 @@ void add_row(Records& records, const std::string& name, double mast_deg, const c
 int add_state(Records& records, const std::string& name, const Configuration<double>& configuration,
               const State<double>& state, const Controls<double>& controls) {
   Evaluation<double> evaluation;
-  evaluate(configuration, state, controls, evaluation);
+  evaluate_aircraft(configuration, state, controls, evaluation);
   Loads<double> total{};
   for (int i = 0; i < component_count; ++i) {
     add_row(records, name, configuration.setup.mast_deg, kComponentNames[i], evaluation.loads.component[i]);
@@ -65,9 +65,9 @@ int loads_at_trim(const Arguments& arguments, const SetupOptions& setup) {
   flight_cases(arguments);
   Output output(arguments);
   Records records = output.records(columns, Output::to_compare);
-  const AnalysesRoom room;
+  const AnalysesWorkspace work;
   const int exit_status =
-      for_each_trim(arguments, {setup}, output.shard(), *room, [&](const TrimmedFlight& flight) -> int {
+      for_each_trim(arguments, {setup}, output.shard(), *work, [&](const TrimmedFlight& flight) -> int {
         if (!is_trimmed(flight.trim.status)) return exit_case_failed;
         return add_state(records, std::to_string(flight.number), flight.configuration, flight.trim.state,
                          flight.trim.controls);

@@ -62,7 +62,7 @@ int run(const Arguments& arguments) {
   flight_cases(arguments, setups.size());
   Output output(arguments);
   Records records = output.records(columns, Output::to_read);
-  const AnalysesRoom room;
+  const AnalysesWorkspace work;
   const auto model = std::make_unique<LinearModel<double>>();
   ModeTracker tracker;
   double mast_before = 0;
@@ -78,7 +78,7 @@ int run(const Arguments& arguments) {
       if (!flight.is_preliminary) add_row(records, flight, trim_status_word(trim.status));
       return exit_case_failed;
     }
-    Status status = linearize(flight.configuration, trim.state, trim.controls, ControlSet{}, *room, *model);
+    Status status = linearize(flight.configuration, trim.state, trim.controls, ControlSet{}, *work, *model);
     if (status == Status::ok && rigid) status = reduce_to_rigid(*model);
     if (status == Status::ok) status = tracker.find(*model, connects);
     if (flight.is_preliminary) return exit_success;
@@ -90,7 +90,7 @@ int run(const Arguments& arguments) {
     std::fprintf(stderr, "tiltrotor: %s: %s\n", flight.where.c_str(), status_text(status));
     return exit_case_failed;
   };
-  const int exit_status = for_each_trim(arguments, setups, output.shard(), *room, visit, same_sweep);
+  const int exit_status = for_each_trim(arguments, setups, output.shard(), *work, visit, same_sweep);
   records.finish();
   return exit_status;
 }

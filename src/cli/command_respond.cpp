@@ -154,7 +154,7 @@ int run(const Arguments& arguments) {
     companions.open_matrices(arguments.text("--matrices", ""), arguments.where("--matrices"));
   }
   Records records = output.records(response_columns(plan.modes_every > 0, setup.switches()), Output::to_read);
-  const AnalysesRoom room;
+  const AnalysesWorkspace work;
   const auto visit = [&](const TrimmedFlight& flight) -> int {
     if (!is_trimmed(flight.trim.status)) return exit_case_failed;
     const auto simulation = std::make_unique<Simulation<double>>();
@@ -165,12 +165,12 @@ int run(const Arguments& arguments) {
     }
     if (status == Status::ok) {
       require_inputs(*simulation, arguments.where("--input"));
-      return fly(flight.configuration, plan, *simulation, *room, companions, records);
+      return fly(flight.configuration, plan, *simulation, *work, companions, records);
     }
     std::fprintf(stderr, "tiltrotor: respond: cannot start: %s\n", status_text(status));
     return exit_case_failed;
   };
-  const int exit_status = for_each_trim(arguments, {setup}, Shard{}, *room, visit);
+  const int exit_status = for_each_trim(arguments, {setup}, Shard{}, *work, visit);
   companions.finish();
   records.finish();
   return exit_status;

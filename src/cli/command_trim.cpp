@@ -134,8 +134,8 @@ int run(const Arguments& arguments) {
   const std::vector<std::string> completing = completing_columns(names, setups.front().switches(), false);
   names.insert(names.end(), completing.begin(), completing.end());
   Records records = output.records(names, Output::to_read);
-  const AnalysesRoom room;
-  const int exit_status = for_each_trim(arguments, setups, output.shard(), *room, [&](Flight flight) {
+  const AnalysesWorkspace work;
+  const int exit_status = for_each_trim(arguments, setups, output.shard(), *work, [&](Flight flight) {
     records.add(row(flight, completing));
     return 0;
   });

@@ -8,10 +8,10 @@ void ModeTracker::begin_sweep() {
 }
 
 Status ModeTracker::find(const LinearModel<double>& model, bool connects) {
-  ModeSet<double>& set = room_->current;
-  Status status = modes(model, room_->work, set);
+  ModeSet<double>& set = work_->current;
+  Status status = modes(model, work_->modes, set);
   if (status == Status::ok && connects && has_previous_) {
-    status = follow(room_->previous, set);
+    status = follow(work_->previous, set);
   } else {
     for (int i = 0; i < set.count; ++i) set.mode[i].branch += branches_;
     set.branches += branches_;
@@ -19,7 +19,7 @@ Status ModeTracker::find(const LinearModel<double>& model, bool connects) {
   has_previous_ = status == Status::ok;
   if (has_previous_) {
     branches_ = set.branches;
-    room_->previous = set;
+    work_->previous = set;
   }
   return status;
 }

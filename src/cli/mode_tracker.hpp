@@ -13,17 +13,17 @@ class ModeTracker {
   void begin_sweep();
   // `connects`: the model continues the one before. Status as modes().
   Status find(const LinearModel<double>& model, bool connects);
-  const ModeSet<double>& found() const { return room_->current; }
+  const ModeSet<double>& found() const { return work_->current; }
   void lose_track() { has_previous_ = false; }
 
  private:
-  struct Room {
-    ModesWorkspace<double> work;
+  struct Workspace {
+    ModesWorkspace<double> modes;
     ModeSet<double> previous, current;
   };
   bool has_previous_ = false;
   int branches_ = 0;  // numbered so far
-  std::unique_ptr<Room> room_ = std::make_unique<Room>();
+  std::unique_ptr<Workspace> work_ = std::make_unique<Workspace>();
 };
 
 }  // namespace tiltrotor::cli

@@ -3,7 +3,7 @@
 
 #include <functional>
 
-#include "cli/analyses_room.hpp"
+#include "cli/analyses_workspace.hpp"
 #include "cli/flight_options.hpp"
 #include "cli/shard.hpp"
 

@@ -215,9 +215,9 @@ tr_status tr_derivative(const tr_sim* sim, tr_real* rates, size_t length) {
   if (rates == nullptr) return TR_BAD_ARGUMENT;
   if (length < TR_STATES) return TR_SHORT_BUFFER;
   const Sim& s = *opened(sim);
-  Configuration<R> room;
+  Configuration<R> copy;
   State<R> xdot;
-  derivative(equipped(s, room), evaluated_state(s), s.u, xdot);
+  derivative(equipped(s, copy), evaluated_state(s), s.u, xdot);
   flatten(xdot, rates);
   return all_finite(rates, TR_STATES) ? TR_OK : TR_NOT_FINITE;
 }
@@ -227,10 +227,10 @@ tr_status tr_get_outputs(const tr_sim* sim, tr_outputs* outputs) {
   if (ready != TR_OK) return ready;
   if (outputs == nullptr) return TR_BAD_ARGUMENT;
   const Sim& s = *opened(sim);
-  Configuration<R> room;
-  const Configuration<R>& c = equipped(s, room);
+  Configuration<R> copy;
+  const Configuration<R>& c = equipped(s, copy);
   Evaluation<R> e;
-  evaluate(c, evaluated_state(s), s.u, e);
+  evaluate_aircraft(c, evaluated_state(s), s.u, e);
   const Vec3<R> v = s.x.velocity - s.u.gust;  // relative to the air
   const BladeControls<R> blades = mix_controls(c, s.u, v);
 

@@ -18,19 +18,19 @@ tr_status check_step(const tr_work* work, R dt) {
 
 // One step; `xdot`: the rates at its beginning, or nullptr.
 tr_status step(Sim& s, tr_work* work, R dt, const R* xdot) {
-  StepCallWorkspace& room = place<StepCallWorkspace>(work);
-  const Configuration<R>& c = equipped(s, room.configuration);
+  StepCallWorkspace& call = workspace_in<StepCallWorkspace>(work);
+  const Configuration<R>& c = equipped(s, call.configuration);
   const Integrator integrator = dt <= kLongestOfRk3 ? Integrator::rk3 : Integrator::rk4;
   const double time = s.time + static_cast<double>(dt);
   if (time > kLongestFlight || s.steps >= kMostSteps) return TR_OUT_OF_RANGE;
   // The model does not depend on time: every step begins a simulation of its own, and time is counted here.
-  const Status started = start(c, s.x, s.u, dt, integrator, room.simulation);
+  const Status started = start(c, s.x, s.u, dt, integrator, call.simulation);
   if (started != Status::ok) return translated(started);
-  room.simulation.travel = s.travel;
-  const Status advanced = advance(c, room.workspace, room.simulation, xdot);
+  call.simulation.travel = s.travel;
+  const Status advanced = advance(c, call.workspace, call.simulation, xdot);
   if (advanced != Status::ok) return translated(advanced);
-  s.x = room.simulation.state;
-  s.travel = room.simulation.travel;
+  s.x = call.simulation.state;
+  s.travel = call.simulation.travel;
   s.time = time;
   ++s.steps;
   return TR_OK;
@@ -48,23 +48,23 @@ tr_status tr_trim(tr_sim* sim, tr_work* work, const tr_flight* flight, tr_trim_r
   if (ready != TR_OK) return ready;
   if (work == nullptr || flight == nullptr) return TR_BAD_ARGUMENT;
   Sim& s = *opened(sim);
-  TrimCallWorkspace& room = place<TrimCallWorkspace>(work);
+  TrimCallWorkspace& call = workspace_in<TrimCallWorkspace>(work);
   const SteadyFlight<R> wanted = {flight->speed_mps, flight->climb_rad, flight->turn_rate_radps,
                                   flight->sideslip_rad, s.u.gust};
-  const TrimStatus status = trim(equipped(s, room.configuration), wanted, room.workspace, room.result);
+  const TrimStatus status = trim(equipped(s, call.configuration), wanted, call.workspace, call.result);
   if (result != nullptr) {
-    result->iterations = room.result.iterations;
-    result->attempts = room.result.attempts;
-    result->residual = room.result.residual;
-    explain(room.result, result->text, static_cast<int>(sizeof result->text));
+    result->iterations = call.result.iterations;
+    result->attempts = call.result.attempts;
+    result->residual = call.result.residual;
+    explain(call.result, result->text, static_cast<int>(sizeof result->text));
   }
   if (is_trimmed(status)) {
     const R heading = s.x.yaw;
     const Vec3<R> position = s.x.position;
-    s.x = room.result.state;
+    s.x = call.result.state;
     s.x.yaw = heading;
     s.x.position = position;
-    s.u = room.result.controls;
+    s.u = call.result.controls;
     follow(s.x, s.travel);
     s.time = 0;
     s.steps = 0;

@@ -50,8 +50,8 @@ tr_status linearize_here(const Sim& s, tr_work* work, std::int32_t columns, tr_l
                          const LinearArrays& to, R* xdot) {
   const ControlSet* set = control_set(columns);
   if (work == nullptr || shape == nullptr || set == nullptr) return TR_BAD_ARGUMENT;
-  LinearCallWorkspace& room = place<LinearCallWorkspace>(work);
-  LinearModel<R>& model = room.model;
+  LinearCallWorkspace& call = workspace_in<LinearCallWorkspace>(work);
+  LinearModel<R>& model = call.model;
   linear_states(s.configuration.setup.options, model);
   shape->states = model.states;
   shape->controls = set->count;
@@ -62,8 +62,8 @@ tr_status linearize_here(const Sim& s, tr_work* work, std::int32_t columns, tr_l
   if (to.a_length < entries(model.states, model.states) || !b_fits) return TR_SHORT_BUFFER;
   if (to.a == nullptr || (wants_b && to.b == nullptr)) return TR_BAD_ARGUMENT;
 
-  const Configuration<R>& c = equipped(s, room.configuration);
-  const Status status = linearize(c, evaluated_state(s), s.u, *set, room.workspace, model);
+  const Configuration<R>& c = equipped(s, call.configuration);
+  const Status status = linearize(c, evaluated_state(s), s.u, *set, call.workspace, model);
   if (status != Status::ok && status != Status::not_finite) return translated(status);
   R* a = to.a;
   R* b = to.b;
@@ -94,16 +94,16 @@ tr_status tr_eigenvalues(tr_work* work, const tr_real* a, size_t n, tr_real* rea
   if (n < 1 || n > kMaxLinearStates) return TR_BAD_ARGUMENT;
   if (length < n) return TR_SHORT_BUFFER;
   if (!processor_runs(kInstructions) || !rounds_once_to_nearest<R>()) return TR_BAD_ARITHMETIC;
-  EigenCallWorkspace& room = place<EigenCallWorkspace>(work);
+  EigenCallWorkspace& call = workspace_in<EigenCallWorkspace>(work);
   const int order = static_cast<int>(n);
-  set_zero(room.a);
+  set_zero(call.a);
   for (int i = 0; i < order; ++i)
-    for (int j = 0; j < order; ++j) room.a(i, j) = *a++;
-  const Status status = eigenvalues(room.a, order, room.workspace, room.values);
+    for (int j = 0; j < order; ++j) call.a(i, j) = *a++;
+  const Status status = eigenvalues(call.a, order, call.workspace, call.values);
   if (status != Status::ok && status != Status::not_converged) return translated(status);
   for (int i = 0; i < order; ++i) {
-    real[i] = room.values.real[i];
-    imag[i] = room.values.imag[i];
+    real[i] = call.values.real[i];
+    imag[i] = call.values.imag[i];
   }
   return translated(status);
 }
@@ -115,20 +115,20 @@ tr_status tr_modes(tr_work* work, const tr_linear_shape* shape, const tr_real* a
   if (!plausible(*shape)) return TR_BAD_ARGUMENT;
   if (a_length < entries(shape->states, shape->states)) return TR_SHORT_BUFFER;
   if (!processor_runs(kInstructions) || !rounds_once_to_nearest<R>()) return TR_BAD_ARITHMETIC;
-  ModesCallWorkspace& room = place<ModesCallWorkspace>(work);
-  LinearModel<R>& model = room.model;
+  ModesCallWorkspace& call = workspace_in<ModesCallWorkspace>(work);
+  LinearModel<R>& model = call.model;
   clear(model);
   model.states = shape->states;
   for (int i = 0; i < model.states; ++i) {
     model.state[i] = shape->state[i];
     for (int j = 0; j < model.states; ++j) model.a(i, j) = *a++;
   }
-  const Status status = tiltrotor::modes(model, room.workspace, room.set);
+  const Status status = tiltrotor::modes(model, call.workspace, call.set);
   if (status != Status::ok) return translated(status);
-  *count = static_cast<std::size_t>(room.set.count);
+  *count = static_cast<std::size_t>(call.set.count);
   if (capacity < *count) return TR_SHORT_BUFFER;
-  for (int i = 0; i < room.set.count; ++i) {
-    const Mode<R>& mode = room.set.mode[i];
+  for (int i = 0; i < call.set.count; ++i) {
+    const Mode<R>& mode = call.set.mode[i];
     static_assert(sizeof(modes->name) == sizeof(mode.name));
     modes[i].real = mode.real;
     modes[i].imag = mode.imag;

@@ -31,10 +31,10 @@ static_assert(sizeof(Sim) <= sizeof(tr_sim) && alignof(Sim) <= alignof(tr_sim));
 static_assert(std::is_trivially_copyable_v<Sim>, "a snapshot is a copy of the bytes");
 
 // The configuration with its aircraft, for the time of a call.
-inline const Configuration<R>& equipped(const Sim& s, Configuration<R>& room) {
-  room = s.configuration;
-  room.aircraft = &aircraft_data<R>();
-  return room;
+inline const Configuration<R>& equipped(const Sim& s, Configuration<R>& copy) {
+  copy = s.configuration;
+  copy.aircraft = &aircraft_data<R>();
+  return copy;
 }
 
 // The state as the equations of motion see it: bank and heading within half a turn.
@@ -77,13 +77,13 @@ inline constexpr std::size_t kWorkBytes =
     kWorkAlignment - alignof(tr_work);
 static_assert(kWorkBytes <= sizeof(tr_work));
 
-// A room of uninitialised memory on the first aligned address.
-template <class Room>
-Room& place(tr_work* work) {
-  static_assert(alignof(Room) <= kWorkAlignment && std::is_trivially_destructible_v<Room>);
+// An uninitialised workspace on the first aligned address.
+template <class Workspace>
+Workspace& workspace_in(tr_work* work) {
+  static_assert(alignof(Workspace) <= kWorkAlignment && std::is_trivially_destructible_v<Workspace>);
   const auto address = reinterpret_cast<std::uintptr_t>(work);
   const std::uintptr_t aligned = (address + kWorkAlignment - 1) / kWorkAlignment * kWorkAlignment;
-  return *::new (reinterpret_cast<void*>(aligned)) Room;
+  return *::new (reinterpret_cast<void*>(aligned)) Workspace;
 }
 
 inline Sim* opened(tr_sim* sim) { return std::launder(reinterpret_cast<Sim*>(sim->reserved)); }

@@ -40,9 +40,9 @@ LoadRecord<double> replayed(const Table& states, std::size_t row) {
   in.advance_ratio = states.number(row, "advance_ratio");
   in.elevator = states.number(row, "elevator_deg") * kRadPerDeg<double>;
   LoadRecord<double> loads{};
-  AirframeWorkspace<double> room;
+  AirframeWorkspace<double> work;
   AirframeResponse<double> sum;
-  airframe_response(c, in, room, sum, [&](Component k, const Loads<double>& l) { loads.component[k] = l; });
+  airframe_response(c, in, work, sum, [&](Component k, const Loads<double>& l) { loads.component[k] = l; });
   return loads;
 }
 

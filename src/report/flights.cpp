@@ -63,7 +63,7 @@ Trimmed trimmed_near(const Configured& c, double speed_mps, const Trimmed& neigh
 
 Evaluation<double> evaluated(const Configured& c, const State<double>& x, const Controls<double>& u) {
   Evaluation<double> e;
-  evaluate(c, x, u, e);
+  evaluate_aircraft(c, x, u, e);
   return e;
 }
 

@@ -13,7 +13,7 @@ namespace {
 
 using namespace tiltrotor;
 
-struct Rooms {
+struct Workspaces {
   TrimWorkspace<double> trim;
   LinearizationWorkspace<double> linearization;
   ResidualisationWorkspace<double> residualisation;
@@ -36,16 +36,16 @@ Configuration<double> configuration(double mast_deg, bool realtime) {
 }
 
 Eigenvalues<double, kMaxLinearStates> rigid_eigenvalues(const Configuration<double>& c,
-                                                        const TrimResult<double>& at, Rooms& rooms) {
+                                                        const TrimResult<double>& at, Workspaces& work) {
   Eigenvalues<double, kMaxLinearStates> values{};
-  CHECK(linearize(c, at.state, at.controls, kInceptors, rooms.linearization, rooms.full) == Status::ok);
-  CHECK(residualise(rooms.full, rooms.residualisation, rooms.reduced) == Status::ok);
-  CHECK(eigenvalues(rooms.reduced.a, kRigidStates, rooms.eigen, values) == Status::ok);
+  CHECK(linearize(c, at.state, at.controls, kInceptors, work.linearization, work.full) == Status::ok);
+  CHECK(residualise(work.full, work.residualisation, work.reduced) == Status::ok);
+  CHECK(eigenvalues(work.reduced.a, kRigidStates, work.eigen, values) == Status::ok);
   return values;
 }
 
 TEST(realtime_grid_keeps_its_bounds) {
-  const auto rooms = std::make_unique<Rooms>();
+  const auto work = std::make_unique<Workspaces>();
   constexpr double flights[][2] = {{0, 0},   {0, 35},  {30, 40},
                                    {60, 60}, {75, 80}, {90, 100}};  // mast deg, m/s
   for (const auto& [mast, speed] : flights) {
@@ -54,22 +54,22 @@ TEST(realtime_grid_keeps_its_bounds) {
     CHECK_LE(4 * realtime.blade.count * realtime.azimuth.count, 20 * 24 * 4);
     SteadyFlight<double> flight{};
     flight.speed = speed;
-    CHECK(is_trimmed(trim(fine, flight, rooms->trim, rooms->fine)));
-    rooms->realtime = rooms->fine;
-    CHECK(is_trimmed(trim_from(realtime, flight, rooms->trim, rooms->realtime)));
-    CHECK_NEAR(rooms->realtime.state.pitch, rooms->fine.state.pitch, 0.02 * kRadPerDeg<double>);
-    CHECK_NEAR(rooms->realtime.collective_root, rooms->fine.collective_root, 0.02 * kRadPerDeg<double>);
+    CHECK(is_trimmed(trim(fine, flight, work->trim, work->fine)));
+    work->realtime = work->fine;
+    CHECK(is_trimmed(trim_from(realtime, flight, work->trim, work->realtime)));
+    CHECK_NEAR(work->realtime.state.pitch, work->fine.state.pitch, 0.02 * kRadPerDeg<double>);
+    CHECK_NEAR(work->realtime.collective_root, work->fine.collective_root, 0.02 * kRadPerDeg<double>);
 
     const double half_weight = fine.setup.mass * kGravity<double> / 2;
-    evaluate(fine, rooms->fine.state, rooms->fine.controls, rooms->evaluation);
-    const RotorLoads<double> exact = rooms->evaluation.rotor[right].loads;
-    evaluate(realtime, rooms->fine.state, rooms->fine.controls, rooms->evaluation);
-    const RotorLoads<double> found = rooms->evaluation.rotor[right].loads;
+    evaluate_aircraft(fine, work->fine.state, work->fine.controls, work->evaluation);
+    const RotorLoads<double> exact = work->evaluation.rotor[right].loads;
+    evaluate_aircraft(realtime, work->fine.state, work->fine.controls, work->evaluation);
+    const RotorLoads<double> found = work->evaluation.rotor[right].loads;
     CHECK_NEAR(found.force.z, exact.force.z, 1e-3 * half_weight);
     CHECK_REL(found.torque, exact.torque, 6e-3);
 
-    const auto a = rigid_eigenvalues(fine, rooms->fine, *rooms);
-    const auto b = rigid_eigenvalues(realtime, rooms->realtime, *rooms);
+    const auto a = rigid_eigenvalues(fine, work->fine, *work);
+    const auto b = rigid_eigenvalues(realtime, work->realtime, *work);
     double worst = 0;
     for (int i = 0; i < kRigidStates; ++i) {
       double nearest = 1e9;

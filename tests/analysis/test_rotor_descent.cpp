@@ -29,7 +29,7 @@ double hover_speed(double thrust, const Configuration<double>& c) {
 // In axial flow the balance of the mean inflow is the whole problem. Its roots on a grid of inflows, least
 // first: m/s, where the rate changes sign.
 std::vector<double> roots(const Configuration<double>& c, double axial, double collective_deg) {
-  static RotorWorkspace<double> room;
+  static RotorWorkspace<double> work;
   std::vector<double> found;
   double before = 0;
   const double step = 0.1;  // m/s
@@ -40,7 +40,7 @@ std::vector<double> roots(const Configuration<double>& c, double axial, double c
     in.collective = collective_deg * kRadPerDeg<double>;
     in.coning.angle = c.coning;
     in.state.lambda_0 = v / c.tip_speed;
-    rotor_response(c, in, c.azimuth, room, out);
+    rotor_response(c, in, c.azimuth, work, out);
     if (before * out.inflow.lambda_0 < 0) found.push_back(v - step / 2);
     before = out.inflow.lambda_0;
   }

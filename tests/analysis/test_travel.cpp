@@ -121,7 +121,7 @@ TEST(trim_with_a_gust_is_steady) {
     flight.gust = {-6, 2, 3};
     CHECK(trim(c, flight, work, windy) == TrimStatus::ok);
     Evaluation<double> e;
-    evaluate(c, windy.state, windy.controls, e);
+    evaluate_aircraft(c, windy.state, windy.controls, e);
     for (const double rate : {e.rates.velocity.x, e.rates.velocity.y, e.rates.velocity.z, e.rates.rates.x,
                               e.rates.rates.y, e.rates.rates.z, e.rates.roll, e.rates.pitch})
       CHECK_NEAR(rate, 0, 1e-8);

@@ -99,7 +99,7 @@ TEST(trim_fulfils_newtons_law_in_earth_axes) {
     CHECK_EQ(r.attempts, 1);
     CHECK_LE(r.iterations, 12);
     Evaluation<double> e;
-    evaluate(c, r.state, r.controls, e);
+    evaluate_aircraft(c, r.state, r.controls, e);
     Vec3<double> force{0, 0, 0};
     for (const Loads<double>& loads : e.loads.component) force = force + loads.force;
     const Vector f = to_earth(force, r.state.roll, r.state.pitch);
@@ -218,7 +218,7 @@ TEST(trim_download_over_the_thrust) {
     const TrimResult<double> r = trimmed(c, {k.speed, k.climb_deg * kDeg, 0, 0});
     CHECK(is_trimmed(r.status));
     Evaluation<double> e;
-    evaluate(c, r.state, r.controls, e);
+    evaluate_aircraft(c, r.state, r.controls, e);
     const double tenth = 0.1 * c.mass.mass * 9.80665;
     const double thrust = r.thrust[right] + r.thrust[left];
     CHECK_EQ(thrust > tenth, k.pulls);

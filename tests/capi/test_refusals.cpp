@@ -89,7 +89,7 @@ TEST(capi_null_pointers) {
   const auto work = new_work();
   const tr_flight flight = {40, 0, 0, 0};
   tr_real numbers[max_states * max_states] = {};
-  const std::size_t room = max_states * max_states;
+  const std::size_t capacity = max_states * max_states;
   tr_state state{};
   tr_linear_shape shape;
   tr_mode modes[TR_MAX_LINEAR_STATES];
@@ -100,11 +100,11 @@ TEST(capi_null_pointers) {
       tr_set_controls(&sim, nullptr, 4),
       tr_step(nullptr, work.get(), dt),
       tr_step(&sim, nullptr, dt),
-      tr_linearize_and_step(nullptr, work.get(), dt, TR_INCEPTORS, &shape, numbers, room, nullptr, 0),
-      tr_linearize_and_step(&sim, nullptr, dt, TR_INCEPTORS, &shape, numbers, room, nullptr, 0),
-      tr_linearize_and_step(&sim, work.get(), dt, TR_INCEPTORS, nullptr, numbers, room, nullptr, 0),
-      tr_linearize_and_step(&sim, work.get(), dt, TR_INCEPTORS, &shape, nullptr, room, nullptr, 0),
-      tr_linearize_and_step(&sim, work.get(), dt, 0, &shape, numbers, room, nullptr, 0),
+      tr_linearize_and_step(nullptr, work.get(), dt, TR_INCEPTORS, &shape, numbers, capacity, nullptr, 0),
+      tr_linearize_and_step(&sim, nullptr, dt, TR_INCEPTORS, &shape, numbers, capacity, nullptr, 0),
+      tr_linearize_and_step(&sim, work.get(), dt, TR_INCEPTORS, nullptr, numbers, capacity, nullptr, 0),
+      tr_linearize_and_step(&sim, work.get(), dt, TR_INCEPTORS, &shape, nullptr, capacity, nullptr, 0),
+      tr_linearize_and_step(&sim, work.get(), dt, 0, &shape, numbers, capacity, nullptr, 0),
       tr_get_state(nullptr, &state),
       tr_get_state(&sim, nullptr),
       tr_set_state(nullptr, &state),
@@ -114,29 +114,29 @@ TEST(capi_null_pointers) {
       tr_save(&sim, numbers, sizeof numbers, nullptr),
       tr_load_saved(nullptr, TR_API_VERSION, numbers, sizeof numbers),
       tr_load_saved(&sim, TR_API_VERSION, nullptr, sizeof numbers),
-      tr_derivative(nullptr, numbers, room),
+      tr_derivative(nullptr, numbers, capacity),
       tr_derivative(&sim, nullptr, TR_STATES),
       tr_get_outputs(&sim, nullptr),
       tr_get_outputs(nullptr, nullptr),
       tr_trim(nullptr, work.get(), &flight, nullptr),
       tr_trim(&sim, nullptr, &flight, nullptr),
       tr_trim(&sim, work.get(), nullptr, nullptr),
-      tr_linearize(nullptr, work.get(), TR_INCEPTORS, &shape, numbers, room, nullptr, 0),
-      tr_linearize(&sim, nullptr, TR_INCEPTORS, &shape, numbers, room, nullptr, 0),
-      tr_linearize(&sim, work.get(), TR_INCEPTORS, nullptr, numbers, room, nullptr, 0),
-      tr_linearize(&sim, work.get(), TR_INCEPTORS, &shape, nullptr, room, nullptr, 0),
-      tr_linearize(&sim, work.get(), TR_INCEPTORS, &shape, numbers, room, nullptr, room),
-      tr_linearize(&sim, work.get(), 0, &shape, numbers, room, nullptr, 0),
-      tr_linearize(&sim, work.get(), 99, &shape, numbers, room, nullptr, 0),
+      tr_linearize(nullptr, work.get(), TR_INCEPTORS, &shape, numbers, capacity, nullptr, 0),
+      tr_linearize(&sim, nullptr, TR_INCEPTORS, &shape, numbers, capacity, nullptr, 0),
+      tr_linearize(&sim, work.get(), TR_INCEPTORS, nullptr, numbers, capacity, nullptr, 0),
+      tr_linearize(&sim, work.get(), TR_INCEPTORS, &shape, nullptr, capacity, nullptr, 0),
+      tr_linearize(&sim, work.get(), TR_INCEPTORS, &shape, numbers, capacity, nullptr, capacity),
+      tr_linearize(&sim, work.get(), 0, &shape, numbers, capacity, nullptr, 0),
+      tr_linearize(&sim, work.get(), 99, &shape, numbers, capacity, nullptr, 0),
       tr_eigenvalues(nullptr, numbers, 2, numbers, numbers, 2),
       tr_eigenvalues(work.get(), nullptr, 2, numbers, numbers, 2),
       tr_eigenvalues(work.get(), numbers, 2, nullptr, numbers, 2),
       tr_eigenvalues(work.get(), numbers, 2, numbers, nullptr, 2),
-      tr_modes(nullptr, &shape, numbers, room, modes, 27, &count),
-      tr_modes(work.get(), nullptr, numbers, room, modes, 27, &count),
-      tr_modes(work.get(), &shape, nullptr, room, modes, 27, &count),
-      tr_modes(work.get(), &shape, numbers, room, nullptr, 27, &count),
-      tr_modes(work.get(), &shape, numbers, room, modes, 27, nullptr),
+      tr_modes(nullptr, &shape, numbers, capacity, modes, 27, &count),
+      tr_modes(work.get(), nullptr, numbers, capacity, modes, 27, &count),
+      tr_modes(work.get(), &shape, nullptr, capacity, modes, 27, &count),
+      tr_modes(work.get(), &shape, numbers, capacity, nullptr, 27, &count),
+      tr_modes(work.get(), &shape, numbers, capacity, modes, 27, nullptr),
       tr_hash(nullptr, 1, &hash),
       tr_hash(numbers, 1, nullptr)};
   for (const tr_status status : statuses) CHECK_EQ(status, TR_BAD_ARGUMENT);

@@ -116,13 +116,13 @@ TEST(capi_linearize_and_step_in_parts_gives_the_bits_of_the_two_calls) {
   const tr_real pushed[] = {tr_real(0.9), 1, 1, 1};
   CHECK_EQ(tr_set_controls(&apart, pushed, 4), TR_OK);
   CHECK_EQ(tr_set_controls(&together, pushed, 4), TR_OK);
-  constexpr size_t room = TR_MAX_LINEAR_STATES * TR_MAX_LINEAR_STATES;
-  static tr_real a[2][room];
+  constexpr size_t capacity = TR_MAX_LINEAR_STATES * TR_MAX_LINEAR_STATES;
+  static tr_real a[2][capacity];
   tr_linear_shape shape;
   for (int k = 0; k < 5; ++k) {
-    CHECK_EQ(tr_linearize(&apart, work.get(), TR_INCEPTORS, &shape, a[0], room, nullptr, 0), TR_OK);
+    CHECK_EQ(tr_linearize(&apart, work.get(), TR_INCEPTORS, &shape, a[0], capacity, nullptr, 0), TR_OK);
     CHECK_EQ(tr_step(&apart, work.get(), tr_real(0.02)), TR_OK);
-    CHECK_EQ(tr_linearize_and_step(&together, work.get(), tr_real(0.02), TR_INCEPTORS, &shape, a[1], room,
+    CHECK_EQ(tr_linearize_and_step(&together, work.get(), tr_real(0.02), TR_INCEPTORS, &shape, a[1], capacity,
                                    nullptr, 0),
              TR_OK);
     tr_state x, y;

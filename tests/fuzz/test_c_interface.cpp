@@ -12,7 +12,7 @@ constexpr int kCalls = 40;
 constexpr std::size_t kSquare = TR_MAX_LINEAR_STATES * TR_MAX_LINEAR_STATES;
 constexpr tr_real kUntouched = 12345.678;
 
-struct Room {
+struct Workspace {
   tr_sim sim[2];
   tr_sim bystander;
   tr_work work;
@@ -62,7 +62,7 @@ tr_state any_state(const tr_sim& sim, fuzz::Bytes& in) {
   return state;
 }
 
-void fly(tr_sim& sim, Room& room, fuzz::Bytes& in) {
+void fly(tr_sim& sim, Workspace& call, fuzz::Bytes& in) {
   tr_real controls[TR_CONTROLS + 4] = {};
   const std::size_t length = in.byte() % (sizeof controls / sizeof *controls);
   for (std::size_t j = 0; j < length; ++j) controls[j] = in.number();
@@ -70,7 +70,7 @@ void fly(tr_sim& sim, Room& room, fuzz::Bytes& in) {
   tr_state before{};
   const bool ready = tr_get_state(&sim, &before) == TR_OK;
   const tr_real dt = in.below(3) == 0 ? in.number() : 0.01;
-  const tr_status status = tr_step(&sim, &room.work, dt);
+  const tr_status status = tr_step(&sim, &call.work, dt);
   REQUIRE(known(status) && (ready || status == TR_NOT_INITIALIZED));
   tr_state after{};
   if (status == TR_OK)
@@ -83,10 +83,10 @@ void save_and_load(const tr_sim& from, tr_sim& to, fuzz::Bytes& in) {
   unsigned char bytes[TR_SAVED_SIZE + 1];
   std::memset(bytes, 0x5a, sizeof bytes);
   std::size_t used = 0;
-  const std::size_t room = in.below(4) == 0 ? 4 * in.byte() : std::size_t{TR_SAVED_SIZE};
-  const tr_status status = tr_save(&from, bytes, room, &used);
-  REQUIRE(known(status) && bytes[room] == 0x5a && used <= TR_SAVED_SIZE);
-  if (status == TR_SHORT_BUFFER) REQUIRE(used > room && bytes[0] == 0x5a);
+  const std::size_t capacity = in.below(4) == 0 ? 4 * in.byte() : std::size_t{TR_SAVED_SIZE};
+  const tr_status status = tr_save(&from, bytes, capacity, &used);
+  REQUIRE(known(status) && bytes[capacity] == 0x5a && used <= TR_SAVED_SIZE);
+  if (status == TR_SHORT_BUFFER) REQUIRE(used > capacity && bytes[0] == 0x5a);
   unsigned char good[sizeof bytes];
   std::memcpy(good, bytes, sizeof bytes);
   for (int changes = in.below(4); changes > 0; --changes) bytes[4 * in.byte() + in.below(4)] = in.byte();
@@ -117,14 +117,14 @@ void read(const tr_sim& sim, fuzz::Bytes& in) {
             std::isfinite(outputs.airspeed_mps));
 }
 
-void trim(tr_sim& sim, Room& room, fuzz::Bytes& in) {
+void trim(tr_sim& sim, Workspace& call, fuzz::Bytes& in) {
   const double speeds[] = {0, 40, 80};
   tr_flight flight = {speeds[in.below(3)], 0, 0, 0};
   tr_real* const number[] = {&flight.speed_mps, &flight.climb_rad, &flight.turn_rate_radps,
                              &flight.sideslip_rad};
   for (int changes = in.below(3); changes > 0; --changes) *number[in.below(4)] = in.number();
   tr_trim_result result{};
-  const tr_status status = tr_trim(&sim, &room.work, &flight, in.below(2) == 0 ? &result : nullptr);
+  const tr_status status = tr_trim(&sim, &call.work, &flight, in.below(2) == 0 ? &result : nullptr);
   REQUIRE(known(status) && std::memchr(result.text, 0, sizeof result.text) != nullptr);
   const bool trimmed = status == TR_OK || status == TR_WING_STALL || status == TR_CONTROL_LIMIT ||
                        status == TR_FLAP_LIMIT || status == TR_VORTEX_RING_STATE ||
@@ -135,57 +135,57 @@ void trim(tr_sim& sim, Room& room, fuzz::Bytes& in) {
   for (int i = TR_U; i <= TR_R; ++i) REQUIRE(std::fabs(rates[i]) < 1e-6);
 }
 
-void linearize(tr_sim& sim, Room& room, fuzz::Bytes& in) {
+void linearize(tr_sim& sim, Workspace& call, fuzz::Bytes& in) {
   const std::size_t a_length = in.below(3) > 0 ? kSquare : 4 * in.byte();
-  const std::size_t b_length = in.below(3) > 0 ? sizeof room.b / sizeof *room.b - 1 : in.byte();
-  room.a[kSquare] = room.b[sizeof room.b / sizeof *room.b - 1] = kUntouched;
+  const std::size_t b_length = in.below(3) > 0 ? sizeof call.b / sizeof *call.b - 1 : in.byte();
+  call.a[kSquare] = call.b[sizeof call.b / sizeof *call.b - 1] = kUntouched;
   const tr_status status =
       in.below(2) == 0
-          ? tr_linearize(&sim, &room.work, in.below(5), &room.shape, room.a, a_length, room.b, b_length)
-          : tr_linearize_and_step(&sim, &room.work, in.number(), in.below(5), &room.shape, room.a, a_length,
-                                  room.b, b_length);
+          ? tr_linearize(&sim, &call.work, in.below(5), &call.shape, call.a, a_length, call.b, b_length)
+          : tr_linearize_and_step(&sim, &call.work, in.number(), in.below(5), &call.shape, call.a, a_length,
+                                  call.b, b_length);
   REQUIRE(known(status));
-  room.linear_model = status == TR_OK;
+  call.linear_model = status == TR_OK;
   if (status == TR_OK) {
-    const auto n = static_cast<std::size_t>(room.shape.states);
-    REQUIRE(all_finite(room.a, n * n) &&
-            all_finite(room.b, n * static_cast<std::size_t>(room.shape.controls)));
+    const auto n = static_cast<std::size_t>(call.shape.states);
+    REQUIRE(all_finite(call.a, n * n) &&
+            all_finite(call.b, n * static_cast<std::size_t>(call.shape.controls)));
   }
-  REQUIRE(room.a[kSquare] == kUntouched);
+  REQUIRE(call.a[kSquare] == kUntouched);
 }
 
-void find_modes(Room& room, fuzz::Bytes& in) {
-  if (!room.linear_model) {  // a shape and a matrix of anything
-    room.shape.states = in.byte();
-    for (int& state : room.shape.state) state = in.byte() % 32 - 1;
-    for (tr_real& x : room.a) x = in.number();
+void find_modes(Workspace& call, fuzz::Bytes& in) {
+  if (!call.linear_model) {  // a shape and a matrix of anything
+    call.shape.states = in.byte();
+    for (int& state : call.shape.state) state = in.byte() % 32 - 1;
+    for (tr_real& x : call.a) x = in.number();
   }
-  for (int changes = in.below(3); changes > 0; --changes) room.a[in.byte()] = in.number();
+  for (int changes = in.below(3); changes > 0; --changes) call.a[in.byte()] = in.number();
   const std::size_t capacity = in.below(2) == 0 ? TR_MAX_LINEAR_STATES : in.byte() % TR_MAX_LINEAR_STATES;
   std::size_t count = 0;
-  const tr_status status = tr_modes(&room.work, &room.shape, room.a, kSquare, room.modes, capacity, &count);
+  const tr_status status = tr_modes(&call.work, &call.shape, call.a, kSquare, call.modes, capacity, &count);
   REQUIRE(known(status) && count <= TR_MAX_LINEAR_STATES);
   if (status != TR_OK) return;
   REQUIRE(count <= capacity);
   for (std::size_t k = 0; k < count; ++k)
-    REQUIRE(std::isfinite(room.modes[k].real) && room.modes[k].imag >= 0 &&
-            std::memchr(room.modes[k].name, 0, sizeof room.modes[k].name) != nullptr);
+    REQUIRE(std::isfinite(call.modes[k].real) && call.modes[k].imag >= 0 &&
+            std::memchr(call.modes[k].name, 0, sizeof call.modes[k].name) != nullptr);
 }
 
-void find_eigenvalues(Room& room, fuzz::Bytes& in) {
+void find_eigenvalues(Workspace& call, fuzz::Bytes& in) {
   const std::size_t n = in.byte() % (TR_MAX_LINEAR_STATES + 3u);
   tr_real matrix[kSquare];
   for (std::size_t i = 0; i < kSquare; ++i) matrix[i] = i < n * n ? in.number() : 0;
   tr_real real[TR_MAX_LINEAR_STATES];
   tr_real imag[TR_MAX_LINEAR_STATES];
   const tr_status status =
-      tr_eigenvalues(&room.work, matrix, n, real, imag, in.below(4) == 0 ? in.byte() % 28u : 27u);
+      tr_eigenvalues(&call.work, matrix, n, real, imag, in.below(4) == 0 ? in.byte() % 28u : 27u);
   REQUIRE(known(status));
   if (status == TR_OK) REQUIRE(all_finite(real, n) && all_finite(imag, n));
 }
 
-void call_with_nothing(Room& room, fuzz::Bytes& in) {
-  tr_sim* const sim = in.below(2) == 0 ? nullptr : &room.sim[0];
+void call_with_nothing(Workspace& call, fuzz::Bytes& in) {
+  tr_sim* const sim = in.below(2) == 0 ? nullptr : &call.sim[0];
   REQUIRE(tr_init(nullptr, in.raw<std::uint32_t>(), nullptr) != TR_OK);
   REQUIRE(tr_set_controls(sim, nullptr, in.byte()) != TR_OK && tr_step(sim, nullptr, 0.01) != TR_OK);
   REQUIRE(tr_get_state(sim, nullptr) != TR_OK && tr_set_state(sim, nullptr) != TR_OK);
@@ -205,20 +205,20 @@ void call_with_nothing(Room& room, fuzz::Bytes& in) {
 }  // namespace
 
 FUZZ_TARGET(c_interface) {
-  static Room room;
+  static Workspace call;
   fuzz::Bytes in(data, size);
-  std::memset(&room, in.byte(), sizeof room);
-  room.linear_model = false;
-  std::memset(room.sim, 0, sizeof room.sim);
+  std::memset(&call, in.byte(), sizeof call);
+  call.linear_model = false;
+  std::memset(call.sim, 0, sizeof call.sim);
   tr_setup setup;
   REQUIRE(tr_default_setup(&setup, TR_API_VERSION, TR_XV15, 60) == TR_OK);
-  REQUIRE(tr_init(&room.bystander, TR_API_VERSION, &setup) == TR_OK);
-  const tr_sim bystander = room.bystander;
+  REQUIRE(tr_init(&call.bystander, TR_API_VERSION, &setup) == TR_OK);
+  const tr_sim bystander = call.bystander;
 
   int trims = 0;
   for (int call = 0; call < kCalls && !in.empty(); ++call) {
-    tr_sim& sim = room.sim[in.below(2)];
-    const tr_sim other = room.sim[&sim == room.sim ? 1 : 0];
+    tr_sim& sim = call.sim[in.below(2)];
+    const tr_sim other = call.sim[&sim == call.sim ? 1 : 0];
     const tr_sim before = sim;
     switch (in.below(11)) {
       case 0: {
@@ -233,7 +233,7 @@ FUZZ_TARGET(c_interface) {
       }
       case 1:
       case 2:
-        fly(sim, room, in);
+        fly(sim, call, in);
         break;
       case 3: {
         const tr_state state = any_state(sim, in);
@@ -247,24 +247,24 @@ FUZZ_TARGET(c_interface) {
         read(sim, in);
         break;
       case 5:
-        if (++trims <= 2) trim(sim, room, in);
+        if (++trims <= 2) trim(sim, call, in);
         break;
       case 6:
-        linearize(sim, room, in);
+        linearize(sim, call, in);
         break;
       case 7:
-        find_modes(room, in);
+        find_modes(call, in);
         break;
       case 8:
-        find_eigenvalues(room, in);
+        find_eigenvalues(call, in);
         break;
       case 9:
         save_and_load(other, sim, in);
         break;
       default:
-        call_with_nothing(room, in);
+        call_with_nothing(call, in);
     }
-    REQUIRE(std::memcmp(&other, &room.sim[&sim == room.sim ? 1 : 0], sizeof other) == 0);
-    REQUIRE(std::memcmp(&bystander, &room.bystander, sizeof bystander) == 0);
+    REQUIRE(std::memcmp(&other, &call.sim[&sim == call.sim ? 1 : 0], sizeof other) == 0);
+    REQUIRE(std::memcmp(&bystander, &call.bystander, sizeof bystander) == 0);
   }
 }

@@ -136,14 +136,14 @@ TEST(eigen_power_of_two_scales_every_eigenvalue) {
 
 TEST(eigen_float_keeps_small_eigenvalues) {
   static Matrix<float, 4, 4> a;
-  static EigenWorkspace<float, 4> room;
+  static EigenWorkspace<float, 4> work;
   static Eigensystem<float, 4> system;
   set_zero(a);
   a(0, 0) = 1e20f;
   a(1, 1) = 3e-38f;
   a(2, 3) = 2e-10f;
   a(3, 2) = -2e-10f;
-  CHECK(eigensystem(a, 4, room, system) == Status::ok);
+  CHECK(eigensystem(a, 4, work, system) == Status::ok);
   CHECK_EQ(std::count(system.values.real, system.values.real + 4, 1e20f), 1);
   CHECK_EQ(std::count(system.values.real, system.values.real + 4, 3e-38f), 1);
   CHECK_REL(*std::max_element(system.values.imag, system.values.imag + 4), 2e-10f, 1e-6);

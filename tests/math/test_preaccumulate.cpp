@@ -1,4 +1,4 @@
-// The chain rule through a waist: same values, same derivatives as seeding the whole function, fewer partials
+// The chain rule through few inputs: same values, same derivatives as seeding the whole function, fewer partials
 // inside.
 #include "tiltrotor/math/differentiation/preaccumulate.hpp"
 
@@ -13,7 +13,7 @@ using namespace tiltrotor;
 namespace {
 
 template <class T>
-struct Through {
+struct Input {
   T a, b, c;
   static constexpr int kCount = 3;
   template <class Self, class Visit>
@@ -24,7 +24,7 @@ struct Through {
   }
 };
 template <class T>
-struct Beyond {
+struct Output {
   T first, second;
   static constexpr int kCount = 2;
   template <class Self, class Visit>
@@ -35,15 +35,15 @@ struct Beyond {
 };
 
 template <class T>
-Beyond<T> beyond(const Through<T>& in) {
+Output<T> output(const Input<T>& in) {
   return {in.a * tiltrotor::sin(in.b) + in.c / (in.a * in.a + Real<T>(2)),
           tiltrotor::sqrt(T(in.b * in.b + in.c * in.c)) - in.a};
 }
 
-// Waist variables as functions of many outer ones.
+// The inputs as functions of many outer ones.
 template <class T, int Count>
-Through<T> narrowed(const T (&x)[Count]) {
-  Through<T> in{T(Real<T>(0.5)), T(Real<T>(1)), T(Real<T>(2))};
+Input<T> narrowed(const T (&x)[Count]) {
+  Input<T> in{T(Real<T>(0.5)), T(Real<T>(1)), T(Real<T>(2))};
   for (int i = 0; i < Count; ++i) {
     const Real<T> k = static_cast<Real<T>>(i + 1);
     in.a = in.a + (Real<T>(0.1) / k) * x[i];
@@ -53,8 +53,16 @@ Through<T> narrowed(const T (&x)[Count]) {
   return in;
 }
 
+template <class T, class Function>
+Output<T> preaccumulated(const Input<T>& in, Function&& function) {
+  PreaccumulationWorkspace<Input, Output, T> work;
+  Output<T> out;
+  preaccumulate(in, work, out, [&](const auto& local, auto& found) { found = function(local); });
+  return out;
+}
+
 template <class R, int M>
-void check_waist(bool local_expected, double tolerance) {
+void check_chain(bool local_expected, double tolerance) {
   using T = Dual<R, M>;
   std::mt19937 engine(99);
   std::uniform_real_distribution<double> uniform(-1, 1);
@@ -64,16 +72,16 @@ void check_waist(bool local_expected, double tolerance) {
     plain[i] = static_cast<R>(uniform(engine));
     x[i] = T::variable(plain[i], i);
   }
-  const Through<T> in = narrowed(x);
+  const Input<T> in = narrowed(x);
   int partials_inside = 0;
-  const Beyond<T> out = preaccumulate(in, [&](const auto& local) {
+  const Output<T> out = preaccumulated(in, [&](const auto& local) {
     using L = std::decay_t<decltype(local.a)>;
     partials_inside = L::kPartials;
-    return beyond(local);
+    return output(local);
   });
   CHECK_EQ(partials_inside, local_expected ? 3 : M);
-  const Beyond<T> direct = beyond(in);
-  const Beyond<R> values = beyond(narrowed(plain));
+  const Output<T> direct = output(in);
+  const Output<R> values = output(narrowed(plain));
   CHECK(out.first.v == values.first && out.second.v == values.second);
   for (int j = 0; j < M; ++j) {
     const auto close = [&](double actual, double expected) {
@@ -86,36 +94,36 @@ void check_waist(bool local_expected, double tolerance) {
 
 }  // namespace
 
-TEST(waist_same_derivatives_as_without) {
-  check_waist<double, 32>(true, 1e-13);
-  check_waist<double, 31>(true, 1e-13);
-  check_waist<double, 9>(true, 1e-13);
-  check_waist<float, 31>(true, 1e-4);
+TEST(preaccumulation_same_derivatives_as_without) {
+  check_chain<double, 32>(true, 1e-13);
+  check_chain<double, 31>(true, 1e-13);
+  check_chain<double, 9>(true, 1e-13);
+  check_chain<float, 31>(true, 1e-4);
   // Nothing to gain: the function is called as it is.
-  check_waist<double, 3>(false, 0);
-  check_waist<double, 1>(false, 0);
+  check_chain<double, 3>(false, 0);
+  check_chain<double, 1>(false, 0);
 }
 
-TEST(waist_plain_and_complex_pass_through) {
-  const Through<double> in{0.3, 1.1, -0.7};
-  const Beyond<double> out = preaccumulate(in, [](const auto& local) { return beyond(local); });
-  CHECK_EQ(out.first, beyond(in).first);
-  CHECK_EQ(out.second, beyond(in).second);
+TEST(preaccumulation_plain_and_complex_pass_through) {
+  const Input<double> in{0.3, 1.1, -0.7};
+  const Output<double> out = preaccumulated(in, [](const auto& local) { return output(local); });
+  CHECK_EQ(out.first, output(in).first);
+  CHECK_EQ(out.second, output(in).second);
   using C = std::complex<double>;
-  const Through<C> complex_in{C(0.3, 1e-30), C(1.1), C(-0.7)};
-  const Beyond<C> complex_out = preaccumulate(complex_in, [](const auto& local) { return beyond(local); });
+  const Input<C> complex_in{C(0.3, 1e-30), C(1.1), C(-0.7)};
+  const Output<C> complex_out = preaccumulated(complex_in, [](const auto& local) { return output(local); });
   // d/da of a sin b + c/(a^2 + 2)
   const double expected = std::sin(1.1) - (-0.7) * 2 * 0.3 / ((0.09 + 2) * (0.09 + 2));
   CHECK_NEAR(complex_out.first.imag() / 1e-30, expected, 1e-14);
 }
 
-// A waist variable that depends on no outer one, and a result that depends on no waist variable.
-TEST(waist_constants_keep_zero_partials) {
+// An input that depends on no outer direction, and a result that depends on no input.
+TEST(preaccumulation_constants_keep_zero_partials) {
   using T = Dual<double, 16>;
-  const Through<T> in{T(0.3), T::variable(1.1, 7), T(-0.7)};
-  const Beyond<T> out = preaccumulate(in, [](const auto& local) {
+  const Input<T> in{T(0.3), T::variable(1.1, 7), T(-0.7)};
+  const Output<T> out = preaccumulated(in, [](const auto& local) {
     using L = std::decay_t<decltype(local.a)>;
-    return Beyond<L>{local.b * local.b, L(4.0)};
+    return Output<L>{local.b * local.b, L(4.0)};
   });
   for (int j = 0; j < 16; ++j) {
     CHECK_NEAR(out.first.d.get(j), j == 7 ? 2.2 : 0.0, 1e-15);
@@ -124,13 +132,13 @@ TEST(waist_constants_keep_zero_partials) {
   CHECK_EQ(out.second.v, 4.0);
 }
 
-TEST(waist_pack_and_unpack) {
-  const Through<double> in{1, 2, 3};
+TEST(preaccumulation_flatten_and_unflatten) {
+  const Input<double> in{1, 2, 3};
   double array[3];
   flatten(in, array);
   CHECK_EQ(array[0], 1.0);
   CHECK_EQ(array[2], 3.0);
-  Through<double> out{};
+  Input<double> out{};
   unflatten(array, out);
   CHECK_EQ(out.b, 2.0);
   CHECK_EQ(out.c, 3.0);

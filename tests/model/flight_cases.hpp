@@ -8,9 +8,9 @@
 #include <random>
 
 #include "check.hpp"
+#include "returned.hpp"
 #include "tiltrotor/math/differentiation/complex_step.hpp"
 #include "tiltrotor/model/aircraft_data.hpp"
-#include "tiltrotor/model/derivative.hpp"
 
 namespace flight_cases {
 

@@ -108,7 +108,7 @@ TEST(derivatives_are_continuous_through_wing_angle_of_180_deg) {
       Evaluation<double> e;
       State<double> x = s.x;
       x.velocity.z = w;
-      evaluate(c, x, s.u, e);
+      evaluate_aircraft(c, x, s.u, e);
       return e.wing_alpha;
     };
     double low = 0, high = 0;

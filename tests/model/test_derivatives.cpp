@@ -228,7 +228,7 @@ Loads<Dual<double, 1>> sideslip_derivative(Component component, double mast_deg,
   State<T> x = converted<T>(s.x);
   x.velocity.y = T::variable(0.0, 0);
   Evaluation<T> out;
-  evaluate(c, x, converted<T>(s.u), out);
+  evaluate_aircraft(c, x, converted<T>(s.u), out);
   return out.loads.component[component];
 }
 

@@ -96,7 +96,7 @@ TEST(frames_hub_velocity_from_positions) {
     const StateAndControls<double> s = random_case(random, c);
     for (const int side : {right, left}) {
       const BladeControls<double> blades = mix_controls(c, s.u, s.x.velocity);
-      const RotorInput<double> in = derivative_detail::rotor_input(c, s.x, s.x.velocity, blades, side);
+      const RotorInput<double> in = rotor_input(c, s.x, s.x.velocity, blades, side);
       // Hub in body axes turns about the pivot as the mast moves; body axes turn about the CG.
       const double h = 1e-5;
       const auto hub_at = [&](double t) {

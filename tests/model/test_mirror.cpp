@@ -63,7 +63,7 @@ TEST(mirror_symmetric_flight) {
     s.u.lat_stick = s.u.pedal = s.u.diff_collective = s.u.diff_long_cyclic = s.u.aileron = s.u.rudder = 0;
     s.u.gust.y = 0;
     Evaluation<double> out;
-    evaluate(c, s.x, s.u, out);
+    evaluate_aircraft(c, s.x, s.u, out);
     CHECK_NEAR(out.rates.velocity.y, 0.0, 1e-12);
     CHECK_NEAR(out.rates.rates.x, 0.0, 1e-12);
     CHECK_NEAR(out.rates.rates.z, 0.0, 1e-12);

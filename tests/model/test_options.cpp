@@ -49,7 +49,7 @@ StateAndControls<double> state(const Condition& k, const Options& options) {
 Evaluation<double> evaluated(const Condition& k, const Options& options) {
   const StateAndControls<double> s = state(k, Options{});
   Evaluation<double> out;
-  evaluate(configuration(k.mast, options), s.x, s.u, out);
+  evaluate_aircraft(configuration(k.mast, options), s.x, s.u, out);
   return out;
 }
 
@@ -258,8 +258,8 @@ TEST(options_coning_state_at_the_constant) {
   for (const int side : {right, left}) s.x.coning[side] = {constant.coning, 0};
   Evaluation<double> a;
   Evaluation<double> b;
-  evaluate(constant, s.x, s.u, a);
-  evaluate(configuration(30, options), s.x, s.u, b);
+  evaluate_aircraft(constant, s.x, s.u, a);
+  evaluate_aircraft(configuration(30, options), s.x, s.u, b);
   CHECK_EQ(changed(a, b), static_cast<unsigned>(coning_rates));
 }
 

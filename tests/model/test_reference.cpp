@@ -190,7 +190,7 @@ void replay_component_loads(const Replay& replay, const std::string& tables) {
     if (!CHECK_EQ(states.number(state_row, "case"), file.number(row, "case"))) return;
     const ReferenceCase r = read_case(replay, states, state_row, tables);
     Evaluation<double> out;
-    evaluate(r.c, r.x, r.u, out);
+    evaluate_aircraft(r.c, r.x, r.u, out);
     const std::string component = file.text(row, "component");
     Loads<double> loads{};
     bool known = false;

@@ -55,7 +55,7 @@ TEST(rotor_section_velocities_from_positions) {
       const StateAndControls<double> s = random_case(random, c);
       const BladeControls<double> controls = mix_controls(c, s.u, s.x.velocity);
       for (const int side : {right, left}) {
-        const RotorInput<double> in = derivative_detail::rotor_input(c, s.x, s.x.velocity, controls, side);
+        const RotorInput<double> in = rotor_input(c, s.x, s.x.velocity, controls, side);
         const RotorState<double>& x = s.x.rotor[side];
         const RotorAxes axes = rotor_axes(c, side);
         const double azimuth = random.between(0, 6.28);
@@ -97,7 +97,7 @@ TEST(rotor_hub_loads_by_hand_in_body_axes) {
     const StateAndControls<double> s = random_case(random, c);
     const BladeControls<double> controls = mix_controls(c, s.u, s.x.velocity);
     for (const int side : {right, left}) {
-      const RotorInput<double> in = derivative_detail::rotor_input(c, s.x, s.x.velocity, controls, side);
+      const RotorInput<double> in = rotor_input(c, s.x, s.x.velocity, controls, side);
       const RotorAxes axes = rotor_axes(c, side);
       const RotorState<double>& x = s.x.rotor[side];
       V force{0, 0, 0};

@@ -164,7 +164,7 @@ TEST(wing_downwash_and_its_lag) {
   s.x.downwash = 0.02;
   s.u.collective = 0.38;
   Evaluation<double> out;
-  evaluate(c, s.x, s.u, out);
+  evaluate_aircraft(c, s.x, s.u, out);
   const double speed = std::sqrt(60 * 60 + 9 + 400.0);
   CHECK_REL(out.rates.downwash, (out.wing_downwash - 0.02) * speed / 6.83, 1e-12);
 }

@@ -181,12 +181,12 @@ inline void try_state(tr_sim& sim, tr_work& work, const tr_state& state, Corner 
     expect(std::memcmp(&sim, &here, sizeof sim) == 0, "a failed step left traces");
   }
   if (!linearize_too) return;
-  constexpr std::size_t room = TR_MAX_LINEAR_STATES * TR_MAX_LINEAR_STATES;
-  static tr_real a[room];
+  constexpr std::size_t capacity = TR_MAX_LINEAR_STATES * TR_MAX_LINEAR_STATES;
+  static tr_real a[capacity];
   static tr_real b[TR_MAX_LINEAR_STATES * TR_CONTROLS];
   tr_linear_shape shape;
   const tr_status linear =
-      tr_linearize(&here, &work, TR_ALL_CONTROLS, &shape, a, room, b, sizeof b / sizeof *b);
+      tr_linearize(&here, &work, TR_ALL_CONTROLS, &shape, a, capacity, b, sizeof b / sizeof *b);
   const auto n = static_cast<std::size_t>(shape.states);
   expect((linear == TR_OK) == (finite(a, n * n) && finite(b, n * TR_CONTROLS)),
          "status and linear model disagree");

@@ -18,14 +18,14 @@ constexpr int kOrder = 27;  // of the largest linear model
 using Square = Matrix<double, kOrder, kOrder>;
 using Spectrum = std::vector<std::complex<double>>;
 
-struct Room {
+struct Workspace {
   Square a{}, b{}, c{};
   EigenWorkspace<double, kOrder> work;
   Eigenvalues<double, kOrder> values;
   LU<double, kOrder> lu;
 };
-Room& room() {
-  static Room r;
+Workspace& workspace() {
+  static Workspace r;
   return r;
 }
 
@@ -37,7 +37,7 @@ void fill_random(std::mt19937& engine, int n, Square& a) {
 }
 
 Spectrum spectrum(const Square& a, int n) {
-  Room& r = room();
+  Workspace& r = workspace();
   CHECK(eigenvalues(a, n, r.work, r.values) == Status::ok);
   Spectrum s;
   for (int k = 0; k < n; ++k) s.emplace_back(r.values.real[k], r.values.imag[k]);
@@ -84,7 +84,7 @@ void reflect(std::mt19937& engine, int n, const Square& a, Square& b) {
 TEST(property_eigenvalues_keep_under_similarity) {
   NOTE("seed " << kSeed);
   std::mt19937 engine(kSeed);
-  Room& r = room();
+  Workspace& r = workspace();
   for (int n = 2; n <= kOrder; ++n) {
     for (int k = 0; k < 4; ++k) {
       fill_random(engine, n, r.a);
@@ -121,7 +121,7 @@ TEST(property_eigenvalues_keep_under_similarity) {
 TEST(property_eigenvalues_and_pivots_give_one_determinant) {
   NOTE("seed " << kSeed + 1);
   std::mt19937 engine(kSeed + 1);
-  Room& r = room();
+  Workspace& r = workspace();
   for (int n = 1; n <= kOrder; ++n) {
     for (int k = 0; k < 4; ++k) {
       fill_random(engine, n, r.a);
@@ -148,7 +148,7 @@ TEST(property_eigenvalues_and_pivots_give_one_determinant) {
 TEST(property_eigenvalues_make_the_matrix_singular) {
   NOTE("seed " << kSeed + 2);
   std::mt19937 engine(kSeed + 2);
-  Room& r = room();
+  Workspace& r = workspace();
   int tried = 0;
   for (int n = 1; n <= kOrder; ++n) {
     fill_random(engine, n, r.a);

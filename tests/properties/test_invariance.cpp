@@ -103,8 +103,8 @@ TEST(property_steady_wind_changes_no_load) {
 
     Evaluation<double> a;
     Evaluation<double> b;
-    evaluate(c, still.x, still.u, a);
-    evaluate(c, windy.x, windy.u, b);
+    evaluate_aircraft(c, still.x, still.u, a);
+    evaluate_aircraft(c, windy.x, windy.u, b);
     check_same_loads(a, b, c.mass.mass * kGravity<double>);
     check_near(b.rates.velocity, a.rates.velocity - cross(still.x.rates, body_wind), 1e-8);
     check_near(b.rates.position, a.rates.position + wind, 1e-11);
@@ -183,7 +183,7 @@ TEST(property_energy_changes_by_the_power_of_the_loads) {
     const Configuration<double> c = random_configuration(random);
     const StateAndControls<double> s = random_case(random, c);
     Evaluation<double> e;
-    evaluate(c, s.x, s.u, e);
+    evaluate_aircraft(c, s.x, s.u, e);
     V force{};
     V moment{};
     for (const Loads<double>& loads : e.loads.component) {

@@ -70,8 +70,8 @@ TEST(property_scaled_aircraft_has_scaled_loads_and_rates) {
 
       Evaluation<double> a;
       Evaluation<double> b;
-      evaluate(c, x.x, x.u, a);
-      evaluate(d, scaled::scaled_state(x.x, s), scaled::scaled_controls(x.u, s), b);
+      evaluate_aircraft(c, x.x, x.u, a);
+      evaluate_aircraft(d, scaled::scaled_state(x.x, s), scaled::scaled_controls(x.u, s), b);
       const double weight = c.mass.mass * kGravity<double>;
       for (int component = 0; component < component_count; ++component) {
         const Loads<double>& full = a.loads.component[component];

@@ -29,8 +29,8 @@
   PREFIX template Status follow(const ModeSet<R>&, ModeSet<R>&);                                            \
   PREFIX template Status start(const Configuration<R>&, const State<R>&, const Controls<R>&, R, Integrator, \
                                Simulation<R>&);                                                             \
-  PREFIX template void evaluate(const Configuration<R>&, const State<R>&, const Controls<R>&,               \
-                                Evaluation<R>&, R);                                                         \
+  PREFIX template void evaluate_aircraft(const Configuration<R>&, const State<R>&, const Controls<R>&,      \
+                                         Evaluation<R>&, R);                                                \
   PREFIX template void derivative(const Configuration<R>&, const State<R>&, const Controls<R>&, State<R>&, R);
 
 #define TILTROTOR_INSTANCES(PREFIX, R)            \

@@ -182,10 +182,10 @@ R largest(const R* x, int n) {
 
 // Residuals at z on plain numbers; `rotor` receives input and response.
 template <class R>
-void evaluate(const Configuration<R>& c, const Unknowns& set, CyclicUse cyclic, const R* z,
-              RotorWorkspace<R>& room, IsolatedRotor<R>& rotor, R* residual) {
+void rotor_residuals(const Configuration<R>& c, const Unknowns& set, CyclicUse cyclic, const R* z,
+                     RotorWorkspace<R>& work, IsolatedRotor<R>& rotor, R* residual) {
   place(set, cyclic, z, rotor.input);
-  rotor_response(c, rotor.input, c.azimuth, room, rotor.response);
+  rotor_response(c, rotor.input, c.azimuth, work, rotor.response);
   residuals(c, set, rotor.response, residual);
 }
 
@@ -193,18 +193,18 @@ template <class R>
 void jacobian(const Configuration<R>& c, const Unknowns& set, CyclicUse cyclic, const R* z,
               const RotorInput<R>& at, IsolatedRotorWorkspace<R>& work) {
   using D = Dual<R, kRotorUnknowns>;
-  SeededRotorWorkspace<D>& room = work.seeded;
+  SeededRotorWorkspace<D>& seeded = work.seeded;
   R plain[RotorInput<R>::kCount];
   flatten(at, plain);
-  for (int i = 0; i < RotorInput<R>::kCount; ++i) room.flat[i] = D(plain[i]);
-  unflatten(room.flat, room.in);
+  for (int i = 0; i < RotorInput<R>::kCount; ++i) seeded.flat[i] = D(plain[i]);
+  unflatten(seeded.flat, seeded.in);
   const int n = set.count();
-  for (int j = 0; j < n; ++j) room.variable[j] = D::variable(z[j], j);
-  place(set, cyclic, room.variable, room.in);
-  rotor_response(c, room.in, c.azimuth, room.rotor, room.out);
-  residuals(c, set, room.out, room.residual);
+  for (int j = 0; j < n; ++j) seeded.variable[j] = D::variable(z[j], j);
+  place(set, cyclic, seeded.variable, seeded.in);
+  rotor_response(c, seeded.in, c.azimuth, seeded.rotor, seeded.out);
+  residuals(c, set, seeded.out, seeded.residual);
   for (int i = 0; i < n; ++i) {
-    for (int j = 0; j < n; ++j) work.jacobian(i, j) = room.residual[i].d.get(j);
+    for (int j = 0; j < n; ++j) work.jacobian(i, j) = seeded.residual[i].d.get(j);
   }
 }
 
@@ -252,7 +252,7 @@ Status solve(const Configuration<R>& c, const Unknowns& set, CyclicUse cyclic, R
   const int n = set.count();
   const R tolerance = R(5e4) * std::numeric_limits<R>::epsilon();
   R residual[kRotorUnknowns];
-  isolated_rotor_detail::evaluate(c, set, cyclic, z, work.plain, rotor, residual);
+  isolated_rotor_detail::rotor_residuals(c, set, cyclic, z, work.plain, rotor, residual);
   Status status = Status::not_converged;
   for (int k = 0; k < kMaxIterations; ++k, ++rotor.iterations) {
     rotor.residual = largest(residual, n);
@@ -277,7 +277,7 @@ Status solve(const Configuration<R>& c, const Unknowns& set, CyclicUse cyclic, R
     R trial[kRotorUnknowns];
     for (int halving = 0; halving <= kMaxHalvings; ++halving) {
       for (int j = 0; j < n; ++j) trial[j] = z[j] + step[j];
-      isolated_rotor_detail::evaluate(c, set, cyclic, trial, work.plain, rotor, residual);
+      isolated_rotor_detail::rotor_residuals(c, set, cyclic, trial, work.plain, rotor, residual);
       if (sum_of_squares(residual, n) < before) break;
       for (int j = 0; j < n; ++j) step[j] *= R(0.5);
     }

@@ -2,9 +2,11 @@
 // switches of the model, computed once and not at every evaluation.
 //
 // Two parts, by how fast they change. FixedSetup holds for a flight: aircraft, stations of blade and azimuth.
-// ConfigurationSetting may move while it lasts; reconfigure() remakes what follows from it for a small part of
-// a derivative. C, the scalar of what moves: a plain number, or one with partials, when derivatives with
-// respect to mast angle, rotor speed, altitude .. are wanted (analysis/linear/configuration_sensitivity.hpp).
+// ConfigurationSetting may move while it lasts; reconfigure() remakes what follows from it for a small part
+// of a derivative. C, the scalar of what moves: a plain number, or one with partials, when derivatives with
+// respect to mast angle, rotor speed, altitude .. are wanted
+// (analysis/linear/configuration_sensitivity.hpp). Components take a Configuration<C> and what they see of
+// the state in T: C is plain or T, results are T.
 #pragma once
 
 #include "tiltrotor/math/arithmetic.hpp"

@@ -54,7 +54,7 @@ struct Simulation {
 template <class R, class Policy = DefaultDifferentiation>
 struct SimulationWorkspace {
   using Seeded = typename Policy::template Scalar<R, kModelDirections>;
-  ModelRooms<R, Seeded> rooms;
+  ModelWorkspaces<R, Seeded> model;
   typename Policy::template Workspace<R, kModelDirections, state_count, state_count> differentiation;
   Matrix<R, state_count, state_count> jacobian;
   union Method {
@@ -188,17 +188,17 @@ struct RightSide {
 
   template <class T>
   void rates(const T* x, T* rates, R azimuth) const {
-    ModelWorkspace<T>& room = work.rooms.template of<T>();
+    ModelWorkspace<T>& at = work.model.template of<T>();
     R u[control_count];
     flatten(controls, u);
-    for (int i = 0; i < state_count; ++i) room.x[i] = T(work.whole[i]);
-    for (int j = 0; j < control_count; ++j) room.u[j] = T(u[j]);
+    for (int i = 0; i < state_count; ++i) at.x[i] = T(work.whole[i]);
+    for (int j = 0; j < control_count; ++j) at.u[j] = T(u[j]);
     for (int k = 0; k < work.active.count; ++k) {
       const int i = work.active.index[k];
-      room.x[i] = sum_of(i) < 0 ? x[k] : room.x[i] + x[k];
+      at.x[i] = sum_of(i) < 0 ? x[k] : at.x[i] + x[k];
     }
-    model_rates(c, azimuth, room);
-    for (int k = 0; k < work.active.count; ++k) rates[k] = room.x[work.active.index[k]];
+    model_rates(c, azimuth, at);
+    for (int k = 0; k < work.active.count; ++k) rates[k] = at.x[work.active.index[k]];
   }
 
   Status operator()(R time, const R* x, R* xdot) const {

@@ -116,11 +116,12 @@ constexpr R control_scale(int index) {
   return static_cast<R>(kControlVariables[index].facts().bend);
 }
 
-// What an evaluation of the model reads and finds, and its memory. What is not needed at the same time lies
+// State, control and rate of one evaluation of the model on scalar T, the flat arrays to fill them from (x in
+// the order of State::each), and what leads from one to the other. What is not needed at the same time lies
 // in one place where the scalar allows it: x is read before the evaluation and written after it, u is read
 // before the rates are written.
 template <class T, bool = std::is_trivially_default_constructible_v<T>&& std::is_trivially_destructible_v<T>>
-struct ModelMemory {
+struct ModelWorkspace {
   union {
     T x[state_count];
     DerivativeWorkspace<T> derivative;
@@ -129,35 +130,31 @@ struct ModelMemory {
     T u[control_count];
     State<T> rates;
   };
+  State<T> state;
+  Controls<T> controls;
 };
 template <class T>
-struct ModelMemory<T, false> {
+struct ModelWorkspace<T, false> {
   T x[state_count];
   DerivativeWorkspace<T> derivative;
   T u[control_count];
   State<T> rates;
-};
-
-// State, control and rate of one evaluation of the model on scalar T, with the flat arrays to fill them from:
-// x in the order of State::each.
-template <class T>
-struct ModelWorkspace : ModelMemory<T> {
   State<T> state;
   Controls<T> controls;
 };
 
-// x, u -> xdot, all in `room`: room.x becomes xdot, room.u is lost.
+// x, u -> xdot, all in `work`: work.x becomes xdot, work.u is lost.
 template <class T>
-void model_rates(const Configuration<Real<T>>& c, Real<T> azimuth, ModelWorkspace<T>& room) {
-  unflatten(room.x, room.state);
-  unflatten(room.u, room.controls);
-  derivative(c, room.state, room.controls, room.derivative, room.rates, azimuth);
-  flatten(room.rates, room.x);
+void model_rates(const Configuration<Real<T>>& c, Real<T> azimuth, ModelWorkspace<T>& work) {
+  unflatten(work.x, work.state);
+  unflatten(work.u, work.controls);
+  derivative(c, work.state, work.controls, work.derivative, work.rates, azimuth);
+  flatten(work.rates, work.x);
 }
 
-// Rooms for plain numbers and for the scalar S of a policy, which may be the same.
+// For plain numbers and for the scalar S of a policy, which may be the same.
 template <class R, class S>
-struct ModelRooms {
+struct ModelWorkspaces {
   ModelWorkspace<R> plain;
   ModelWorkspace<S> seeded;
   template <class T>
@@ -170,7 +167,7 @@ struct ModelRooms {
   }
 };
 template <class R>
-struct ModelRooms<R, R> {
+struct ModelWorkspaces<R, R> {
   ModelWorkspace<R> plain;
   template <class T>
   ModelWorkspace<T>& of() {

@@ -74,7 +74,7 @@ struct LinearizationWorkspace {
   static constexpr int kInputs = kMaxLinearStates + kMaxLinearControls;
   using Seeded = typename Policy::template Scalar<R, kModelDirections>;
   typename Policy::template Workspace<R, kModelDirections, kInputs, state_count> differentiation;
-  ModelWorkspace<Seeded> room;
+  ModelWorkspace<Seeded> evaluation;
   R base_x[state_count];
   R base_u[control_count];
   R input[kInputs];
@@ -143,13 +143,13 @@ Status linearize(const Configuration<R>& c, const State<R>& x, const Controls<R>
 
   const auto rates_of = [&](const auto* input, auto* rates) {
     using T = std::remove_reference_t<decltype(*rates)>;
-    ModelWorkspace<T>& room = work.room;
-    for (int i = 0; i < state_count; ++i) room.x[i] = T(work.base_x[i]);
-    for (int j = 0; j < control_count; ++j) room.u[j] = T(work.base_u[j]);
-    for (int i = 0; i < n; ++i) room.x[model.state[i]] = input[i];
-    for (int j = 0; j < m; ++j) room.u[model.control[j]] = input[n + j];
-    model_rates(c, azimuth, room);
-    for (int i = 0; i < state_count; ++i) rates[i] = room.x[i];
+    ModelWorkspace<T>& at = work.evaluation;
+    for (int i = 0; i < state_count; ++i) at.x[i] = T(work.base_x[i]);
+    for (int j = 0; j < control_count; ++j) at.u[j] = T(work.base_u[j]);
+    for (int i = 0; i < n; ++i) at.x[model.state[i]] = input[i];
+    for (int j = 0; j < m; ++j) at.u[model.control[j]] = input[n + j];
+    model_rates(c, azimuth, at);
+    for (int i = 0; i < state_count; ++i) rates[i] = at.x[i];
   };
   int row[state_count];
   for (int& i : row) i = -1;

@@ -121,7 +121,7 @@ void describe(const Configuration<R>& c, const SteadyFlight<R>& flight, TrimWork
   const Vec3<R> v = result.state.velocity - flight.gust;
   result.blades = mix_controls(c, result.controls, v);
   Evaluation<R>& e = work.evaluation;
-  evaluate(c, result.state, result.controls, e);
+  evaluate_aircraft(c, result.state, result.controls, e);
 
   result.angle_of_attack = flight.speed > R(0) ? atan2(v.z, v.x) : R(0);
   result.wing_angle_of_attack = e.wing_alpha;
@@ -150,8 +150,8 @@ void describe(const Configuration<R>& c, const SteadyFlight<R>& flight, TrimWork
 }
 
 template <class R, class Policy>
-void finish(const Configuration<R>& c, const SteadyFlight<R>& flight, const NewtonOutcome<R>& outcome,
-            TrimWorkspace<R, Policy>& work, TrimResult<R>& result) {
+void judge_outcome(const Configuration<R>& c, const SteadyFlight<R>& flight, const NewtonOutcome<R>& outcome,
+                   TrimWorkspace<R, Policy>& work, TrimResult<R>& result) {
   const R right_angle = R(0.5) * kPi<R>;
   const bool upright = std::fabs(work.z[0]) < right_angle && std::fabs(work.z[1]) < right_angle;
   const bool solved = outcome.status == TrimStatus::ok;
@@ -178,16 +178,16 @@ void try_windmill(const Configuration<R>& c, const SteadyFlight<R>& flight, cons
   ++result.attempts;
   trim_windmill_guess(c, flight, work.equations, work.z);
   const NewtonOutcome<R> outcome = newton(c, flight, work, kWindmillIterations, result.iterations);
-  if (outcome.status == TrimStatus::ok) finish(c, flight, outcome, work, result);
+  if (outcome.status == TrimStatus::ok) judge_outcome(c, flight, outcome, work, result);
   if (outcome.status == TrimStatus::ok && is_trimmed(result.status)) return;
   for (int j = 0; j < work.equations.count; ++j) work.z[j] = work.first_z[j];
-  finish(c, flight, before, work, result);
+  judge_outcome(c, flight, before, work, result);
 }
 
 // Defined outputs, checked inputs. True when the trim may begin.
 template <class R, class Policy>
-bool begin(const Configuration<R>& c, const SteadyFlight<R>& flight, const TrimOptions& options,
-           TrimWorkspace<R, Policy>& work, TrimResult<R>& result) {
+bool accepts(const Configuration<R>& c, const SteadyFlight<R>& flight, const TrimOptions& options,
+             TrimWorkspace<R, Policy>& work, TrimResult<R>& result) {
   result.iterations = 0;
   result.attempts = 0;
   result.residual = std::numeric_limits<R>::quiet_NaN();
@@ -210,7 +210,7 @@ template <class R, class Policy>
 TrimStatus trim(const Configuration<R>& c, const SteadyFlight<R>& flight, TrimWorkspace<R, Policy>& work,
                 TrimResult<R>& result, const TrimOptions& options) {
   result = TrimResult<R>{};
-  if (!trim_detail::begin(c, flight, options, work, result)) return result.status;
+  if (!trim_detail::accepts(c, flight, options, work, result)) return result.status;
   const int n = work.equations.count;
   trim_first_guess(c, flight, work.equations, work.z);
   auto outcome = trim_detail::newton(c, flight, work, options.max_iterations, result.iterations);
@@ -239,7 +239,7 @@ TrimStatus trim(const Configuration<R>& c, const SteadyFlight<R>& flight, TrimWo
       for (int j = 0; j < n; ++j) work.z[j] = work.first_z[j];
     }
   }
-  trim_detail::finish(c, flight, outcome, work, result);
+  trim_detail::judge_outcome(c, flight, outcome, work, result);
   const bool doubtful =
       result.status == TrimStatus::vortex_ring || result.status == TrimStatus::not_converged;
   if (doubtful && options.continuation && is_steep_descent(c, flight)) {
@@ -251,13 +251,13 @@ TrimStatus trim(const Configuration<R>& c, const SteadyFlight<R>& flight, TrimWo
 template <class R, class Policy>
 TrimStatus trim_from(const Configuration<R>& c, const SteadyFlight<R>& flight, TrimWorkspace<R, Policy>& work,
                      TrimResult<R>& result, const TrimOptions& options) {
-  if (!trim_detail::begin(c, flight, options, work, result)) return result.status;
+  if (!trim_detail::accepts(c, flight, options, work, result)) return result.status;
   trim_detail::flatten_unknowns(result.state, result.controls, work);
   if (is_finite(work.z[kRollRow]) && is_finite(work.z[kPitchRow]))
     find_attitude(flight, work.z[kRollRow], work.z[kPitchRow]);
   result.attempts = 1;
   const auto outcome = trim_detail::newton(c, flight, work, options.max_iterations, result.iterations);
-  trim_detail::finish(c, flight, outcome, work, result);
+  trim_detail::judge_outcome(c, flight, outcome, work, result);
   return result.status;
 }
 

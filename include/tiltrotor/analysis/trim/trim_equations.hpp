@@ -107,60 +107,60 @@ void set_collective(TrimEquations<R>& equations, R collective) {
   row.scale = R(1);
 }
 
-// Velocity, rates and gust of the steady flight at the attitude in room.x.
+// Velocity, rates and gust of the steady flight at the attitude in work.x.
 template <class T>
-TILTROTOR_NOINLINE void set_steady_motion(const SteadyFlight<Real<T>>& flight, ModelWorkspace<T>& room) {
-  const Vec3<T> velocity = steady_velocity(flight, room.x[kStateIndex.roll], room.x[kStateIndex.pitch]);
+TILTROTOR_NOINLINE void set_steady_motion(const SteadyFlight<Real<T>>& flight, ModelWorkspace<T>& work) {
+  const Vec3<T> velocity = steady_velocity(flight, work.x[kStateIndex.roll], work.x[kStateIndex.pitch]);
   const Vec3<Real<T>>& gust = flight.gust;
-  const Vec3<T> rates = steady_rates(flight, room.x[kStateIndex.roll], room.x[kStateIndex.pitch]);
-  room.x[kStateIndex.velocity.x] = velocity.x + gust.x;
-  room.x[kStateIndex.velocity.y] = velocity.y + gust.y;
-  room.x[kStateIndex.velocity.z] = velocity.z + gust.z;
-  room.x[kStateIndex.rates.x] = rates.x;
-  room.x[kStateIndex.rates.y] = rates.y;
-  room.x[kStateIndex.rates.z] = rates.z;
-  room.u[kControlIndex.gust.x] = T(gust.x);
-  room.u[kControlIndex.gust.y] = T(gust.y);
-  room.u[kControlIndex.gust.z] = T(gust.z);
+  const Vec3<T> rates = steady_rates(flight, work.x[kStateIndex.roll], work.x[kStateIndex.pitch]);
+  work.x[kStateIndex.velocity.x] = velocity.x + gust.x;
+  work.x[kStateIndex.velocity.y] = velocity.y + gust.y;
+  work.x[kStateIndex.velocity.z] = velocity.z + gust.z;
+  work.x[kStateIndex.rates.x] = rates.x;
+  work.x[kStateIndex.rates.y] = rates.y;
+  work.x[kStateIndex.rates.z] = rates.z;
+  work.u[kControlIndex.gust.x] = T(gust.x);
+  work.u[kControlIndex.gust.y] = T(gust.y);
+  work.u[kControlIndex.gust.z] = T(gust.z);
 }
 
-// A force of `part` of the weight, upwards, added to the rates in room.x (m/s^2). Roll and pitch in rad.
+// A force of `part` of the weight, upwards, added to the rates in work.x (m/s^2). Roll and pitch in rad.
 template <class T>
 TILTROTOR_NOINLINE void relieve_weight(const T& roll, const T& pitch, const T& part,
-                                       ModelWorkspace<T>& room) {
+                                       ModelWorkspace<T>& work) {
   const T relief = part * kGravity<Real<T>>;
   const T level = relief * cos(pitch);
-  room.x[kStateIndex.velocity.x] += relief * sin(pitch);
-  room.x[kStateIndex.velocity.y] -= level * sin(roll);
-  room.x[kStateIndex.velocity.z] -= level * cos(roll);
+  work.x[kStateIndex.velocity.x] += relief * sin(pitch);
+  work.x[kStateIndex.velocity.y] -= level * sin(roll);
+  work.x[kStateIndex.velocity.z] -= level * cos(roll);
 }
 
 // Residuals of the unknowns z, on plain numbers or duals. Inputs that are no unknowns are 0, but for a given
 // collective.
 template <class T>
 void trim_residuals(const Configuration<Real<T>>& c, const SteadyFlight<Real<T>>& flight,
-                    const TrimEquations<Real<T>>& equations, ModelWorkspace<T>& room, const T* z,
+                    const TrimEquations<Real<T>>& equations, ModelWorkspace<T>& work, const T* z,
                     T* residual) {
   using R = Real<T>;
-  for (T& x : room.x) x = T(R(0));
-  for (T& u : room.u) u = T(R(0));
-  room.u[kControlIndex.collective] = T(equations.collective);
+  for (T& x : work.x) x = T(R(0));
+  for (T& u : work.u) u = T(R(0));
+  work.u[kControlIndex.collective] = T(equations.collective);
   T carried(equations.carried);
   for (int j = 0; j < equations.count; ++j) {
     const TrimEquation<R>& row = equations.row[j];
     if (row.state >= 0) {
-      room.x[row.state] = z[j];
+      work.x[row.state] = z[j];
     } else if (row.control >= 0) {
-      room.u[row.control] = z[j];
+      work.u[row.control] = z[j];
     } else {
       carried = z[j];
     }
   }
-  set_steady_motion(flight, room);
-  model_rates(c, R(0), room);
-  if (equations.relieved) relieve_weight(z[kRollRow], z[kPitchRow], R(1) - carried, room);
+  set_steady_motion(flight, work);
+  model_rates(c, R(0), work);
+  if (equations.relieved) relieve_weight(z[kRollRow], z[kPitchRow], R(1) - carried, work);
   for (int j = 0; j < equations.count; ++j) {
-    residual[j] = room.x[equations.row[j].rate] * equations.row[j].rate_scale;
+    residual[j] = work.x[equations.row[j].rate] * equations.row[j].rate_scale;
   }
 }
 

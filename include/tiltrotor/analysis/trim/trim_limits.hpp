@@ -140,7 +140,7 @@ template <class R>
 void check_descent(const Configuration<R>& c, const State<R>& x, const Vec3<R>& velocity,
                    const BladeControls<R>& blades, R thrust, int side, LimitCheck<R>& check) {
   RotorInput<R> in;
-  derivative_detail::rotor_input(c, x, velocity, blades, side, in);
+  rotor_input(c, x, velocity, blades, side, in);
   const R in_plane = std::sqrt(square(in.velocity.x) + square(in.velocity.y));
   const AxialFlow<R> flow = axial_flow(c.air.density, c.aircraft->rotor.radius, thrust, in.velocity.z,
                                        in_plane, in.state.lambda_0 * c.tip_speed);

@@ -15,7 +15,7 @@ struct TrimWorkspace {
       kMaxTrimUnknowns < kModelDirections ? kMaxTrimUnknowns : kModelDirections;
   using Seeded = typename Policy::template Scalar<R, kDirections>;
   typename Policy::template Workspace<R, kDirections, kMaxTrimUnknowns, kMaxTrimUnknowns> differentiation;
-  ModelRooms<R, Seeded> rooms;
+  ModelWorkspaces<R, Seeded> model;
   TrimEquations<R> equations;
   Matrix<R, kMaxTrimUnknowns, kMaxTrimUnknowns> jacobian;
   LU<R, kMaxTrimUnknowns> lu;
@@ -94,7 +94,7 @@ NewtonOutcome<R> newton(const Configuration<R>& c, const SteadyFlight<R>& flight
   const int n = work.equations.count;
   const auto residuals = [&](const auto* z, auto* residual) {
     using T = std::remove_reference_t<decltype(*residual)>;
-    trim_residuals(c, flight, work.equations, work.rooms.template of<T>(), z, residual);
+    trim_residuals(c, flight, work.equations, work.model.template of<T>(), z, residual);
   };
   R scale[kMaxTrimUnknowns];
   for (int j = 0; j < n; ++j) scale[j] = work.equations.row[j].scale;

@@ -1,9 +1,9 @@
-// Waist: a place in the model where many state variables pass through few intermediate ones.
+// Local preaccumulation of derivatives.
 //
-// A rotor sees 16 numbers, a blade 5, a tail a dozen, whatever the number of states behind them. With dual
-// numbers the function beyond the waist is evaluated with one seed for each of its own inputs and the result
-// is chained to the outer directions: the same derivative by the chain rule, with far fewer partials carried.
-// For plain and complex scalars, and when nothing would be gained, the function is simply called.
+// A rotor sees 18 numbers, a blade 5, the airframe 14, whatever the number of states behind them. With dual
+// numbers such a function is evaluated with one seed for each of its own inputs and the result is chained to
+// the outer directions: the same derivative by the chain rule, with far fewer partials carried. For plain and
+// complex scalars, and when nothing would be gained, the function is simply called.
 //
 // Inputs and outputs are structs templated on the scalar that list their members with `each`.
 #pragma once
@@ -44,114 +44,83 @@ inline constexpr int kGroupsAtOnce = 4;
 
 template <int kGroups, int N, class R, int M>
 TILTROTOR_INLINE void add_chained_groups(Partials<R, M>& d, int first, const R* slope,
-                                         const Dual<R, M>* waist) {
+                                         const Dual<R, M>* input) {
   typename Partials<R, M>::Lane sum[kGroups];
   for (int g = 0; g < kGroups; ++g) sum[g] = d.group[first + g];
   for (int j = 0; j < N; ++j)
-    for (int g = 0; g < kGroups; ++g) sum[g] = sum[g] + slope[j] * waist[j].d.group[first + g];
+    for (int g = 0; g < kGroups; ++g) sum[g] = sum[g] + slope[j] * input[j].d.group[first + g];
   for (int g = 0; g < kGroups; ++g) d.group[first + g] = sum[g];
 }
-// d[outer] += sum over the N inputs of the waist of slope[j] = (d out / d input j) times (d input j / d
-// outer)
+// d[outer] += sum over the N inputs of slope[j] = (d out / d input j) times (d input j / d outer)
 template <int N, class R, int M>
-TILTROTOR_INLINE void add_chained(Partials<R, M>& d, const R* slope, const Dual<R, M>* waist) {
+TILTROTOR_INLINE void add_chained(Partials<R, M>& d, const R* slope, const Dual<R, M>* input) {
   constexpr int kGroups = Partials<R, M>::kGroups;
   constexpr int kRest = kGroups % kGroupsAtOnce;
   for (int first = 0; first < kGroups - kRest; first += kGroupsAtOnce)
-    add_chained_groups<kGroupsAtOnce, N>(d, first, slope, waist);
-  if constexpr (kRest > 0) add_chained_groups<kRest, N>(d, kGroups - kRest, slope, waist);
+    add_chained_groups<kGroupsAtOnce, N>(d, first, slope, input);
+  if constexpr (kRest > 0) add_chained_groups<kRest, N>(d, kGroups - kRest, slope, input);
 }
 // out.d[outer] = that sum
 template <class R, int N, int M>
-Dual<R, M> chain(R local, const R (&slope)[N], const Dual<R, M>* waist) {
-  Dual<R, M> r(local, scaled(slope[0], waist[0].d));
-  if constexpr (N > 1) add_chained<N - 1>(r.d, slope + 1, waist + 1);
+Dual<R, M> chain(R local, const R (&slope)[N], const Dual<R, M>* input) {
+  Dual<R, M> r(local, scaled(slope[0], input[0].d));
+  if constexpr (N > 1) add_chained<N - 1>(r.d, slope + 1, input + 1);
   return r;
 }
 template <class R, int N, int M>
-Dual<R, M> chain(const Dual<R, N>& local, const Dual<R, M>* waist) {
+Dual<R, M> chain(const Dual<R, N>& local, const Dual<R, M>* input) {
   R slope[N];
   for (int j = 0; j < N; ++j) slope[j] = local.d.get(j);
-  return chain(local.v, slope, waist);
+  return chain(local.v, slope, input);
 }
 
-// Struct of local duals -> the same struct of outer duals. `waist`: where the inputs of the waist are.
+// Struct of local duals -> the same struct of outer duals.
 template <class T, template <class> class Out, class R, int N>
-void chain_all(const Out<Dual<R, N>>& local, const T (&waist)[N], Out<T>& out) {
+void chain_all(const Out<Dual<R, N>>& local, const T (&input)[N], Out<T>& out) {
   const Dual<R, N>* flat[Out<T>::kCount];
   int i = 0;
   Out<T>::each(local, [&](const auto& x) { flat[i++] = &x; });
   i = 0;
-  Out<T>::each(out, [&](auto& x) { x = chain(*flat[i++], waist); });
+  Out<T>::each(out, [&](auto& x) { x = chain(*flat[i++], input); });
 }
-
-namespace preaccumulate_detail {
-
-template <class T, template <class> class Out, class R, int N>
-Out<T> chained(const Out<Dual<R, N>>& local, const T (&waist)[N]) {
-  Out<T> out;
-  chain_all(local, waist, out);
-  return out;
-}
-
-}  // namespace preaccumulate_detail
 
 // Partials in groups of eight, not in the lanes of this machine: every machine then takes the same way and
 // finds the same bits.
 constexpr int groups_of_eight(int partials) { return (partials + 7) / 8; }
 
-// Scalar beyond the waist: a dual number of as many partials as the waist has inputs when that is fewer, else
-// T itself.
+// Scalar of the function: a dual number of as many partials as it has inputs when that is fewer, else T
+// itself.
 template <template <class> class In, class T>
 using LocalDual =
     std::conditional_t<(groups_of_eight(In<T>::kCount) < groups_of_eight(OuterPartials<T>::count)),
                        Dual<Real<T>, In<T>::kCount>, T>;
 
-// Memory for what lies beyond: inputs with their seeds, outputs, and the inputs of the waist in a row.
+// Inputs with their seeds and outputs, both local, and the outer inputs in a row.
 template <template <class> class In, template <class> class Out, class T, class Local = LocalDual<In, T>>
 struct PreaccumulationWorkspace {
   In<Local> in;
   Out<Local> out;
-  T waist[In<T>::kCount];
+  T input[In<T>::kCount];
 };
 template <template <class> class In, template <class> class Out, class T>
 struct PreaccumulationWorkspace<In, Out, T, T> {};
 
 // out = function(in), called as function(in, out) on whichever scalar is best.
 template <template <class> class In, template <class> class Out, class T, class Function>
-TILTROTOR_NOINLINE void preaccumulate(const In<T>& in, PreaccumulationWorkspace<In, Out, T>& room,
+TILTROTOR_NOINLINE void preaccumulate(const In<T>& in, PreaccumulationWorkspace<In, Out, T>& work,
                                       Out<T>& out, Function&& function) {
   using Local = LocalDual<In, T>;
   if constexpr (std::is_same_v<Local, T>) {
     function(in, out);
   } else {
-    flatten(in, room.waist);
+    flatten(in, work.input);
     int direction = 0;
-    In<Local>::each(room.in, [&](auto& x) {
-      x = Local::variable(room.waist[direction].v, direction);
+    In<Local>::each(work.in, [&](auto& x) {
+      x = Local::variable(work.input[direction].v, direction);
       ++direction;
     });
-    function(room.in, room.out);
-    chain_all(room.out, room.waist, out);
-  }
-}
-
-// The same for a function that returns its result, with memory of its own.
-template <template <class> class In, class T, class Function>
-auto preaccumulate(const In<T>& in, Function&& function) {
-  using Local = LocalDual<In, T>;
-  if constexpr (std::is_same_v<Local, T>) {
-    return function(in);
-  } else {
-    T waist[In<T>::kCount];
-    flatten(in, waist);
-    In<Local> seeded;
-    int direction = 0;
-    In<Local>::each(seeded, [&](auto& x) {
-      x = Local::variable(waist[direction].v, direction);
-      ++direction;
-    });
-    return preaccumulate_detail::chained<T>(function(seeded), waist);
+    function(work.in, work.out);
+    chain_all(work.out, work.input, out);
   }
 }
 

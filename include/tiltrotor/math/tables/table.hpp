@@ -117,7 +117,7 @@ TILTROTOR_INLINE typename Bracket<T>::V polynomial_with_slopes(const typename Br
 
 // One smooth block of nodes at located arguments.
 template <int Smooth, class T>
-TILTROTOR_INLINE T evaluate(const Axis<Real<T>>* axis, const Real<T>* block, const Bracket<T>* const* at) {
+TILTROTOR_INLINE T block_value(const Axis<Real<T>>* axis, const Real<T>* block, const Bracket<T>* const* at) {
   using V = typename Bracket<T>::V;
   const CellCoefficients<T, Smooth> cell(axis, block, at);
   V number[1 << Smooth][1 << Smooth];
@@ -142,12 +142,12 @@ TILTROTOR_INLINE T evaluate(const Axis<Real<T>>* axis, const Real<T>* block, con
 template <class T>
 T lookup(const Table<Real<T>, 1>& table, const Bracket<T>& x) {
   const Bracket<T>* const at[1] = {&x};
-  return table_detail::evaluate<1, T>(table.smooth, table.node, at);
+  return table_detail::block_value<1, T>(table.smooth, table.node, at);
 }
 template <class T>
 TILTROTOR_INLINE T lookup(const Table<Real<T>, 2>& table, const Bracket<T>& x, const Bracket<T>& y) {
   const Bracket<T>* const at[2] = {&x, &y};
-  return table_detail::evaluate<2, T>(table.smooth, table.node, at);
+  return table_detail::block_value<2, T>(table.smooth, table.node, at);
 }
 
 // Look-up in a table without linear axes.
@@ -184,7 +184,7 @@ T lookup(const Table<R, Smooth, Linear>& table, Interpolation mode, const GridPo
     }
     if constexpr (kIsPlain<C>)
       if (weight == R(0)) continue;
-    sum = sum + weight * table_detail::evaluate<Smooth, T>(table.smooth, table.node + index * block, at);
+    sum = sum + weight * table_detail::block_value<Smooth, T>(table.smooth, table.node + index * block, at);
   }
   return sum;
 }

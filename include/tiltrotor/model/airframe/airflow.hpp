@@ -8,7 +8,7 @@
 
 namespace tiltrotor {
 
-// What the airframe components see of the aircraft: a waist of 14 numbers.
+// What the airframe components see of the aircraft: 14 numbers.
 template <class T>
 struct AirframeInput {
   Vec3<T> velocity;             // CG relative to the air, B, m/s
@@ -68,8 +68,8 @@ template <class R>
 inline constexpr R kKnot =
     R(0.5144444);  // m/s: the rounded factor of the tables' speed axes, 9e-8 below 1852/3600
 
-template <class T>
-TILTROTOR_NOINLINE FreeStream<T> free_stream(const Configuration<Real<T>>& c, const Vec3<T>& velocity) {
+template <class T, class C>
+FreeStream<T> free_stream(const Configuration<C>& c, const Vec3<T>& velocity) {
   using R = Real<T>;
   const SmoothingWidths<R>& e = c.aircraft->smooth;
   FreeStream<T> f;
@@ -95,8 +95,7 @@ T flow_from_ahead(const T& alpha, const SmoothingWidths<Real<T>>& e) {
 
 // Force of lift, drag and side force Y' (wind axes at alpha, beta) in body axes.
 template <class T>
-TILTROTOR_NOINLINE Vec3<T> wind_force(const T& lift, const T& drag, const T& side, const T& alpha,
-                                      const T& beta) {
+Vec3<T> wind_force(const T& lift, const T& drag, const T& side, const T& alpha, const T& beta) {
   const T sa = sin(alpha);
   const T ca = cos(alpha);
   const T sb = sin(beta);

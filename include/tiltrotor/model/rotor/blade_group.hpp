@@ -2,7 +2,8 @@
 //
 // The elements of these blades are nearly all the work of a rotor. They are computed on packs of plain
 // numbers, with slopes along the five numbers of BladeFlow when the rotor's scalar carries partials; the
-// slopes are then chained.
+// slopes are then chained. Where the configuration carries partials as well, every blade is computed on the
+// rotor's own scalar.
 #pragma once
 
 #include <complex>
@@ -44,10 +45,12 @@ class BladeGroup {
  public:
   static constexpr int kBlades = kBatchLanes<R>;
 
-  void begin(const RotorInput<T>& in) { in_ = blade_group_detail::in_every_lane(in); }
+  void set_input(const RotorInput<T>& in) { in_ = blade_group_detail::in_every_lane(in); }
 
-  // Blades at the azimuths from `first`.
-  TILTROTOR_NOINLINE void compute(const Configuration<R>& c, const AzimuthStations<R>& azimuth, int first) {
+  // Blades at the azimuths from `first`, where the configuration is plain.
+  template <class C>
+  void compute_blades(const Configuration<C>&, const AzimuthStations<R>&, int) {}
+  void compute_blades(const Configuration<R>& c, const AzimuthStations<R>& azimuth, int first) {
     const Batch<R> cosine = blade_group_detail::load_batch(azimuth.cosine + first);
     const Batch<R> sine = blade_group_detail::load_batch(azimuth.sine + first);
     const Batch<R> flap = flap_angle(in_, cosine, sine);
@@ -60,25 +63,27 @@ class BladeGroup {
   }
 
   // Loads of one blade of the group, seeing `flow`.
-  BladeLoads<T> loads(const Configuration<R>&, int lane, const BladeFlow<T>& flow) const {
-    BladeLoads<T> one;
-    if constexpr (kTakesSlopes) {
-      T waist[BladeFlow<T>::kCount];
-      flatten(flow, waist);
-      const Lanes* from = &loads_.normal;
-      BladeLoads<T>::each(one, [&](T& x) { x = chained_lane(*from++, lane, waist); });
+  template <class C>
+  BladeLoads<T> loads(const Configuration<C>& c, int lane, const BladeFlow<T>& flow) const {
+    if constexpr (!kIsPlain<C>) {
+      return blade_loads(c, flow);
+    } else if constexpr (kTakesSlopes) {
+      T flat[BladeFlow<T>::kCount];
+      flatten(flow, flat);
+      return {chained_lane(loads_.normal, lane, flat), chained_lane(loads_.tangential, lane, flat),
+              chained_lane(loads_.normal_moment, lane, flat),
+              chained_lane(loads_.tangential_moment, lane, flat)};
     } else {
-      one = {loads_.normal.get(lane), loads_.tangential.get(lane), loads_.normal_moment.get(lane),
-             loads_.tangential_moment.get(lane)};
+      return {loads_.normal.get(lane), loads_.tangential.get(lane), loads_.normal_moment.get(lane),
+              loads_.tangential_moment.get(lane)};
     }
-    return one;
   }
 
  private:
-  static T chained_lane(const Lanes& load, int lane, const T* waist) {
+  static T chained_lane(const Lanes& load, int lane, const T* flow) {
     R slope[BladeFlow<T>::kCount];
     for (int j = 0; j < BladeFlow<T>::kCount; ++j) slope[j] = load.d.get(j).get(lane);
-    return chain(load.v.get(lane), slope, waist);
+    return chain(load.v.get(lane), slope, flow);
   }
 
   RotorInput<Batch<R>> in_;
@@ -92,9 +97,11 @@ class BladeGroup<std::complex<R>> {
 
  public:
   static constexpr int kBlades = 1;
-  void begin(const RotorInput<T>&) {}
-  void compute(const Configuration<R>&, const AzimuthStations<R>&, int) {}
-  BladeLoads<T> loads(const Configuration<R>& c, int, const BladeFlow<T>& flow) const {
+  void set_input(const RotorInput<T>&) {}
+  template <class C>
+  void compute_blades(const Configuration<C>&, const AzimuthStations<R>&, int) {}
+  template <class C>
+  BladeLoads<T> loads(const Configuration<C>& c, int, const BladeFlow<T>& flow) const {
     return blade_loads(c, flow);
   }
 };

@@ -8,9 +8,9 @@
 
 namespace tiltrotor::cli {
 
-class AnalysesRoom {
+class AnalysesWorkspace {
  public:
-  AnalysesRoom()
+  AnalysesWorkspace()
       : memory_(::operator new(analyses_size(), alignment())), analyses_(place_analyses(memory_.get())) {}
 
   Analyses& operator*() const { return *analyses_; }

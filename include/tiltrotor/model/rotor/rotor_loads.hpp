@@ -1,0 +1,59 @@
+// Loads of one rotor: the sum over its blades.
+#pragma once
+
+#include "tiltrotor/math/vector.hpp"
+#include "tiltrotor/model/rotor/blade_group.hpp"
+
+namespace tiltrotor {
+
+// Sums over the blades.
+template <class T>
+struct RotorLoads {
+  Vec3<T> force;  // on the hub, N
+  T torque;       // about the shaft, absorbed, N m
+  T mc, ms, m0;   // sums of r dF_n times cos psi, sin psi, 1, N m
+
+  template <class Self, class Visit>
+  static void each(Self& s, Visit&& visit) {
+    Vec3<T>::each(s.force, visit);
+    visit(s.torque);
+    visit(s.mc);
+    visit(s.ms);
+    visit(s.m0);
+  }
+};
+
+// Adds the loads of the blade at one azimuth, number `lane` of its group.
+template <class T, class C>
+void add_blade(const Configuration<C>& c, const RotorInput<T>& in, Real<T> cosine, Real<T> sine,
+               const BladeGroup<T>& group, int lane, RotorLoads<T>& sum) {
+  const T flap = flap_angle(in, cosine, sine);
+  const T sin_flap = sin(flap);
+  const T cos_flap = cos(flap);
+  const BladeLoads<T> blade = group.loads(c, lane, blade_flow(c, in, sin_flap, cos_flap, cosine, sine));
+  const T radial = sin_flap * blade.normal;  // inward along the blade's projection on the disk
+  sum.force.x -= cosine * radial + sine * blade.tangential;
+  sum.force.y += cosine * blade.tangential - sine * radial;
+  sum.force.z += cos_flap * blade.normal;
+  sum.torque -= cos_flap * blade.tangential_moment;
+  sum.mc += cosine * blade.normal_moment;
+  sum.ms += sine * blade.normal_moment;
+  sum.m0 += blade.normal_moment;
+}
+
+// Blade-element loads of the rotor.
+template <class T, class C>
+void rotor_loads(const Configuration<C>& c, const RotorInput<T>& in, const AzimuthStations<Real<T>>& azimuth,
+                 BladeGroup<T>& blades, RotorLoads<T>& sum) {
+  using R = Real<T>;
+  RotorLoads<T>::each(sum, [](T& x) { x = T(R(0)); });
+  blades.set_input(in);
+  for (int k = 0; k < azimuth.count; ++k) {
+    const int lane = k % BladeGroup<T>::kBlades;
+    if (lane == 0) blades.compute_blades(c, azimuth, k);
+    add_blade(c, in, azimuth.cosine[k], azimuth.sine[k], blades, lane, sum);
+  }
+  RotorLoads<T>::each(sum, [&azimuth](T& x) { x = azimuth.weight * x; });
+}
+
+}  // namespace tiltrotor

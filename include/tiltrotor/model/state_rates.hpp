@@ -1,0 +1,54 @@
+// Rates of the state from what rotors, airframe and rigid body found.
+#pragma once
+
+#include "tiltrotor/model/airframe/airframe.hpp"
+#include "tiltrotor/model/rigid_body.hpp"
+#include "tiltrotor/model/rotor/rotor.hpp"
+
+namespace tiltrotor {
+
+template <class T>
+void rigid_body_rates(const RigidBodyRates<T>& body, State<T>& rates) {
+  rates.velocity = body.velocity;
+  rates.rates = body.rates;
+  rates.roll = body.roll;
+  rates.pitch = body.pitch;
+  rates.yaw = body.yaw;
+  rates.position = body.position;
+}
+
+// `body_rates`: angular acceleration of the aircraft, B, rad/s^2; the hub's is added to the flapping on demand.
+template <class T, class C>
+void rotor_rates(const Configuration<C>& c, const State<T>& x, const RotorResponse<T>& rotor,
+                 const Vec3<T>& body_rates, int side, State<T>& rates) {
+  using R = Real<T>;
+  const Options& o = c.setup.options;
+  RotorState<T>& out = rates.rotor[side];
+  out.b1c = rotor.flapping.b1c_rate;
+  out.b1s = rotor.flapping.b1s_rate;
+  out.b1c_rate = rotor.flapping.b1c_acceleration;
+  out.b1s_rate = rotor.flapping.b1s_acceleration;
+  out.lambda_0 = rotor.inflow.lambda_0;
+  out.lambda_c = rotor.inflow.lambda_c;
+  out.lambda_s = rotor.inflow.lambda_s;
+  if (o.flap_angular_acceleration && o.flapping == FlapOrder::second) {
+    const Vec3<T> w = mirror_axial(c.hub[side].from_body.apply(body_rates), side);
+    out.b1c_rate += w.y;
+    out.b1s_rate -= w.x;
+  }
+  rates.coning[side].angle = o.coning_states ? x.coning[side].rate : T(R(0));
+  rates.coning[side].rate = o.coning_states ? rotor.coning_acceleration : T(R(0));
+}
+
+// eps' = (eps_0 - eps) V/l_t. `velocity`: of the CG relative to the air.
+template <class T, class C>
+T downwash_rate(const Configuration<C>& c, const State<T>& x, const Vec3<T>& velocity,
+                const T& downwash_at_rest) {
+  using R = Real<T>;
+  const WingTables<R>& wing = c.aircraft->wing;
+  if (!c.setup.options.downwash_lag) return T(R(0));
+  return (downwash_at_rest - x.downwash) * total_speed(velocity, wing.downwash_speed_floor) *
+         (R(1) / wing.downwash_arm);
+}
+
+}  // namespace tiltrotor
