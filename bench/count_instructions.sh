@@ -20,7 +20,7 @@ count() {
 
 {
     echo name,limit
-    for case in derivative jacobian trim frame; do
+    for case in derivative configuration jacobian trim frame; do
         echo "$case,$(count "$case")"
         echo "${case}_specification,$(count "$case" specification)"
     done
@@ -37,4 +37,11 @@ awk -F, '
         if (!known || change > 5) failed = 1
         printf "  %-26s %12d instructions %+7.1f %%  %s\n", $1, $2, change, verdict
     }
-    END { exit failed }' "$limits" "$counts"
+    { counted[$1] = $2 }
+    END {
+        if (counted["configuration"] > 0.05 * counted["derivative"]) {
+            print "  a configuration costs more than a twentieth of a derivative"
+            failed = 1
+        }
+        exit failed
+    }' "$limits" "$counts"

@@ -15,14 +15,18 @@ void check_vector(const V& actual, const V& expected, double tolerance) {
   CHECK_NEAR(actual.z, expected.z, tolerance);
 }
 
+/// Angles in rad, a mast of length 1.
+HubFrame<double> hub(double mast, double cant, int side) {
+  return hub_frame(sine_and_cosine(mast), sine_and_cosine(cant), side, V{0, 0, 0}, 1.0);
+}
+
 }  // namespace
 
 TEST(frames_hub_axes_are_a_rotation) {
   for (const double mast : {0.0, 20.0, 45.0, 77.0, 90.0}) {
     for (const double cant_deg : {0.0, 1.0, 5.0}) {
       for (const int side : {right, left}) {
-        const HubFrame<double> f =
-            hub_frame(mast * kRadPerDeg<double>, cant_deg * kRadPerDeg<double>, side, V{0, 0, 0}, 1.0);
+        const HubFrame<double> f = hub(mast * kRadPerDeg<double>, cant_deg * kRadPerDeg<double>, side);
         const Rotation<double>& r = f.from_body;
         for (const V& row : {r.row_x, r.row_y, r.row_z}) CHECK_NEAR(dot(row, row), 1.0, 1e-15);
         check_vector(cross(r.row_x, r.row_y), r.row_z, 1e-15);  // right-handed
@@ -34,17 +38,17 @@ TEST(frames_hub_axes_are_a_rotation) {
 }
 
 TEST(frames_helicopter_and_airplane_axes) {
-  const HubFrame<double> up = hub_frame(0.0, 0.0, right, V{0, 0, 0}, 1.0);
+  const HubFrame<double> up = hub(0.0, 0.0, right);
   check_vector(up.thrust_axis, V{0, 0, -1}, 0);
   check_vector(up.from_body.row_x, V{1, 0, 0}, 0);
   check_vector(up.from_body.row_y, V{0, 1, 0}, 0);
-  const HubFrame<double> forward = hub_frame(kPi<double> / 2, 0.0, right, V{0, 0, 0}, 1.0);
+  const HubFrame<double> forward = hub(kPi<double> / 2, 0.0, right);
   check_vector(forward.thrust_axis, V{1, 0, 0}, 1e-15);
   check_vector(forward.from_body.row_x, V{0, 0, 1}, 1e-15);  // hub x axis points down in airplane mode
   // Cant leans both rotors outboard.
   const double cant = 1 * kRadPerDeg<double>;
-  CHECK_NEAR(hub_frame(0.0, cant, right, V{0, 0, 0}, 1.0).thrust_axis.y, std::sin(cant), 1e-15);
-  CHECK_NEAR(hub_frame(0.0, cant, left, V{0, 0, 0}, 1.0).thrust_axis.y, -std::sin(cant), 1e-15);
+  CHECK_NEAR(hub(0.0, cant, right).thrust_axis.y, std::sin(cant), 1e-15);
+  CHECK_NEAR(hub(0.0, cant, left).thrust_axis.y, -std::sin(cant), 1e-15);
 }
 
 // Hub stations of the aircraft without cant: SL 300 - 56 sin, WL 100 + 56 cos (mast 4.667 ft), BL 193 (in).

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cmath>
+#include <type_traits>
 
 #include "tiltrotor/math/elementary.hpp"
 
@@ -24,6 +25,11 @@ struct ScalarTraits {
 template <class T>
 using Real = typename ScalarTraits<T>::Real;
 
+// A number and nothing else. Only of such a one may zero mean "leave it out", or an end value "take the end
+// alone": the partials of another scalar would be lost.
+template <class T>
+inline constexpr bool kIsPlain = std::is_same_v<T, Real<T>>;
+
 // Plain value of any scalar: the only part a comparison or an index may look at. Of a pack (pack.hpp), the
 // pack.
 template <class T>
@@ -41,6 +47,11 @@ T sin(const T& x) {
 template <class T>
 T cos(const T& x) {
   return ScalarTraits<T>::cos(x);
+}
+// Both, where both are needed.
+template <class T>
+SineCosine<T> sine_and_cosine(const T& x) {
+  return {sin(x), cos(x)};
 }
 template <class T>
 T tan(const T& x) {

@@ -29,28 +29,29 @@ template <class S, class T>
 Vec3<T> operator*(const S& s, const Vec3<T>& a) {
   return {s * a.x, s * a.y, s * a.z};
 }
-// Scalar of type T times a plain direction.
-template <class T>
-Vec3<T> along(const T& s, const Vec3<Real<T>>& direction) {
+// In the functions of T and C below, C is T or plain: a direction or an arm that moves with the other argument,
+// or one that is fixed.
+template <class T, class C>
+Vec3<T> along(const T& s, const Vec3<C>& direction) {
   return {s * direction.x, s * direction.y, s * direction.z};
 }
 template <class T>
 T dot(const Vec3<T>& a, const Vec3<T>& b) {
   return a.x * b.x + a.y * b.y + a.z * b.z;
 }
-// Component of a along a plain direction.
-template <class T>
-T component(const Vec3<T>& a, const Vec3<Real<T>>& direction) {
+// Component of a along a direction.
+template <class T, class C>
+T component(const Vec3<T>& a, const Vec3<C>& direction) {
   return a.x * direction.x + a.y * direction.y + a.z * direction.z;
 }
-// rate x arm, with a plain arm: velocity of a point fixed in a rotating frame.
-template <class T>
-Vec3<T> rate_cross_arm(const Vec3<T>& rate, const Vec3<Real<T>>& arm) {
+// rate x arm: velocity of a point fixed in a rotating frame.
+template <class T, class C>
+Vec3<T> rate_cross_arm(const Vec3<T>& rate, const Vec3<C>& arm) {
   return {rate.y * arm.z - rate.z * arm.y, rate.z * arm.x - rate.x * arm.z, rate.x * arm.y - rate.y * arm.x};
 }
-// arm x force, with a plain arm: moment of a force.
-template <class T>
-Vec3<T> arm_cross_force(const Vec3<Real<T>>& arm, const Vec3<T>& force) {
+// arm x force: moment of a force.
+template <class T, class C>
+Vec3<T> arm_cross_force(const Vec3<C>& arm, const Vec3<T>& force) {
   return {force.z * arm.y - force.y * arm.z, force.x * arm.z - force.z * arm.x,
           force.y * arm.x - force.x * arm.y};
 }

@@ -9,12 +9,12 @@ namespace tiltrotor {
 
 // `velocity`: of the CG relative to the air, B. A moving mast carries the hub along an arc about the conversion
 // axis and pitches the hub frame nose down.
-template <class T>
-void rotor_input(const Configuration<Real<T>>& c, const State<T>& x, const Vec3<T>& velocity,
+template <class T, class C>
+void rotor_input(const Configuration<C>& c, const State<T>& x, const Vec3<T>& velocity,
                  const BladeControls<T>& controls, int side, RotorInput<T>& in) {
   using R = Real<T>;
-  const HubFrame<R>& hub = c.hub[side];
-  const Vec3<R> swing = {c.setup.mast_rate * c.aircraft->mast.length * cos(c.mast), R(0),
+  const HubFrame<C>& hub = c.hub[side];
+  const Vec3<C> swing = {c.setup.mast_rate * c.aircraft->mast.length * cos(c.mast), C(R(0)),
                          c.setup.mast_rate * c.aircraft->mast.length * sin(c.mast)};
   Vec3<T> hub_velocity = velocity + rate_cross_arm(x.rates, hub.arm);
   hub_velocity = {hub_velocity.x + swing.x, hub_velocity.y, hub_velocity.z + swing.z};
@@ -32,22 +32,22 @@ void rotor_input(const Configuration<Real<T>>& c, const State<T>& x, const Vec3<
 }
 
 // In-plane advance ratio of a hub velocity in the frame A.
-template <class T>
-T advance_ratio(const Configuration<Real<T>>& c, const Vec3<T>& hub_velocity) {
+template <class T, class C>
+T advance_ratio(const Configuration<C>& c, const Vec3<T>& hub_velocity) {
   using R = Real<T>;
-  const R inverse_tip = R(1) / c.tip_speed;
+  const C inverse_tip = R(1) / c.tip_speed;
   const T mx = hub_velocity.x * inverse_tip;
   const T my = hub_velocity.y * inverse_tip;
   return sqrt(mx * mx + my * my + square(c.aircraft->smooth.advance_ratio));
 }
 
 // `advance`: advance ratio of each rotor.
-template <class T>
-void airframe_input(const Configuration<Real<T>>& c, const State<T>& x, const Vec3<T>& velocity,
+template <class T, class C>
+void airframe_input(const Configuration<C>& c, const State<T>& x, const Vec3<T>& velocity,
                     const BladeControls<T>& controls, const RotorResponse<T> (&rotor)[2],
                     const T (&advance)[2], AirframeInput<T>& in) {
   using R = Real<T>;
-  const R unit_force = c.air.density * kPi<R> * square(c.tip_speed * c.aircraft->rotor.radius);
+  const C unit_force = c.air.density * kPi<R> * square(c.tip_speed * c.aircraft->rotor.radius);
   const auto size = [](const Vec3<T>& force) { return sqrt(dot(force, force)); };
   in.velocity = velocity;
   in.rates = x.rates;

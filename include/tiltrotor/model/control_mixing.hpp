@@ -10,11 +10,10 @@ namespace tiltrotor {
 // `velocity`: CG relative to the air, body axes; the pedal's cyclic and the lateral cyclic schedule depend on
 // speed. Forward stick: disks forward, elevator down. Right stick: left rotor up, right aileron up. Right
 // pedal: left disk forward, right disk aft, rudder for nose right.
-template <class T>
-BladeControls<T> mix_controls(const Configuration<Real<T>>& c, const Controls<T>& u,
-                              const Vec3<T>& velocity) {
+template <class T, class C>
+BladeControls<T> mix_controls(const Configuration<C>& c, const Controls<T>& u, const Vec3<T>& velocity) {
   using R = Real<T>;
-  const Gearing<R>& g = c.gearing;
+  const Gearing<C>& g = c.gearing;
   const ControlTables<R>& t = c.aircraft->controls;
   const Interpolation mode = c.setup.options.tables;
   const T speed_kt = total_speed(velocity, c.aircraft->smooth.airspeed) * (R(1) / kKnot<R>);

@@ -20,9 +20,15 @@ struct Evaluation {
 
 namespace derivative_detail {
 
+// Partials of a configuration reach a component beside its input: it must then be evaluated on T itself.
+template <class T, class C>
+inline constexpr bool kScalarsFit = kIsPlain<C> ||
+                                    (std::is_same_v<C, T> && std::is_same_v<LocalDual<RotorInput, T>, T> &&
+                                     std::is_same_v<LocalDual<AirframeInput, T>, T>);
+
 // The components on scalars of their own, which carry as many directions as a component sees.
-template <class T>
-void local_rotor_response(const Configuration<Real<T>>& c, const RotorInput<T>& in, Real<T> azimuth,
+template <class T, class C>
+void local_rotor_response(const Configuration<C>& c, const RotorInput<T>& in, Real<T> azimuth,
                           LocalRotorWorkspace<T>& work, RotorResponse<T>& out) {
   const bool averaged = c.setup.options.azimuth == AzimuthMode::averaged;
   if (!averaged) individual_azimuth(c.aircraft->rotor.blades, azimuth, work.blades);
@@ -31,8 +37,8 @@ void local_rotor_response(const Configuration<Real<T>>& c, const RotorInput<T>& 
     rotor_response(c, local, stations, work.rotor, found);
   });
 }
-template <class T, class Record>
-void local_airframe_response(const Configuration<Real<T>>& c, const AirframeInput<T>& in,
+template <class T, class C, class Record>
+void local_airframe_response(const Configuration<C>& c, const AirframeInput<T>& in,
                              LocalAirframeWorkspace<T>& work, AirframeResponse<T>& out, Record& record) {
   preaccumulate(in, work.chain, out, [&](const auto& local, auto& found) {
     airframe_response(c, local, work.airframe, found, record);
@@ -44,9 +50,11 @@ void local_airframe_response(const Configuration<Real<T>>& c, const AirframeInpu
 // xdot and, in `work`, what leads to it; `record(component, loads)` sees the loads of every component.
 // `azimuth`: position of the right rotor's first blade (rad), used in the individual-blade mode alone; the
 // left rotor mirrors it.
-template <class T, class Record>
-void recorded_derivative(const Configuration<Real<T>>& c, const State<T>& x, const Controls<T>& u,
-                         Real<T> azimuth, DerivativeWorkspace<T>& work, State<T>& rates, Record&& record) {
+template <class T, class C, class Record>
+void recorded_derivative(const Configuration<C>& c, const State<T>& x, const Controls<T>& u, Real<T> azimuth,
+                         DerivativeWorkspace<T>& work, State<T>& rates, Record&& record) {
+  static_assert(derivative_detail::kScalarsFit<T, C>,
+                "a configuration with partials has the scalar of the state, of at most 16 directions");
   out_of_line([&] {
     work.velocity = x.velocity - u.gust;
     work.controls = mix_controls(c, u, work.velocity);
@@ -76,8 +84,8 @@ void recorded_derivative(const Configuration<Real<T>>& c, const State<T>& x, con
 }
 
 // Everything, by component.
-template <class T>
-void evaluate_aircraft(const Configuration<Real<T>>& c, const State<T>& x, const Controls<T>& u,
+template <class T, class C>
+void evaluate_aircraft(const Configuration<C>& c, const State<T>& x, const Controls<T>& u,
                        DerivativeWorkspace<T>& work, Evaluation<T>& out, Real<T> azimuth = Real<T>(0)) {
   recorded_derivative(c, x, u, azimuth, work, out.rates, [&out](Component component, const Loads<T>& loads) {
     out.loads.component[component] = loads;
@@ -86,21 +94,21 @@ void evaluate_aircraft(const Configuration<Real<T>>& c, const State<T>& x, const
   out.wing_alpha = work.airframe.wing_alpha;
   out.wing_downwash = work.airframe.downwash;
 }
-template <class T>
-void evaluate_aircraft(const Configuration<Real<T>>& c, const State<T>& x, const Controls<T>& u,
-                       Evaluation<T>& out, Real<T> azimuth = Real<T>(0)) {
+template <class T, class C>
+void evaluate_aircraft(const Configuration<C>& c, const State<T>& x, const Controls<T>& u, Evaluation<T>& out,
+                       Real<T> azimuth = Real<T>(0)) {
   DerivativeWorkspace<T> work;
   evaluate_aircraft(c, x, u, work, out, azimuth);
 }
 
 // xdot alone.
-template <class T>
-void derivative(const Configuration<Real<T>>& c, const State<T>& x, const Controls<T>& u,
+template <class T, class C>
+void derivative(const Configuration<C>& c, const State<T>& x, const Controls<T>& u,
                 DerivativeWorkspace<T>& work, State<T>& rates, Real<T> azimuth = Real<T>(0)) {
   recorded_derivative(c, x, u, azimuth, work, rates, [](Component, const auto&) {});
 }
-template <class T>
-void derivative(const Configuration<Real<T>>& c, const State<T>& x, const Controls<T>& u, State<T>& rates,
+template <class T, class C>
+void derivative(const Configuration<C>& c, const State<T>& x, const Controls<T>& u, State<T>& rates,
                 Real<T> azimuth = Real<T>(0)) {
   DerivativeWorkspace<T> work;
   derivative(c, x, u, work, rates, azimuth);

@@ -17,24 +17,24 @@ constexpr R side_sign(int side) {
   return side == right ? R(1) : R(-1);
 }
 
-template <class R>
+template <class C>
 struct HubFrame {
-  Rotation<R> from_body;  // B -> H
-  Vec3<R> arm;            // CG to hub, B, m
-  Vec3<R> thrust_axis;    // unit vector up the canted shaft, B
+  Rotation<C> from_body;  // B -> H
+  Vec3<C> arm;            // CG to hub, B, m
+  Vec3<C> thrust_axis;    // unit vector up the canted shaft, B
 };
 
-// Hub axes at mast angle `mast` (rad) with outboard cant `cant` (rad): the rows of C_HB.
-template <class R>
-HubFrame<R> hub_frame(R mast, R cant, int side, const Vec3<R>& pivot_arm, R mast_length) {
-  const R sm = sin(mast);
-  const R cm = cos(mast);
-  const R sc = sin(cant);
-  const R cc = cos(cant);
+// Hub axes at the angles of mast and outboard cant: the rows of C_HB.
+template <class C>
+HubFrame<C> hub_frame(const SineCosine<C>& mast, const SineCosine<C>& cant, int side,
+                      const Vec3<C>& pivot_arm, Real<C> mast_length) {
+  using R = Real<C>;
+  const auto& [sm, cm] = mast;
+  const auto& [sc, cc] = cant;
   const R sigma = side_sign<R>(side);
-  HubFrame<R> frame;
+  HubFrame<C> frame;
   frame.thrust_axis = {cc * sm, sc * sigma, -cc * cm};
-  frame.from_body.row_x = {cm, R(0), sm};
+  frame.from_body.row_x = {cm, C(R(0)), sm};
   frame.from_body.row_y = {-sc * sigma * sm, cc, sc * sigma * cm};
   frame.from_body.row_z = {-frame.thrust_axis.x, -frame.thrust_axis.y, -frame.thrust_axis.z};
   frame.arm = pivot_arm + mast_length * frame.thrust_axis;

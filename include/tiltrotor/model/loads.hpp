@@ -24,9 +24,9 @@ Loads<T> operator+(const Loads<T>& a, const Loads<T>& b) {
   return {a.force + b.force, a.moment + b.moment};
 }
 
-// Loads of a force acting at a plain arm from the CG.
-template <class T>
-Loads<T> force_at(const Vec3<Real<T>>& arm, const Vec3<T>& force) {
+// Loads of a force acting at an arm from the CG.
+template <class T, class C>
+Loads<T> force_at(const Vec3<C>& arm, const Vec3<T>& force) {
   return {force, arm_cross_force(arm, force)};
 }
 

@@ -6,33 +6,34 @@
 
 namespace tiltrotor {
 
-template <class R>
+template <class C>
 struct MassProperties {
-  R mass;              // kg
-  R sl_cg, wl_cg;      // stations of the CG, m
-  Inertia<R> inertia;  // kg m^2
+  C mass;              // kg
+  C sl_cg, wl_cg;      // stations of the CG, m
+  Inertia<C> inertia;  // kg m^2
 };
 
 // `sl_cg0`, `wl_cg0`: CG at mast 0, m. The inertia belongs to the gross weight of the tables; it is not
 // scaled.
-template <class R>
-MassProperties<R> mass_properties(const Aircraft<R>& aircraft, R mast_deg, R mass, R sl_cg0, R wl_cg0,
-                                  InertiaSet set) {
+template <class C>
+MassProperties<C> mass_properties(const Aircraft<Real<C>>& aircraft, const C& mast_deg, const C& mass,
+                                  const C& sl_cg0, const C& wl_cg0, InertiaSet set) {
+  using R = Real<C>;
   const MassTables<R>& m = aircraft.mass;
-  const R moving = m.nacelles / mass;
-  const R forward = moving * (aircraft.mast.sl_pivot - m.sl_nacelle);
-  const R below = moving * (aircraft.mast.wl_pivot - m.wl_nacelle);
-  const R s = sin(mast_deg * kRadPerDeg<R>);
-  const R c = cos(mast_deg * kRadPerDeg<R>);
+  const C moving = m.nacelles / mass;
+  const C forward = moving * (aircraft.mast.sl_pivot - m.sl_nacelle);
+  const C below = moving * (aircraft.mast.wl_pivot - m.wl_nacelle);
+  const C s = sin(C(mast_deg * kRadPerDeg<R>));
+  const C c = cos(C(mast_deg * kRadPerDeg<R>));
 
-  MassProperties<R> p;
+  MassProperties<C> p;
   p.mass = mass;
   p.sl_cg = sl_cg0 + below * s + forward * (R(1) - c);
   p.wl_cg = wl_cg0 + below * (R(1) - c) - forward * s;
   p.inertia = {m.inertia.xx + m.inertia_slope.xx * mast_deg, m.inertia.yy + m.inertia_slope.yy * mast_deg,
                m.inertia.zz + m.inertia_slope.zz * mast_deg, m.inertia.xz + m.inertia_slope.xz * mast_deg};
   if (set == InertiaSet::design_1975) {
-    const auto between = [&](R at_0, R at_90) { return MastRange<R>{at_0, at_90}.at(mast_deg); };
+    const auto between = [&mast_deg](R at_0, R at_90) { return MastRange<R>{at_0, at_90}.at(mast_deg); };
     p.inertia.xx = between(m.design_0.xx, m.design_90.xx);
     p.inertia.yy = between(m.design_0.yy, m.design_90.yy);
     p.inertia.zz = between(m.design_0.zz, m.design_90.zz);

@@ -20,12 +20,12 @@ struct RigidBodyRates {
 
 // `total`: aerodynamic force and moment about the CG; weight is added here. Euler rates are singular at 90
 // deg pitch.
-template <class T>
-RigidBodyRates<T> rigid_body(const MassProperties<Real<T>>& mass, const Vec3<T>& v, const Vec3<T>& w,
-                             const T& roll, const T& pitch, const T& yaw, const Loads<T>& total) {
+template <class T, class C>
+RigidBodyRates<T> rigid_body(const MassProperties<C>& mass, const Vec3<T>& v, const Vec3<T>& w, const T& roll,
+                             const T& pitch, const T& yaw, const Loads<T>& total) {
   using R = Real<T>;
   const R g = kGravity<R>;
-  const R inverse_mass = R(1) / mass.mass;
+  const C inverse_mass = R(1) / mass.mass;
   const T sr = sin(roll);
   const T cr = cos(roll);
   const T sp = sin(pitch);
@@ -38,8 +38,8 @@ RigidBodyRates<T> rigid_body(const MassProperties<Real<T>>& mass, const Vec3<T>&
   d.velocity.y = total.force.y * inverse_mass + g * cp * sr - w.z * v.x + w.x * v.z;
   d.velocity.z = total.force.z * inverse_mass + g * cp * cr - w.x * v.y + w.y * v.x;
 
-  const Inertia<R>& i = mass.inertia;
-  const R inverse_g = R(1) / (i.xx * i.zz - i.xz * i.xz);
+  const Inertia<C>& i = mass.inertia;
+  const C inverse_g = R(1) / (i.xx * i.zz - i.xz * i.xz);
   const T tx = total.moment.x + i.xz * w.x * w.y + (i.yy - i.zz) * w.y * w.z;
   const T tz = total.moment.z - i.xz * w.y * w.z + (i.xx - i.yy) * w.x * w.y;
   d.rates.x = inverse_g * (i.zz * tx + i.xz * tz);

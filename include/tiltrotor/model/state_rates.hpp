@@ -18,8 +18,8 @@ void rigid_body_rates(const RigidBodyRates<T>& body, State<T>& rates) {
 }
 
 // `body_rates`: angular acceleration of the aircraft, B, rad/s^2; the hub's is added to the flapping on demand.
-template <class T>
-void rotor_rates(const Configuration<Real<T>>& c, const State<T>& x, const RotorResponse<T>& rotor,
+template <class T, class C>
+void rotor_rates(const Configuration<C>& c, const State<T>& x, const RotorResponse<T>& rotor,
                  const Vec3<T>& body_rates, int side, State<T>& rates) {
   using R = Real<T>;
   const Options& o = c.setup.options;
@@ -41,8 +41,8 @@ void rotor_rates(const Configuration<Real<T>>& c, const State<T>& x, const Rotor
 }
 
 // eps' = (eps_0 - eps) V/l_t. `velocity`: of the CG relative to the air.
-template <class T>
-T downwash_rate(const Configuration<Real<T>>& c, const State<T>& x, const Vec3<T>& velocity,
+template <class T, class C>
+T downwash_rate(const Configuration<C>& c, const State<T>& x, const Vec3<T>& velocity,
                 const T& downwash_at_rest) {
   using R = Real<T>;
   const WingTables<R>& wing = c.aircraft->wing;

@@ -30,11 +30,13 @@ struct Axis {
   R end_width = 0;  // C1: beyond its ends the slope fades over this distance; 0: at once
 };
 
-// Grid point: an argument on an axis, as interval and fraction 0..1 inside it.
-template <class R>
+// Grid point: an argument on an axis, as interval and fraction 0..1 inside it. With partials the fraction
+// carries the slope of its interval: on a knot that towards the next one, on the last knot that from the one
+// before.
+template <class C>
 struct GridPoint {
   int interval;
-  R fraction;
+  C fraction;
 };
 
 // Largest i <= count - 2 with knot[i] <= x; 0 when x lies before the grid or is NaN. x lies on the grid when
@@ -79,13 +81,14 @@ TILTROTOR_INLINE BatchIndex<R> find_interval(const Axis<R>& axis, const Batch<R>
   return i;
 }
 
-// Plain place on a linear axis, held at the ends.
-template <class R>
-GridPoint<R> grid_point(const Axis<R>& axis, R x) {
-  if (axis.count == 1) return {0, R(0)};
-  const int i = find_interval(axis, x);
-  const R t = (x - axis.knot[i]) / (axis.knot[i + 1] - axis.knot[i]);
-  return {i, t < R(0) ? R(0) : (t > R(1) ? R(1) : t)};
+// Place on a linear axis, held at the ends.
+template <class C>
+GridPoint<C> grid_point(const Axis<Real<C>>& axis, const C& x) {
+  using R = Real<C>;
+  if (axis.count == 1) return {0, C(R(0))};
+  const int i = find_interval(axis, value(x));
+  const C t = (x - axis.knot[i]) / (axis.knot[i + 1] - axis.knot[i]);
+  return {i, value(t) < R(0) ? C(R(0)) : (value(t) > R(1) ? C(R(1)) : t)};
 }
 
 template <class R>

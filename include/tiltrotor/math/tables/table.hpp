@@ -1,7 +1,7 @@
 // Interpolation tables on a rectangular grid, 1 to 4 dimensions, linear or C1 monotone cubic.
 //
 // A table has Smooth axes, which take any scalar and may be interpolated with C1 cubics, and Linear axes, which
-// take plain numbers fixed within a run (mast angle, flap) and are always linear. Each node stores the value and
+// take the configuration (mast angle, flap), found once as GridPoint, and are always linear. Each node stores the value and
 // the mixed slopes along the smooth axes (2^Smooth numbers: f, f_x, f_y, f_xy for two), computed beforehand by
 // table_slopes.hpp, so that a look-up evaluates one local polynomial. Beyond the grid: table_axis.hpp.
 #pragma once
@@ -164,10 +164,10 @@ T lookup(const Table<Real<T>, 2>& table, Interpolation mode, const T& x, const T
   return lookup(table, bracket(table.smooth[0], mode, x), bracket(table.smooth[1], mode, y));
 }
 
-// Look-up with linear axes at fixed places: the blend of the smooth blocks at the corners around the places.
-// Corners of weight zero are skipped, so a place on a knot costs one block.
-template <class T, class R, int Smooth, int Linear>
-T lookup(const Table<R, Smooth, Linear>& table, Interpolation mode, const GridPoint<R> (&place)[Linear],
+// Look-up with linear axes at places C, plain or T: the blend of the smooth blocks at the corners around the
+// places. Plain corners of weight zero are skipped, so a place on a knot costs one block.
+template <class T, class C, class R, int Smooth, int Linear>
+T lookup(const Table<R, Smooth, Linear>& table, Interpolation mode, const GridPoint<C> (&place)[Linear],
          const T (&x)[Smooth]) {
   Bracket<T> located[Smooth];
   const Bracket<T>* at[Smooth];
@@ -179,14 +179,15 @@ T lookup(const Table<R, Smooth, Linear>& table, Interpolation mode, const GridPo
   }
   T sum = T(R(0));
   for (int corner = 0; corner < (1 << Linear); ++corner) {
-    R weight = R(1);
+    C weight = R(1);
     int index = 0;
     for (int a = 0; a < Linear; ++a) {
       const int right = (corner >> a) & 1;
-      weight *= right == 1 ? place[a].fraction : R(1) - place[a].fraction;
+      weight *= right == 1 ? place[a].fraction : C(R(1) - place[a].fraction);
       index = index * table.linear[a].count + place[a].interval + right;
     }
-    if (weight == R(0)) continue;
+    if constexpr (kIsPlain<C>)
+      if (weight == R(0)) continue;
     sum = sum + weight * table_detail::block_value<Smooth, T>(table.smooth, table.node + index * block, at);
   }
   return sum;

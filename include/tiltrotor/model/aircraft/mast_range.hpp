@@ -8,7 +8,10 @@ template <class R>
 struct MastRange {
   R at_0;
   R at_90;
-  R at(R mast_deg) const { return at_0 + (at_90 - at_0) * (mast_deg / R(90)); }
+  template <class C>
+  C at(const C& mast_deg) const {
+    return at_0 + (at_90 - at_0) * (mast_deg / R(90));
+  }
 };
 
 }  // namespace tiltrotor

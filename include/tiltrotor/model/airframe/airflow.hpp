@@ -68,8 +68,8 @@ template <class R>
 inline constexpr R kKnot =
     R(0.5144444);  // m/s: the rounded factor of the tables' speed axes, 9e-8 below 1852/3600
 
-template <class T>
-FreeStream<T> free_stream(const Configuration<Real<T>>& c, const Vec3<T>& velocity) {
+template <class T, class C>
+FreeStream<T> free_stream(const Configuration<C>& c, const Vec3<T>& velocity) {
   using R = Real<T>;
   const SmoothingWidths<R>& e = c.aircraft->smooth;
   FreeStream<T> f;

@@ -25,9 +25,9 @@ struct AirframeResponse {
 };
 
 // `record(component, loads)` sees every component as it is added.
-template <class T, class Record>
-void airframe_response(const Configuration<Real<T>>& c, const AirframeInput<T>& in,
-                       AirframeWorkspace<T>& work, AirframeResponse<T>& out, Record&& record) {
+template <class T, class C, class Record>
+void airframe_response(const Configuration<C>& c, const AirframeInput<T>& in, AirframeWorkspace<T>& work,
+                       AirframeResponse<T>& out, Record&& record) {
   const FreeStream<T>& stream = work.stream = free_stream(c, in.velocity);
 
   for (const Side side : {right, left}) wing_in_wake(c, in, stream, side, work.wake[side]);

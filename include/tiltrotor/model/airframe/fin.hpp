@@ -7,8 +7,8 @@
 namespace tiltrotor {
 
 // 1 - dsigma/dbeta of the body. The tables know no flow from behind: the two ends meet in the middle there.
-template <class T>
-T body_sidewash(const Configuration<Real<T>>& c, const FreeStream<T>& stream) {
+template <class T, class C>
+T body_sidewash(const Configuration<C>& c, const FreeStream<T>& stream) {
   using R = Real<T>;
   const auto at = [&](const T& alpha_deg) {
     const T arguments[2] = {alpha_deg, stream.abs_beta_deg};
@@ -20,14 +20,14 @@ T body_sidewash(const Configuration<Real<T>>& c, const FreeStream<T>& stream) {
   return mean + ahead * (at(stream.alpha_deg) - mean);
 }
 
-template <class T>
-Loads<T> fin_loads(const Configuration<Real<T>>& c, const AirframeInput<T>& in, const FreeStream<T>& stream,
+template <class T, class C>
+Loads<T> fin_loads(const Configuration<C>& c, const AirframeInput<T>& in, const FreeStream<T>& stream,
                    const T& wash_ratio, int side) {
   using R = Real<T>;
   const FinTables<R>& f = c.aircraft->fin;
   const SmoothingWidths<R>& e = c.aircraft->smooth;
   const Options& o = c.setup.options;
-  const Vec3<R> arm = station_arm(c.mass, f.surface.sl, side_sign<R>(side) * f.surface.bl, f.surface.wl);
+  const Vec3<C> arm = station_arm(c.mass, f.surface.sl, side_sign<R>(side) * f.surface.bl, f.surface.wl);
   const Vec3<T> v =
       in.velocity + rate_cross_arm(in.rates, arm) + along(T(wash_ratio * in.mean_wash[side]), c.nacelle_axis);
   const T alpha = angle_of_attack(v, e);

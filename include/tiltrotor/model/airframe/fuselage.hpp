@@ -6,9 +6,8 @@
 
 namespace tiltrotor {
 
-template <class T>
-Loads<T> fuselage_loads(const Configuration<Real<T>>& c, const AirframeInput<T>& in,
-                        const FreeStream<T>& stream) {
+template <class T, class C>
+Loads<T> fuselage_loads(const Configuration<C>& c, const AirframeInput<T>& in, const FreeStream<T>& stream) {
   using R = Real<T>;
   const FuselageTables<R>& f = c.aircraft->fuselage;
   const Interpolation mode = c.setup.options.tables;

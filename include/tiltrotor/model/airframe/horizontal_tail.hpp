@@ -6,14 +6,14 @@
 
 namespace tiltrotor {
 
-template <class T>
-Loads<T> horizontal_tail_loads(const Configuration<Real<T>>& c, const AirframeInput<T>& in,
+template <class T, class C>
+Loads<T> horizontal_tail_loads(const Configuration<C>& c, const AirframeInput<T>& in,
                                const FreeStream<T>& stream, const T& wash_ratio, const T& downwash) {
   using R = Real<T>;
   const HorizontalTailTables<R>& h = c.aircraft->htail;
   const SmoothingWidths<R>& e = c.aircraft->smooth;
   const Options& o = c.setup.options;
-  const Vec3<R> arm = station_arm(c.mass, h.surface.sl, R(0), h.surface.wl);
+  const Vec3<C> arm = station_arm(c.mass, h.surface.sl, R(0), h.surface.wl);
   const T wash = wash_ratio * (R(0.5) * (in.mean_wash[right] + in.mean_wash[left]));
   const Vec3<T> v = in.velocity + rate_cross_arm(in.rates, arm) + along(wash, c.nacelle_axis);
   const T alpha = angle_of_attack(v, e);
@@ -35,8 +35,8 @@ Loads<T> horizontal_tail_loads(const Configuration<Real<T>>& c, const AirframeIn
 
   const T arguments[2] = {stream.alpha_deg, stream.speed_kt};
   const T ratio = lookup(h.pressure_ratio, o.tables, c.tail_pressure_mast, arguments);
-  const R by_mast =
-      o.tail_pressure == TailPressure::by_mast ? h.pressure.at(c.setup.mast_deg) : h.pressure.at_90;
+  const C by_mast =
+      o.tail_pressure == TailPressure::by_mast ? h.pressure.at(c.setup.mast_deg) : C(h.pressure.at_90);
   // Body velocity, not the local one: the pressure ratio holds the rest.
   const T q = (R(0.5) * c.air.density * by_mast) * ratio *
               (in.velocity.x * in.velocity.x + in.velocity.z * in.velocity.z);

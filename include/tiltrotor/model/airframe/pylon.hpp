@@ -7,8 +7,8 @@
 namespace tiltrotor {
 
 // Both spinners at hub height: drag area grows with sin^3 of the angle between mast and flow.
-template <class T>
-Loads<T> spinner_loads(const Configuration<Real<T>>& c, const AirframeInput<T>& in) {
+template <class T, class C>
+Loads<T> spinner_loads(const Configuration<C>& c, const AirframeInput<T>& in) {
   using R = Real<T>;
   const SmoothingWidths<R>& e = c.aircraft->smooth;
   const PylonTables<R>& p = c.aircraft->pylon;
@@ -20,15 +20,15 @@ Loads<T> spinner_loads(const Configuration<Real<T>>& c, const AirframeInput<T>& 
   const T sine3 = sine2 * sqrt(sine2 + square(e.spinner_sine));
   const T area = R(2) * (p.spinner_base + p.spinner_cross * sine3);
   const T scale = -(R(0.5) * c.air.density * area * speed2 / sqrt(speed2 + square(e.drag_speed)));
-  const Vec3<R> arm = R(0.5) * (c.hub[right].arm + c.hub[left].arm);
+  const Vec3<C> arm = R(0.5) * (c.hub[right].arm + c.hub[left].arm);
   return force_at(arm, scale * v);
 }
 
 // Interference drag of both pylons along the mean flow of the immersed wing parts, at the conversion axis.
-template <class T>
-Loads<T> pylon_interference_loads(const Configuration<Real<T>>& c, const WingInWake<T> (&wake)[2]) {
+template <class T, class C>
+Loads<T> pylon_interference_loads(const Configuration<C>& c, const WingInWake<T> (&wake)[2]) {
   using R = Real<T>;
-  const R area = lookup(c.aircraft->pylon.interference, Interpolation::linear, c.setup.mast_deg);
+  const C area = lookup(c.aircraft->pylon.interference, Interpolation::linear, c.setup.mast_deg);
   const T pressure = R(0.5) * (wake[right].pressure + wake[left].pressure);
   const Vec3<T> v = T(R(0.5)) * (wake[right].velocity + wake[left].velocity);
   const T scale = -(area * pressure / total_speed(v, c.aircraft->smooth.drag_speed));
@@ -36,8 +36,8 @@ Loads<T> pylon_interference_loads(const Configuration<Real<T>>& c, const WingInW
 }
 
 // Side force of the pylons as lateral flat plates.
-template <class T>
-Loads<T> pylon_side_loads(const Configuration<Real<T>>& c, const AirframeInput<T>& in) {
+template <class T, class C>
+Loads<T> pylon_side_loads(const Configuration<C>& c, const AirframeInput<T>& in) {
   using R = Real<T>;
   const SmoothingWidths<R>& e = c.aircraft->smooth;
   const PylonTables<R>& p = c.aircraft->pylon;

@@ -7,8 +7,8 @@
 namespace tiltrotor {
 
 // Ratio of the wash at the tail to the mean wash at the disk; negative means upwash between the wakes.
-template <class T>
-T tail_wash_ratio(const Configuration<Real<T>>& c, const FreeStream<T>& stream) {
+template <class T, class C>
+T tail_wash_ratio(const Configuration<C>& c, const FreeStream<T>& stream) {
   using R = Real<T>;
   const HorizontalTailTables<R>& h = c.aircraft->htail;
   const Interpolation mode = c.setup.options.tables;
@@ -18,7 +18,7 @@ T tail_wash_ratio(const Configuration<Real<T>>& c, const FreeStream<T>& stream) 
     ratio = lookup(h.rotor_wash, mode, c.tail_wash_mast, arguments);
   } else {
     // Fit along alpha near 0 of an older report: K = h0 + h1 bM + (h2 + h3 bM) r^2, bM in degrees.
-    const R m = c.setup.mast_deg;
+    const C& m = c.setup.mast_deg;
     const R foot = R(0.3048);
     const T r =
         (stream.speed * (R(1) / foot) - h.wash_fit_speed + h.wash_fit[4] * m) * (R(1) / h.wash_fit_speed);
@@ -29,8 +29,8 @@ T tail_wash_ratio(const Configuration<Real<T>>& c, const FreeStream<T>& stream) 
 }
 
 // Effectiveness of elevator or rudder: K = X_K(M) - D_K max(|delta| - 15 deg, 0)/15 deg.
-template <class T>
-T control_effectiveness(const Configuration<Real<T>>& c, const TailSurface<Real<T>>& surface, const T& mach,
+template <class T, class C>
+T control_effectiveness(const Configuration<C>& c, const TailSurface<Real<T>>& surface, const T& mach,
                         const T& deflection) {
   using R = Real<T>;
   const TailSharedTables<R>& t = c.aircraft->tail;
@@ -42,15 +42,15 @@ T control_effectiveness(const Configuration<Real<T>>& c, const TailSurface<Real<
 }
 
 // 0 where the low-speed coefficient tables hold, 1 where the Mach tables do.
-template <class T>
-T tail_mach_weight(const Configuration<Real<T>>& c, const T& mach) {
+template <class T, class C>
+T tail_mach_weight(const Configuration<C>& c, const T& mach) {
   using R = Real<T>;
   const TailSharedTables<R>& t = c.aircraft->tail;
   return smooth_step(T((mach - t.mach_blend_start) * (R(1) / (t.mach_blend_end - t.mach_blend_start))));
 }
 
-template <class T>
-T tail_sideslip_factor(const Configuration<Real<T>>& c, const FreeStream<T>& stream) {
+template <class T, class C>
+T tail_sideslip_factor(const Configuration<C>& c, const FreeStream<T>& stream) {
   using R = Real<T>;
   if (!c.setup.options.tail_sideslip_loss) return T(R(1));
   return lookup(c.aircraft->tail.sideslip_loss, c.setup.options.tables, stream.abs_beta_deg);

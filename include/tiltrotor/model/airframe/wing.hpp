@@ -27,8 +27,8 @@ struct FreeWing {
   Loads<T> loads;
 };
 
-template <class T>
-LateralCoefficients<T> wing_lateral_coefficients(const Configuration<Real<T>>& c, const AirframeInput<T>& in,
+template <class T, class C>
+LateralCoefficients<T> wing_lateral_coefficients(const Configuration<C>& c, const AirframeInput<T>& in,
                                                  const FreeStream<T>& stream, const T& beta,
                                                  const WingCoefficients<T>& k) {
   using R = Real<T>;
@@ -61,8 +61,8 @@ LateralCoefficients<T> wing_lateral_coefficients(const Configuration<Real<T>>& c
 
 // Aileron effectiveness fade: 1 up to 8 deg of wing angle, 0 beyond 25 deg. The plain |alpha| is safe because
 // the fade is constant around zero.
-template <class T>
-T aileron_fade(const Configuration<Real<T>>& c, const T& alpha) {
+template <class T, class C>
+T aileron_fade(const Configuration<C>& c, const T& alpha) {
   using R = Real<T>;
   const WingTables<R>& w = c.aircraft->wing;
   const T alpha_deg = alpha * kDegPerRad<R>;
@@ -73,12 +73,12 @@ T aileron_fade(const Configuration<Real<T>>& c, const T& alpha) {
 }
 
 // Loads of the free part of one half wing, at the centroid of what the wake leaves free.
-template <class T>
-Loads<T> free_half_wing(const Configuration<Real<T>>& c, const ImmersedWing<T>& immersed,
-                        const Vec3<T>& per_area, const Vec3<T>& aileron_loss, int side) {
+template <class T, class C>
+Loads<T> free_half_wing(const Configuration<C>& c, const ImmersedWing<T>& immersed, const Vec3<T>& per_area,
+                        const Vec3<T>& aileron_loss, int side) {
   using R = Real<T>;
   const WingTables<R>& w = c.aircraft->wing;
-  const Vec3<R> line = station_arm(c.mass, w.sl, R(0), w.wl);
+  const Vec3<C> line = station_arm(c.mass, w.sl, R(0), w.wl);
   const R half_area = R(0.5) * w.area;
   const T area = half_area - immersed.area;
   const T lateral = (half_area * w.bl - immersed.area * immersed.lateral) / area;
@@ -89,12 +89,12 @@ Loads<T> free_half_wing(const Configuration<Real<T>>& c, const ImmersedWing<T>& 
 namespace wing_detail {
 
 // Angles and pressure, with the deflection of the free stream by the rotors (K_XRW).
-template <class T>
-void free_wing_flow(const Configuration<Real<T>>& c, const AirframeInput<T>& in, FreeWing<T>& out) {
+template <class T, class C>
+void free_wing_flow(const Configuration<C>& c, const AirframeInput<T>& in, FreeWing<T>& out) {
   using R = Real<T>;
   const WingTables<R>& w = c.aircraft->wing;
   const SmoothingWidths<R>& e = c.aircraft->smooth;
-  const Vec3<R> arm = station_arm(c.mass, w.sl, R(0), w.wl);
+  const Vec3<C> arm = station_arm(c.mass, w.sl, R(0), w.wl);
   const Vec3<T> v =
       c.setup.options.wing_rate_velocity ? in.velocity + rate_cross_arm(in.rates, arm) : in.velocity;
   const T advance = smooth_max(in.advance_ratio, w.advance_floor, e.advance_floor);
@@ -105,9 +105,9 @@ void free_wing_flow(const Configuration<Real<T>>& c, const AirframeInput<T>& in,
 }
 
 // Lift, drag and the loss by the ailerons, on both halves.
-template <class T>
-void free_wing_forces(const Configuration<Real<T>>& c, const AirframeInput<T>& in,
-                      const WingInWake<T> (&wake)[2], FreeWing<T>& out) {
+template <class T, class C>
+void free_wing_forces(const Configuration<C>& c, const AirframeInput<T>& in, const WingInWake<T> (&wake)[2],
+                      FreeWing<T>& out) {
   using R = Real<T>;
   const WingTables<R>& w = c.aircraft->wing;
   const T lift_per_area = out.pressure * out.coefficients.lift;
@@ -121,9 +121,9 @@ void free_wing_forces(const Configuration<Real<T>>& c, const AirframeInput<T>& i
 }
 
 // Moments by sideslip, rates, ailerons and camber.
-template <class T>
-void add_free_wing_moments(const Configuration<Real<T>>& c, const AirframeInput<T>& in,
-                           const FreeStream<T>& stream, const WingInWake<T> (&wake)[2], FreeWing<T>& out) {
+template <class T, class C>
+void add_free_wing_moments(const Configuration<C>& c, const AirframeInput<T>& in, const FreeStream<T>& stream,
+                           const WingInWake<T> (&wake)[2], FreeWing<T>& out) {
   using R = Real<T>;
   const WingTables<R>& w = c.aircraft->wing;
   const T wake_pressure = R(0.5) * (wake[right].pressure + wake[left].pressure);
@@ -140,8 +140,8 @@ void add_free_wing_moments(const Configuration<Real<T>>& c, const AirframeInput<
 }
 
 // Downwash at the tail, compressibility-corrected.
-template <class T>
-T wing_downwash(const Configuration<Real<T>>& c, const FreeStream<T>& stream, const T& alpha) {
+template <class T, class C>
+T wing_downwash(const Configuration<C>& c, const FreeStream<T>& stream, const T& alpha) {
   using R = Real<T>;
   const T alpha_deg[1] = {alpha * kDegPerRad<R>};
   return lookup(c.aircraft->wing.downwash, c.setup.options.tables, c.downwash_mast_flap, alpha_deg) /
@@ -150,15 +150,15 @@ T wing_downwash(const Configuration<Real<T>>& c, const FreeStream<T>& stream, co
 
 }  // namespace wing_detail
 
-template <class T>
-void free_wing(const Configuration<Real<T>>& c, const AirframeInput<T>& in, const FreeStream<T>& stream,
+template <class T, class C>
+void free_wing(const Configuration<C>& c, const AirframeInput<T>& in, const FreeStream<T>& stream,
                const WingInWake<T> (&wake)[2], FreeWing<T>& out) {
   using R = Real<T>;
   wing_detail::free_wing_flow(c, in, out);
   out.coefficients = wing_coefficients(c, out.alpha, stream.mach);
-  const R rotor_lift = c.setup.options.rotor_lift_on_wing
-                           ? R(2) * c.aircraft->wing.rotor_wash_lift * square(cos(c.mast))
-                           : R(0);  // rotor-induced lift (K_RW)
+  const C rotor_lift = c.setup.options.rotor_lift_on_wing
+                           ? C(R(2) * c.aircraft->wing.rotor_wash_lift * square(c.nacelle_axis.z))
+                           : C(R(0));  // rotor-induced lift (K_RW)
   out.coefficients.lift = out.coefficients.lift * (R(1) + rotor_lift * out.rotor_wash);
   wing_detail::free_wing_forces(c, in, wake, out);
   out.lateral = wing_lateral_coefficients(c, in, stream, out.beta, out.coefficients);

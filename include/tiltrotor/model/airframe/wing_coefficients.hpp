@@ -12,23 +12,25 @@ struct WingCoefficients {
 };
 
 // Value of one flap setting or the blend of two.
-template <class T, class At>
-T blend_flaps(const WingConstants<Real<T>>& w, At&& at) {
+template <class T, class C, class At>
+T blend_flaps(const WingConstants<C>& w, At&& at) {
   using R = Real<T>;
-  if (w.flap_fraction == R(0)) return at(w.flap_below);
-  if (w.flap_fraction == R(1)) return at(w.flap_above);
+  if constexpr (kIsPlain<C>) {
+    if (w.flap_fraction == R(0)) return at(w.flap_below);
+    if (w.flap_fraction == R(1)) return at(w.flap_above);
+  }
   return (R(1) - w.flap_fraction) * at(w.flap_below) + w.flap_fraction * at(w.flap_above);
 }
 
 // Weight of the mast-0 drag table. The difference to mast 90 is the cross-flow drag of the upright pylons, so
 // it goes with sin^3 of the angle between mast and flow: 1 at mast 0, 0 at mast 90, exact there.
-template <class T>
-T upright_pylon_weight(const Configuration<Real<T>>& c, const T& alpha) {
+template <class T, class C>
+T upright_pylon_weight(const Configuration<C>& c, const T& alpha) {
   using R = Real<T>;
-  const R mast_deg = c.setup.mast_deg;
-  const R linear = R(1) - mast_deg / R(90);
-  if (c.setup.options.mast_drag == MastDrag::linear || mast_deg <= R(0) || mast_deg >= R(90))
-    return T(linear);
+  const C& mast_deg = c.setup.mast_deg;
+  const C linear = R(1) - mast_deg / R(90);
+  const bool at_end = value(mast_deg) <= R(0) || value(mast_deg) >= R(90);
+  if (c.setup.options.mast_drag == MastDrag::linear || (kIsPlain<C> && at_end)) return T(linear);
   const SmoothingWidths<R>& e = c.aircraft->smooth;
   const R limit = c.aircraft->wing.crossflow_alpha_limit;
   const T clipped = smooth_clip(T(alpha * kDegPerRad<R>), -limit, limit, e.crossflow_clip) * kRadPerDeg<R>;
@@ -40,23 +42,26 @@ T upright_pylon_weight(const Configuration<Real<T>>& c, const T& alpha) {
   const T ca = cos(a);
   const T across = smooth_abs(T((kPi<R> / R(2) - c.mast) + a), e.crossflow);
   const T along = smooth_abs(a, e.crossflow);
-  return (sine_cubed(across) - (mast_deg / R(90)) * sine_cubed(along)) / (ca * ca * ca);
+  const T weight = (sine_cubed(across) - (mast_deg / R(90)) * sine_cubed(along)) / (ca * ca * ca);
+  if constexpr (!kIsPlain<C>)
+    if (at_end) return value(linear) + (weight - value(weight));  // the end's value, the law's slope
+  return weight;
 }
 
-template <class T>
-WingCoefficients<T> wing_coefficients(const Configuration<Real<T>>& c, const T& alpha, const T& mach) {
+template <class T, class C>
+WingCoefficients<T> wing_coefficients(const Configuration<C>& c, const T& alpha, const T& mach) {
   using R = Real<T>;
   const WingTables<R>& w = c.aircraft->wing;
   const Interpolation mode = c.setup.options.tables;
   const T a = alpha * kDegPerRad<R>;
-  const R mast = c.setup.mast_deg / R(90);
+  const C mast = c.setup.mast_deg / R(90);
   const auto lift_0 = [&](int k) { return lookup(w.lift_0[k], mode, a); };
   const auto drag_0 = [&](int k) { return lookup(w.drag_0[k], mode, a); };
   const auto lift_90 = [&](int k) { return lookup(w.lift_90[k], mode, a, mach); };
   const auto drag_90 = [&](int k) { return lookup(w.drag_90[k], mode, a, mach); };
   const auto blended = [&](const auto& at) { return blend_flaps<T>(c.wing, at); };
-  if (mast <= R(0)) return {blended(lift_0), blended(drag_0)};
-  if (mast >= R(1)) return {blended(lift_90), blended(drag_90)};
+  if (kIsPlain<C> && value(mast) <= R(0)) return {blended(lift_0), blended(drag_0)};
+  if (kIsPlain<C> && value(mast) >= R(1)) return {blended(lift_90), blended(drag_90)};
   const T k0 = upright_pylon_weight(c, alpha);
   return {(R(1) - mast) * blended(lift_0) + mast * blended(lift_90),
           k0 * blended(drag_0) + (R(1) - k0) * blended(drag_90)};

@@ -17,13 +17,13 @@ struct WingInWake {
 
 // The centre of pressure moves from quarter chord at zero angle of attack to mid chord in the vertical wash
 // of hover.
-template <class T>
-void wing_in_wake(const Configuration<Real<T>>& c, const AirframeInput<T>& in, const FreeStream<T>& stream,
+template <class T, class C>
+void wing_in_wake(const Configuration<C>& c, const AirframeInput<T>& in, const FreeStream<T>& stream,
                   int side, WingInWake<T>& out) {
   using R = Real<T>;
   const WingTables<R>& wing = c.aircraft->wing;
   const SmoothingWidths<R>& e = c.aircraft->smooth;
-  const Vec3<R> line = station_arm(c.mass, wing.sl, R(0), wing.wl);
+  const Vec3<C> line = station_arm(c.mass, wing.sl, R(0), wing.wl);
   out.immersed = immersed_wing(c, in, side);
   Vec3<T> arm = {T(line.x), side_sign<R>(side) * out.immersed.lateral, T(line.z)};
   out.velocity = in.velocity + cross(in.rates, arm) + along(out.immersed.wash, c.nacelle_axis);

@@ -109,8 +109,8 @@ struct ElementLoads {
 };
 
 // Valid in reverse flow: the angle of attack runs over the full circle.
-template <class T>
-TILTROTOR_INLINE ElementLoads<T> element_loads(const Configuration<Real<T>>& c, int region,
+template <class T, class C>
+TILTROTOR_INLINE ElementLoads<T> element_loads(const Configuration<C>& c, int region,
                                                const BladeStation<Real<T>>& station,
                                                const ElementFlow<T>& flow) {
   using R = Real<T>;
@@ -128,8 +128,8 @@ TILTROTOR_INLINE ElementLoads<T> element_loads(const Configuration<Real<T>>& c, 
 
 // Calls see(radius, loads) for every element of one blade, from the root to the
 // tip. `flow_at(station)`: its flow.
-template <class T, class FlowAt, class See>
-TILTROTOR_INLINE void each_element(const Configuration<Real<T>>& c, FlowAt&& flow_at, See&& see) {
+template <class T, class C, class FlowAt, class See>
+TILTROTOR_INLINE void each_element(const Configuration<C>& c, FlowAt&& flow_at, See&& see) {
   int i = 0;
   for (int region = 0; region < kSectionRegions; ++region) {
     for (; i < c.blade.region_end[region]; ++i) {
@@ -146,8 +146,8 @@ ElementFlow<T> element_flow(const BladeFlow<T>& flow, const BladeStation<Real<T>
 }
 
 // Sum over the stations of one blade.
-template <class T>
-BladeLoads<T> blade_loads(const Configuration<Real<T>>& c, const BladeFlow<T>& flow) {
+template <class T, class C>
+BladeLoads<T> blade_loads(const Configuration<C>& c, const BladeFlow<T>& flow) {
   using R = Real<T>;
   BladeLoads<T> sum{T(R(0)), T(R(0)), T(R(0)), T(R(0))};
   each_element<T>(
@@ -164,8 +164,8 @@ BladeLoads<T> blade_loads(const Configuration<Real<T>>& c, const BladeFlow<T>& f
 // The same with its slopes along the five numbers of the flow. U_T and U_P are
 // linear in the radius, so the slopes of the sums are radial moments of the
 // slopes of the elements, which have three.
-template <class V>
-BladeLoads<Dual<V, BladeFlow<V>::kCount>> blade_loads_and_slopes(const Configuration<Real<V>>& c,
+template <class V, class C>
+BladeLoads<Dual<V, BladeFlow<V>::kCount>> blade_loads_and_slopes(const Configuration<C>& c,
                                                                  const BladeFlow<V>& flow) {
   using R = Real<V>;
   using D = Dual<V, 3>;

@@ -2,7 +2,8 @@
 //
 // The elements of these blades are nearly all the work of a rotor. They are computed on packs of plain
 // numbers, with slopes along the five numbers of BladeFlow when the rotor's scalar carries partials; the
-// slopes are then chained.
+// slopes are then chained. Where the configuration carries partials as well, every blade is computed on the
+// rotor's own scalar.
 #pragma once
 
 #include <complex>
@@ -46,7 +47,9 @@ class BladeGroup {
 
   void set_input(const RotorInput<T>& in) { in_ = blade_group_detail::in_every_lane(in); }
 
-  // Blades at the azimuths from `first`.
+  // Blades at the azimuths from `first`, where the configuration is plain.
+  template <class C>
+  void compute_blades(const Configuration<C>&, const AzimuthStations<R>&, int) {}
   void compute_blades(const Configuration<R>& c, const AzimuthStations<R>& azimuth, int first) {
     const Batch<R> cosine = blade_group_detail::load_batch(azimuth.cosine + first);
     const Batch<R> sine = blade_group_detail::load_batch(azimuth.sine + first);
@@ -60,8 +63,11 @@ class BladeGroup {
   }
 
   // Loads of one blade of the group, seeing `flow`.
-  BladeLoads<T> loads(const Configuration<R>&, int lane, const BladeFlow<T>& flow) const {
-    if constexpr (kTakesSlopes) {
+  template <class C>
+  BladeLoads<T> loads(const Configuration<C>& c, int lane, const BladeFlow<T>& flow) const {
+    if constexpr (!kIsPlain<C>) {
+      return blade_loads(c, flow);
+    } else if constexpr (kTakesSlopes) {
       T flat[BladeFlow<T>::kCount];
       flatten(flow, flat);
       return {chained_lane(loads_.normal, lane, flat), chained_lane(loads_.tangential, lane, flat),
@@ -92,8 +98,10 @@ class BladeGroup<std::complex<R>> {
  public:
   static constexpr int kBlades = 1;
   void set_input(const RotorInput<T>&) {}
-  void compute_blades(const Configuration<R>&, const AzimuthStations<R>&, int) {}
-  BladeLoads<T> loads(const Configuration<R>& c, int, const BladeFlow<T>& flow) const {
+  template <class C>
+  void compute_blades(const Configuration<C>&, const AzimuthStations<R>&, int) {}
+  template <class C>
+  BladeLoads<T> loads(const Configuration<C>& c, int, const BladeFlow<T>& flow) const {
     return blade_loads(c, flow);
   }
 };

@@ -18,14 +18,14 @@ struct FlapRates {
 // b1c'' = -2 Omega b1s' - (K b1c + C b1c' - Mc)/J - 2 Omega wx
 // b1s'' = +2 Omega b1c' - (K b1s + C b1s' - Ms)/J - 2 Omega wy          J = N_b I_b / 2
 // The terms wy', -wx' of the hub's angular acceleration are added by the complete model when switched on.
-template <class T>
-FlapRates<T> flap_rates(const Configuration<Real<T>>& c, const RotorState<T>& x, const Vec3<T>& hub_rates,
+template <class T, class C>
+FlapRates<T> flap_rates(const Configuration<C>& c, const RotorState<T>& x, const Vec3<T>& hub_rates,
                         const T& mc, const T& ms) {
   using R = Real<T>;
   const RotorTables<R>& rotor = c.aircraft->rotor;
   const R inverse_j = R(2) / (static_cast<R>(rotor.blades) * rotor.flap_inertia);
-  const R two_omega = R(2) * c.setup.rotor_speed;
-  const R spring = c.hub_spring * inverse_j;
+  const C two_omega = R(2) * c.setup.rotor_speed;
+  const C spring = c.hub_spring * inverse_j;
   const R damping = rotor.hub_damping * inverse_j;
   return {x.b1c_rate, x.b1s_rate,
           mc * inverse_j - two_omega * x.b1s_rate - spring * x.b1c - damping * x.b1c_rate -
@@ -37,8 +37,8 @@ FlapRates<T> flap_rates(const Configuration<Real<T>>& c, const RotorState<T>& x,
 // First-order gimbal: tilt rates that balance the equations above without the acceleration, given the moments
 // at zero tilt rate. The aerodynamic damping J Omega gamma/8 is that of a uniform blade with the aircraft's
 // mean lift slope.
-template <class T>
-FlapRates<T> quasi_static_flap_rates(const Configuration<Real<T>>& c, const RotorState<T>& x,
+template <class T, class C>
+FlapRates<T> quasi_static_flap_rates(const Configuration<C>& c, const RotorState<T>& x,
                                      const Vec3<T>& hub_rates, const T& mc_still, const T& ms_still) {
   using R = Real<T>;
   const RotorTables<R>& rotor = c.aircraft->rotor;
@@ -48,23 +48,23 @@ FlapRates<T> quasi_static_flap_rates(const Configuration<Real<T>>& c, const Roto
   const FlapRates<T> forcing = flap_rates(c, still, hub_rates, mc_still, ms_still);
   const R inverse_j = R(2) / (static_cast<R>(rotor.blades) * rotor.flap_inertia);
   const R chord = blade_chord(rotor, c.setup.options.chord, rotor.twist_reference);
-  const R lock = c.air.density * rotor.lift_slope * chord * square(square(rotor.radius)) / rotor.flap_inertia;
-  const R omega = c.setup.rotor_speed;
-  const R d = rotor.hub_damping * inverse_j + lock * omega / R(8);
-  const R g = R(2) * omega;
-  const R inverse = R(1) / (d * d + g * g);
+  const C lock = c.air.density * rotor.lift_slope * chord * square(square(rotor.radius)) / rotor.flap_inertia;
+  const C omega = c.setup.rotor_speed;
+  const C d = rotor.hub_damping * inverse_j + lock * omega / R(8);
+  const C g = R(2) * omega;
+  const C inverse = R(1) / (d * d + g * g);
   // d b1c' + g b1s' = forcing_c,  d b1s' - g b1c' = forcing_s
   return {inverse * (d * forcing.b1c_acceleration - g * forcing.b1s_acceleration),
           inverse * (g * forcing.b1c_acceleration + d * forcing.b1s_acceleration), T(R(0)), T(R(0))};
 }
 
 // b0'' = -(Omega^2 + w0^2) b0 + w0^2 b_precone + M0/(N_b I_b),  w0^2 = (nu^2 - 1) Omega^2
-template <class T>
-T coning_acceleration(const Configuration<Real<T>>& c, const ConingState<T>& x, const T& m0) {
+template <class T, class C>
+T coning_acceleration(const Configuration<C>& c, const ConingState<T>& x, const T& m0) {
   using R = Real<T>;
   const RotorTables<R>& rotor = c.aircraft->rotor;
-  const R omega2 = square(c.setup.rotor_speed);
-  const R w2 = (square(rotor.coning_frequency) - R(1)) * omega2;
+  const C omega2 = square(c.setup.rotor_speed);
+  const C w2 = (square(rotor.coning_frequency) - R(1)) * omega2;
   return m0 * (R(1) / (static_cast<R>(rotor.blades) * rotor.flap_inertia)) + w2 * rotor.precone -
          (omega2 + w2) * x.angle;
 }

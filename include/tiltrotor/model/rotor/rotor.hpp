@@ -35,15 +35,15 @@ struct RotorResponse {
 };
 
 // What drives the inflow: load coefficients and the motion of the hub through the air.
-template <class T>
-InflowForcing<T> inflow_forcing(const Configuration<Real<T>>& c, const RotorInput<T>& in,
+template <class T, class C>
+InflowForcing<T> inflow_forcing(const Configuration<C>& c, const RotorInput<T>& in,
                                 const RotorLoads<T>& loads) {
   using R = Real<T>;
   const Options& o = c.setup.options;
   const RotorTables<R>& rotor = c.aircraft->rotor;
-  const R inverse_tip = R(1) / c.tip_speed;
-  const R inverse_force = R(1) / (c.air.density * kPi<R> * square(rotor.radius) * square(c.tip_speed));
-  const R inverse_moment = inverse_force / rotor.radius;
+  const C inverse_tip = R(1) / c.tip_speed;
+  const C inverse_force = R(1) / (c.air.density * kPi<R> * square(rotor.radius) * square(c.tip_speed));
+  const C inverse_moment = inverse_force / rotor.radius;
   InflowForcing<T> f;
   f.mu_x = -(in.velocity.x * inverse_tip);
   f.mu_y = -(in.velocity.y * inverse_tip);
@@ -64,8 +64,8 @@ InflowForcing<T> inflow_forcing(const Configuration<Real<T>>& c, const RotorInpu
 }
 
 // First-order flapping: tilt rates in balance with the loads of a gimbal at rest, then the loads at those rates.
-template <class T>
-void quasi_static_rotor(const Configuration<Real<T>>& c, const RotorInput<T>& in,
+template <class T, class C>
+void quasi_static_rotor(const Configuration<C>& c, const RotorInput<T>& in,
                         const AzimuthStations<Real<T>>& azimuth, RotorWorkspace<T>& work,
                         RotorResponse<T>& out) {
   using R = Real<T>;
@@ -83,8 +83,8 @@ void quasi_static_rotor(const Configuration<Real<T>>& c, const RotorInput<T>& in
 
 // The complete rotor. `azimuth` holds the stations to sum over: the configuration's averaged set, or the
 // blades. Cost: one derivative is two of these and little more.
-template <class T>
-void rotor_response(const Configuration<Real<T>>& c, const RotorInput<T>& in,
+template <class T, class C>
+void rotor_response(const Configuration<C>& c, const RotorInput<T>& in,
                     const AzimuthStations<Real<T>>& azimuth, RotorWorkspace<T>& work, RotorResponse<T>& out) {
   const bool second_order = c.setup.options.flapping == FlapOrder::second;
   if (second_order) {
@@ -101,10 +101,9 @@ void rotor_response(const Configuration<Real<T>>& c, const RotorInput<T>& in,
 
 // Hub force and moment on the airframe, body axes about the CG: force, spring moment and torque.
 // The load harmonics are balanced inside the gimbal and are not added again.
-template <class T>
-Loads<T> hub_loads(const Configuration<Real<T>>& c, int side, const RotorState<T>& x,
-                   const RotorLoads<T>& loads) {
-  const HubFrame<Real<T>>& hub = c.hub[side];
+template <class T, class C>
+Loads<T> hub_loads(const Configuration<C>& c, int side, const RotorState<T>& x, const RotorLoads<T>& loads) {
+  const HubFrame<C>& hub = c.hub[side];
   const Vec3<T> moment_a = {c.hub_spring * x.b1s, -(c.hub_spring * x.b1c), -loads.torque};
   Loads<T> b = force_at(hub.arm, hub.from_body.apply_inverse(mirror_polar(loads.force, side)));
   b.moment = b.moment + hub.from_body.apply_inverse(mirror_axial(moment_a, side));

@@ -45,11 +45,10 @@ T flap_angle(const RotorInput<T>& in, const Plain& cosine, const Plain& sine) {
 
 // Flow seen by the blade at one azimuth, no small angles.
 // `cosine`, `sine`: of the azimuth, a plain number or a pack of blades.
-template <class T, class Plain>
-BladeFlow<T> blade_flow(const Configuration<Real<T>>& c, const RotorInput<T>& in, const T& sin_flap,
+template <class T, class C, class Plain>
+BladeFlow<T> blade_flow(const Configuration<C>& c, const RotorInput<T>& in, const T& sin_flap,
                         const T& cos_flap, const Plain& cosine, const Plain& sine) {
-  using R = Real<T>;
-  const R omega = c.setup.rotor_speed;
+  const C omega = c.setup.rotor_speed;
   const RotorState<T>& x = in.state;
   const T gimbal = x.b1c * cosine + x.b1s * sine;
   const T flap_rate =

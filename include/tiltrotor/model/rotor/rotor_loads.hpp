@@ -24,8 +24,8 @@ struct RotorLoads {
 };
 
 // Adds the loads of the blade at one azimuth, number `lane` of its group.
-template <class T>
-void add_blade(const Configuration<Real<T>>& c, const RotorInput<T>& in, Real<T> cosine, Real<T> sine,
+template <class T, class C>
+void add_blade(const Configuration<C>& c, const RotorInput<T>& in, Real<T> cosine, Real<T> sine,
                const BladeGroup<T>& group, int lane, RotorLoads<T>& sum) {
   const T flap = flap_angle(in, cosine, sine);
   const T sin_flap = sin(flap);
@@ -42,9 +42,9 @@ void add_blade(const Configuration<Real<T>>& c, const RotorInput<T>& in, Real<T>
 }
 
 // Blade-element loads of the rotor.
-template <class T>
-void rotor_loads(const Configuration<Real<T>>& c, const RotorInput<T>& in,
-                 const AzimuthStations<Real<T>>& azimuth, BladeGroup<T>& blades, RotorLoads<T>& sum) {
+template <class T, class C>
+void rotor_loads(const Configuration<C>& c, const RotorInput<T>& in, const AzimuthStations<Real<T>>& azimuth,
+                 BladeGroup<T>& blades, RotorLoads<T>& sum) {
   using R = Real<T>;
   RotorLoads<T>::each(sum, [](T& x) { x = T(R(0)); });
   blades.set_input(in);

@@ -15,26 +15,25 @@ struct ImmersedWing {
 };
 
 // Smooth speed fade of the geometric wake below mast 60, gone at mast 90: calibration, see choices.csv.
-template <class T>
-T wake_fade(const Configuration<Real<T>>& c, const T& speed) {
+template <class T, class C>
+T wake_fade(const Configuration<C>& c, const T& speed) {
   using R = Real<T>;
   if (!c.setup.options.wake_fade) return T(R(1));
   const WakeTables<R>& w = c.aircraft->wake;
-  const R by_mast =
+  const C by_mast =
       smooth_step((c.setup.mast_deg - w.fade_mast_start) / (w.fade_mast_end - w.fade_mast_start));
   const T by_speed = smooth_step(T((speed - w.fade_start) * (R(1) / (w.fade_end - w.fade_start))));
   return R(1) - (R(1) - by_mast) * by_speed;
 }
 
 // Lateral centroid of the immersed part in the empirical model: that of the half wing.
-template <class T>
-ImmersedWing<T> empirical_immersed_wing(const Configuration<Real<T>>& c, const AirframeInput<T>& in,
-                                        int side) {
+template <class T, class C>
+ImmersedWing<T> empirical_immersed_wing(const Configuration<C>& c, const AirframeInput<T>& in, int side) {
   using R = Real<T>;
   const WakeTables<R>& w = c.aircraft->wake;
-  const R upright = kPi<R> / R(2) - c.mast;
-  const R shape = sin(w.gtrs_angle_a * upright) + cos(w.gtrs_angle_b * upright);
-  const R scale = shape > R(0) ? w.gtrs_area * shape : R(0);
+  const C upright = kPi<R> / R(2) - c.mast;
+  const C shape = sin(w.gtrs_angle_a * upright) + cos(w.gtrs_angle_b * upright);
+  const C scale = value(shape) > R(0) ? C(w.gtrs_area * shape) : C(R(0));
   const T speed = total_speed(in.velocity, c.aircraft->smooth.airspeed);
   const T remaining =
       smooth_positive(T(R(1) - speed * (R(1) / w.gtrs_end_speed)), c.aircraft->smooth.wake_cut);
@@ -46,20 +45,19 @@ ImmersedWing<T> empirical_immersed_wing(const Configuration<Real<T>>& c, const A
   return out;
 }
 
-template <class T>
-ImmersedWing<T> geometric_immersed_wing(const Configuration<Real<T>>& c, const AirframeInput<T>& in,
-                                        int side) {
+template <class T, class C>
+ImmersedWing<T> geometric_immersed_wing(const Configuration<C>& c, const AirframeInput<T>& in, int side) {
   using R = Real<T>;
   const WakeTables<R>& w = c.aircraft->wake;
   const WingTables<R>& wing = c.aircraft->wing;
   const SmoothingWidths<R>& e = c.aircraft->smooth;
   const R sigma = side_sign<R>(side);
   const R radius = c.aircraft->rotor.radius;
-  const Vec3<R>& axis = c.nacelle_axis;
+  const Vec3<C>& axis = c.nacelle_axis;
   const T& v0 = in.mean_wash[side];
 
   // Direction of the wake axis: wind relative to the aircraft plus the wash between disk and far wake.
-  const Vec3<R>& hub = c.hub[side].arm;
+  const Vec3<C>& hub = c.hub[side].arm;
   const Vec3<T> hub_velocity = in.velocity + rate_cross_arm(in.rates, hub);
   const Vec3<T> wind = T(R(-1)) * hub_velocity - along(T(w.axis_speed_factor * v0), axis);
   const T inverse = R(1) / sqrt(dot(wind, wind) + square(e.wake_axis));
@@ -67,9 +65,9 @@ ImmersedWing<T> geometric_immersed_wing(const Configuration<Real<T>>& c, const A
   const T inverse_plane = R(1) / sqrt(d.x * d.x + d.z * d.z + square(e.wake_plane));
 
   // Closest approach to the quarter-chord line of the half wing, seen in the plane of symmetry.
-  const Vec3<R> line = station_arm(c.mass, wing.sl, R(0), wing.wl);
-  const R dx = line.x - hub.x;
-  const R dz = line.z - hub.z;
+  const Vec3<C> line = station_arm(c.mass, wing.sl, R(0), wing.wl);
+  const C dx = line.x - hub.x;
+  const C dz = line.z - hub.z;
   const T downstream = (dx * d.x + dz * d.z) * inverse_plane;
   const T miss = (dx * d.z - dz * d.x) * inverse_plane;
   const T centre = sigma * hub.y + sigma * (downstream * d.y * inverse_plane);
@@ -97,8 +95,8 @@ ImmersedWing<T> geometric_immersed_wing(const Configuration<Real<T>>& c, const A
 }
 
 // Immersed part of the half wing on `side`. `lateral` counts outboard from the centre line.
-template <class T>
-ImmersedWing<T> immersed_wing(const Configuration<Real<T>>& c, const AirframeInput<T>& in, int side) {
+template <class T, class C>
+ImmersedWing<T> immersed_wing(const Configuration<C>& c, const AirframeInput<T>& in, int side) {
   return c.setup.options.wake == WakeModel::geometric ? geometric_immersed_wing(c, in, side)
                                                       : empirical_immersed_wing(c, in, side);
 }

@@ -1,0 +1,39 @@
+// Gearing of the inceptors at one mast angle (NASA CR-166536 tables 8a-I, 8a-III, 8a-IV, 8a-VII).
+#pragma once
+
+#include "tiltrotor/model/aircraft.hpp"
+#include "tiltrotor/model/options.hpp"
+
+namespace tiltrotor {
+
+// rad/in
+template <class C>
+struct Gearing {
+  C long_cyclic;
+  C lateral_collective;
+  C lever;             // collective per inch of lever; 0 at mast 90
+  C collective_floor;  // rad
+  C lateral_cyclic_gain;
+  Real<C> elevator, aileron, rudder;
+};
+
+template <class C>
+Gearing<C> gearing(const Aircraft<Real<C>>& aircraft, const Options& options, const C& mast_deg) {
+  using R = Real<C>;
+  const ControlTables<R>& t = aircraft.controls;
+  const auto at = [&mast_deg](const Table<R, 1>& table) {
+    return lookup(table, Interpolation::linear, mast_deg);
+  };
+  Gearing<C> g;
+  g.long_cyclic = at(t.long_cyclic);
+  g.lateral_collective = at(t.lateral_collective);
+  g.lever = at(t.lever);
+  g.collective_floor = at(t.collective_floor);
+  g.lateral_cyclic_gain = options.lateral_cyclic ? at(t.lateral_cyclic_gain) : C(R(0));
+  g.elevator = options.elevator_gearing == ElevatorGearing::aircraft ? t.elevator : t.elevator_replay;
+  g.aileron = t.aileron;
+  g.rudder = t.rudder;
+  return g;
+}
+
+}  // namespace tiltrotor
