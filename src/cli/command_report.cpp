@@ -1,6 +1,8 @@
 // `tiltrotor report`: the whole study.
 
 #include "cli/command.hpp"
+#include "cli/errors.hpp"
+#include "study/reference_points.hpp"
 #include "study/report.hpp"
 #include "text/sink.hpp"
 
@@ -9,6 +11,9 @@ namespace tiltrotor::cli {
 namespace {
 
 int run(const Arguments& arguments) {
+  if (!study::has_reference_points())
+    throw UsageError(
+        "report: no published numbers of this aircraft; give tables/<aircraft>/published and build again");
   const std::string folder = arguments.text("--output", "build/report");
   require_writable_folder(folder, arguments.where("--output"));
   const study::ReportSummary summary =

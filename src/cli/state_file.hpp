@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/errors.hpp"
 #include "cli/line_reader.hpp"
 #include "cli/state_columns.hpp"
 #include "text/records.hpp"

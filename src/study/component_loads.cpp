@@ -1,6 +1,9 @@
 #include "study/component_loads.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <stdexcept>
 
 #include "study/flights.hpp"
 #include "study/reference_points.hpp"
@@ -23,6 +26,13 @@ constexpr ComponentName kAirframe[] = {
     {"fuselage", {fuselage, fuselage}, 1}, {"free_wing", {wing_free, wing_free}, 1},
     {"pylons", {pylon, pylon}, 1},         {"horizontal_tail", {htail, htail}, 1},
     {"fins", {fin_right, fin_left}, 2},    {"spinners", {spinners, spinners}, 1}};
+
+constexpr const char* kRotor = "rotor_right";
+
+bool is_compared(const std::string& name) {
+  return name == kRotor || std::any_of(std::begin(kAirframe), std::end(kAirframe),
+                                       [&](const auto& c) { return name == c.name; });
+}
 
 // Loads of the airframe in the printed state of flight, as the source computed them: tables linear, the
 // downwash that of the wing at that moment.
@@ -68,6 +78,9 @@ Table compared_component_loads() {
   Table table({"set", "point", "quantity", "here", "reference", "scale"});
   const Table states = reference_points("component_states_gtrs");
   const Table all = reference_points("component_loads_gtrs");
+  for (const std::string& name : all.different("component"))
+    if (!is_compared(name))
+      throw std::runtime_error("component_loads_gtrs: no component '" + name + "' here");
   for (std::size_t i = 0; i < states.rows(); ++i) {
     const Table printed = all.where("speed_kt", states.text(i, "speed_kt"));
     const LoadRecord<double> loads = replayed(states, i);
@@ -78,8 +91,7 @@ Table compared_component_loads() {
     }
     const Configured c = configured(0);
     const Trimmed t = trimmed_persistently(c, kKnot * states.number(i, "speed_kt"));
-    compare(evaluated(c, t.state, t.controls).loads.component[rotor_right], "rotor_right", printed, false,
-            table);
+    compare(evaluated(c, t.state, t.controls).loads.component[rotor_right], kRotor, printed, false, table);
   }
   return table;
 }

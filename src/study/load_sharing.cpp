@@ -1,5 +1,6 @@
 // Who carries the weight: vertical force of rotors, wing, tail and fuselage through conversion.
 
+#include <array>
 #include <cmath>
 
 #include "plot/plot.hpp"
@@ -13,31 +14,90 @@ using namespace plot;
 
 namespace {
 
-struct Share {
-  double rotors, wing, wake_on_wing, tail, rest;
-};
+// What carries: columns of the tables and curves of the pictures.
+enum Carrier { rotors, wing, wake_on_wing, tail, rest, carrier_count };
+constexpr struct {
+  const char *column, *curve, *color;
+} kCarriers[carrier_count] = {{"rotors", "rotors", kBlue},
+                              {"wing", "free wing", kGreen},
+                              {"wake_on_wing", "wing in the wake", kPurple},
+                              {"tail", "tail", kOrange},
+                              {"rest", "rest", kGrey}};
 
-// Upward force over weight.
-Share share_of(const Configured& c, const Trimmed& t) {
+constexpr Carrier carrier_of(Component component) {
+  switch (component) {
+    case rotor_right:
+    case rotor_left:
+      return rotors;
+    case wing_free:
+      return wing;
+    case wing_wake_right:
+    case wing_wake_left:
+      return wake_on_wing;
+    case htail:
+      return tail;
+    case pylon:
+    case spinners:
+    case pylon_side:
+    case fuselage:
+    case fin_right:
+    case fin_left:
+      return rest;
+    case component_count:
+      break;
+  }
+  throw "a component without a carrier";  // reached by the compiler alone
+}
+
+struct CarrierTable {
+  Carrier of[component_count];
+};
+constexpr CarrierTable carrier_table() {
+  CarrierTable table{};
+  for (int k = 0; k < component_count; ++k) table.of[k] = carrier_of(static_cast<Component>(k));
+  return table;
+}
+constexpr CarrierTable kCarrier = carrier_table();
+
+// Upward force over weight, for each carrier.
+using Shares = std::array<double, carrier_count>;
+
+Shares shares_of(const Configured& c, const Trimmed& t) {
   const Evaluation<double> e = evaluated(c, t.state, t.controls);
   const double weight = c.mass.mass * kGravity<double>;
   const double sp = std::sin(t.state.pitch);
   const double cp = std::cos(t.state.pitch);
-  const auto up = [&](int component) {
-    const Vec3<double>& f = e.loads.component[component].force;
-    return (f.x * sp - f.z * cp) / weight;  // level wings
-  };
-  return {up(rotor_right) + up(rotor_left), up(wing_free), up(wing_wake_right) + up(wing_wake_left),
-          up(htail), up(pylon) + up(spinners) + up(pylon_side) + up(fuselage) + up(fin_right) + up(fin_left)};
+  Shares shares{};
+  for (int k = 0; k < component_count; ++k) {
+    const Vec3<double>& f = e.loads.component[k].force;
+    shares[kCarrier.of[k]] += (f.x * sp - f.z * cp) / weight;  // level wings
+  }
+  return shares;
 }
 
-Series curve(const char* name, const char* color, const Table& rows, const char* x, const char* y) {
-  Series s;
-  s.name = name;
-  s.color = color;
-  s.x = rows.numbers(x);
-  s.y = rows.numbers(y);
-  return s;
+std::vector<std::string> table_columns() {
+  std::vector<std::string> columns = {"mast_deg", "speed_mps"};
+  for (const auto& carrier : kCarriers) columns.emplace_back(carrier.column);
+  return columns;
+}
+
+std::vector<Table::Cell> table_row(double mast, double speed, const Shares& shares) {
+  std::vector<Table::Cell> row = {mast, speed};
+  for (const double share : shares) row.emplace_back(share);
+  return row;
+}
+
+std::vector<Series> curves(const Table& rows, const char* x) {
+  std::vector<Series> all;
+  for (const auto& carrier : kCarriers) {
+    Series s;
+    s.name = carrier.curve;
+    s.color = carrier.color;
+    s.x = rows.numbers(x);
+    s.y = rows.numbers(carrier.column);
+    all.push_back(s);
+  }
+  return all;
 }
 
 Picture shares_picture(const Table& table, double mast) {
@@ -48,18 +108,15 @@ Picture shares_picture(const Table& table, double mast) {
   plot.y.label = "Upward force over weight";
   plot.y.zero_line = true;
   plot.axes_height = 200;
-  const Table rows = table.where("mast_deg", mast);
-  plot.series = {curve("rotors", kBlue, rows, "speed_mps", "rotors"),
-                 curve("free wing", kGreen, rows, "speed_mps", "wing"),
-                 curve("wing in the wake", kPurple, rows, "speed_mps", "wake_on_wing"),
-                 curve("tail", kOrange, rows, "speed_mps", "tail"),
-                 curve("rest", kGrey, rows, "speed_mps", "rest")};
+  plot.series = curves(table.where("mast_deg", mast), "speed_mps");
   return {plot.id, svg(plot)};
 }
 
 // One way through conversion: mast angle and speed together, along the middle of the corridor.
 Table conversion_table() {
-  Table table({"mast_deg", "speed_mps", "rotors", "wing", "wake_on_wing", "tail", "rest", "power_kw"});
+  std::vector<std::string> columns = table_columns();
+  columns.emplace_back("power_kw");
+  Table table(columns);
   table.comment(
       "Steady flights along the middle of the conversion corridor; flap 20/12.5 and 589 rpm between.");
   constexpr double step = 5;
@@ -68,8 +125,9 @@ Table conversion_table() {
     const double speed = middle_speed(mast);
     const Trimmed t = trimmed_persistently(c, speed);
     if (!is_trimmed(t.status)) continue;
-    const Share s = share_of(c, t);
-    table.add({mast, speed, s.rotors, s.wing, s.wake_on_wing, s.tail, s.rest, total_power_kw(t)});
+    std::vector<Table::Cell> row = table_row(mast, speed, shares_of(c, t));
+    row.emplace_back(total_power_kw(t));
+    table.add(row);
   }
   return table;
 }
@@ -84,11 +142,7 @@ Picture conversion_picture(const Table& table) {
   plot.x.low = 0;
   plot.x.high = 90;
   plot.y.zero_line = true;
-  plot.series = {curve("rotors", kBlue, table, "mast_deg", "rotors"),
-                 curve("free wing", kGreen, table, "mast_deg", "wing"),
-                 curve("wing in the wake", kPurple, table, "mast_deg", "wake_on_wing"),
-                 curve("tail", kOrange, table, "mast_deg", "tail"),
-                 curve("rest", kGrey, table, "mast_deg", "rest")};
+  plot.series = curves(table, "mast_deg");
   return {plot.id, svg(plot)};
 }
 
@@ -100,14 +154,12 @@ Section load_sharing(const Sweeps& sweeps) {
       "In hover the rotors carry the weight and the download of their wake on the wing; through conversion "
       "the wing takes "
       "over until the rotors only pull.";
-  Table table({"mast_deg", "speed_mps", "rotors", "wing", "wake_on_wing", "tail", "rest"});
+  Table table(table_columns());
   table.comment(
       "Upward forces over weight. wing: outside the rotor wake; wake_on_wing: the part in the wake.");
   for (const SpeedSweep& sweep : sweeps) {
-    for (const LevelFlight& f : sweep.flights) {
-      const Share s = share_of(sweep.c, f.trim);
-      table.add({sweep.mast_deg, f.speed_mps, s.rotors, s.wing, s.wake_on_wing, s.tail, s.rest});
-    }
+    for (const LevelFlight& f : sweep.flights)
+      table.add(table_row(sweep.mast_deg, f.speed_mps, shares_of(sweep.c, f.trim)));
   }
   const Table conversion = conversion_table();
   section.pictures = {conversion_picture(conversion), shares_picture(table, 0), shares_picture(table, 30),

@@ -47,7 +47,7 @@ Table trim_comparison() {
   Table table(
       {"set", "mast_deg", "speed_mps", "quantity", "here", "reference", "difference", "tolerance", "within"});
   table.comment(
-      "Sources of the sets: tests/validation, comments of the file of that name; trim_other_*: information.");
+      "Sources of the sets: tables/xv15/published, comments of the file of that name; trim_other_*: information.");
   for (const char* name : kSets) {
     const Table set = reference_points(name);
     for (std::size_t i = 0; i < set.rows(); ++i) {
