@@ -1,6 +1,6 @@
 #include "study/reference_points.hpp"
 
-#include <initializer_list>
+#include <iterator>
 #include <stdexcept>
 #include <string_view>
 
@@ -14,13 +14,14 @@ struct ReferenceSet {
 };
 
 // Made from tables/<aircraft>/published by the build: one {"name", R"csv(text)csv"} for each file.
-constexpr std::initializer_list<ReferenceSet> kReferenceSets = {
+constexpr ReferenceSet kReferenceSets[] = {
 #include "reference_points.inc"
+    {"", ""},  // an aircraft may have none
 };
 
 }  // namespace
 
-bool has_reference_points() { return kReferenceSets.size() > 0; }
+bool has_reference_points() { return std::size(kReferenceSets) > 1; }
 
 Table reference_points(const std::string& name) {
   for (const ReferenceSet& set : kReferenceSets) {
