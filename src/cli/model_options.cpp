@@ -96,6 +96,7 @@ std::vector<Switch> all_switches() {
       words("wake_load", &O::wake_load, {"calibrated", "gtrs"}, "load factor of the immersed wing"),
       words("mast_drag", &O::mast_drag, {"cross_flow", "linear"}, "wing-pylon drag between mast 0 and 90"),
       on_off("rotor_lift_on_wing", &O::rotor_lift_on_wing, "rotor-induced lift of the free wing"),
+      on_off("wing_rate_velocity", &O::wing_rate_velocity, "body rates in the flow at the free wing"),
       on_off("downwash_lag", &O::downwash_lag, "wing downwash reaches the tail with a lag"),
       words("tail_wash", &O::tail_wash, {"tables", "closed_form"}, "rotor wash at the horizontal tail"),
       words("tail_pressure", &O::tail_pressure, {"by_mast", "constant"}, "dynamic pressure loss at the tail"),
