@@ -3,7 +3,6 @@
 
 #include "library/c_state.hpp"
 #include "library/c_words.hpp"
-#include "library/processor.hpp"
 #include "tiltrotor/model/variables/control_range.hpp"
 
 namespace tiltrotor::c_interface {
@@ -138,12 +137,11 @@ void put_state(const tr_state& state, Sim& s) {
 
 }  // namespace tiltrotor::c_interface
 
-using namespace tiltrotor;
-using namespace tiltrotor::c_interface;
+namespace tiltrotor::c_interface::checked {
 
 tr_status tr_default_setup(tr_setup* setup, uint32_t version, int32_t aircraft, tr_real mast_deg) {
   if (version != TR_API_VERSION) return TR_WRONG_VERSION;
-  if (!processor_runs(kInstructions) || !rounds_once_to_nearest<R>()) return TR_BAD_ARITHMETIC;
+  if (!rounds_once_to_nearest<R>()) return TR_BAD_ARITHMETIC;
   if (setup == nullptr || aircraft != TR_XV15) return TR_BAD_ARGUMENT;
   if (!configuration_detail::within(mast_deg, R(0), R(90))) return TR_OUT_OF_RANGE;
   const FlightSetup<R> defaults = flight_setup(aircraft_data<R>(), mast_deg);
@@ -164,16 +162,12 @@ tr_status tr_init(tr_sim* sim, uint32_t version, const tr_setup* setup) {
   if (sim == nullptr) return TR_BAD_ARGUMENT;
   // The size of what lies behind the pointer depends on the version: nothing is touched before it is known.
   if (version != TR_API_VERSION) return TR_WRONG_VERSION;
-  if (!processor_runs(kInstructions)) return TR_BAD_ARITHMETIC;
   (::new (static_cast<void*>(sim->reserved)) Sim)->mark = 0;
   if (setup == nullptr) return TR_BAD_ARGUMENT;
   FlightSetup<R> wanted;
   const tr_status status = wanted_setup(*setup, wanted);
   return status == TR_OK ? make(wanted, sim) : status;
 }
-
-size_t tr_sim_size(void) { return sizeof(Sim); }
-size_t tr_work_size(void) { return kWorkBytes; }
 
 tr_status tr_set_controls(tr_sim* sim, const tr_real* controls, size_t length) {
   const tr_status ready = check(sim);
@@ -265,3 +259,8 @@ tr_status tr_get_outputs(const tr_sim* sim, tr_outputs* outputs) {
                       all_finite(o.specific_force_mps2, 3);
   return finite ? TR_OK : TR_NOT_FINITE;
 }
+
+}  // namespace tiltrotor::c_interface::checked
+
+size_t tr_sim_size(void) { return sizeof(tiltrotor::c_interface::Sim); }
+size_t tr_work_size(void) { return tiltrotor::c_interface::kWorkBytes; }
