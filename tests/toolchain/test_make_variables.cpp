@@ -174,3 +174,24 @@ TEST(build_table_generator_rounds_every_operation) {
   const std::size_t asked = plan.out.find("-ffp-contract=fast"), off = plan.out.find("-ffp-contract=off");
   CHECK(asked != std::string::npos && off != std::string::npos && asked < off);
 }
+
+// Other machines have compilers and emulators of their own, whatever this one was told to use; here of stubs.
+TEST(build_test_cross_is_deaf_to_variables_of_this_machine) {
+  if (!has_make()) return;
+  const std::string tools = new_temporary_folder();
+  for (const char* tool : {"other-g++", "other-gcc", "other-ar", "qemu-other", "mine"})
+    run_program("printf '#!/bin/sh\\nexit 0\\n' >" + tools + "/" + tool + " && chmod +x " + tools + "/" +
+                tool);
+  const ProgramResult plan =
+      run_program("PATH=" + tools + ":$PATH " + kMake + "-B V=1 CROSS_TOOLS=other CXX=mine CC=mine AR=mine " +
+                  "HOST_CXX=g++ ARCH=x86-64 RUNNER=mine LDFLAGS=-lmine BUILD=" + tools + "/b test-cross");
+  const std::size_t begin = plan.out.find("CROSS_COMPILE=$tools-");
+  const std::string other = begin == std::string::npos ? "" : plan.out.substr(begin);
+  CHECK(other.find("other-g++ -std=c++17") != std::string::npos);
+  CHECK(other.find("other-gcc -std=c99") != std::string::npos);
+  CHECK(other.find("other-ar rcs") != std::string::npos);
+  CHECK(other.find("qemu-other -L /usr/other " + tools + "/b/other/run_tests") != std::string::npos);
+  for (const char* mine : {"\nmine ", "-march", "-lmine"})
+    if (!CHECK(other.find(mine) == std::string::npos)) NOTE(mine);
+  run_program("rm -r " + tools);
+}
