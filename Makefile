@@ -32,9 +32,19 @@ $(if $(TARGET),$(call one_of,TARGET,cortex-m7 cortex-m4f))
 $(call one_of,AIRCRAFT,$(patsubst tables/%/identity.csv,%,$(wildcard tables/*/identity.csv)))
 $(if $(WERROR),$(call one_of,WERROR,1))
 $(if $(V),$(call one_of,V,1))
-# Emptied by `make clean`, and one word for make.
-$(if $(filter 1,$(words $(BUILD))),,$(error BUILD='$(BUILD)' is no name of a folder without blanks))
-$(if $(filter . .. / include src tables tests bench,$(BUILD:%/=%) $(BUILD)),$(error BUILD=$(BUILD) holds the sources))
+# $(call folder,NAME,FOLDER): what is no place for what is built is refused
+folder = $(call refused,$(shell tests/folder.sh $(1) '$(subst ','\'',$(2))'))
+refused = $(if $(1),$(error $(1)))
+$(call folder,BUILD,$(BUILD))
+# Those of `make install`: the environment may hold another PREFIX.
+ifneq ($(filter install,$(MAKECMDGOALS)),)
+$(call folder,PREFIX,$(PREFIX))
+$(if $(DESTDIR),$(call folder,DESTDIR,$(DESTDIR)))
+endif
+ifneq ($(TARGET),)
+NO_SYSTEM := $(filter run validate test test-cross bench bench-instructions hash envelope examples trace,$(MAKECMDGOALS))
+$(call refused,$(if $(NO_SYSTEM),TARGET=$(TARGET) has libraries alone: $(NO_SYSTEM) is for machines with an operating system))
+endif
 
 # ---- tools and flags ----
 
@@ -52,10 +62,13 @@ endif
 HOST_CXX     ?= $(if $(CROSS_COMPILE),g++,$(CXX))
 CLANG_FORMAT ?= clang-format
 
+$(foreach name,CXX CC AR HOST_CXX,$(if $(strip $($(name))),,$(error $(name) is empty: name a program)))
+
 # "native" means this machine: wrong for a cross compiler, and some compilers do not know the word.
 PORTABLE_INSTALL := $(if $(filter undefined,$(origin ARCH)),$(if $(CROSS_COMPILE),,yes))
 ARCH       ?= $(if $(CROSS_COMPILE),,native)
 accepts     = $(shell $(CXX) $(1) -E -x c++ /dev/null >/dev/null 2>&1 && echo $(1))
+$(if $(filter-out native,$(ARCH)),$(if $(call accepts,-march=$(ARCH)),,$(error ARCH='$(ARCH)' is no -march of $(CXX))))
 ARCH_FLAGS := $(if $(filter native,$(ARCH)),$(call accepts,-march=native),$(ARCH:%=-march=%))
 TARGET_cortex-m7  := -mcpu=cortex-m7 -mthumb -mfpu=fpv5-d16 -mfloat-abi=hard -ffunction-sections -fdata-sections
 TARGET_cortex-m4f := -mcpu=cortex-m4 -mthumb -mfpu=fpv4-sp-d16 -mfloat-abi=hard -ffunction-sections -fdata-sections
@@ -76,7 +89,7 @@ WARNINGS      := -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wdouble-promoti
 # -fno-math-errno: nobody reads errno after sqrt(); setting it costs a branch per call and stops vectorisation.
 FLAGS       = -std=c++17 $(CPPFLAGS) $(CXXFLAGS) $(ARCH_FLAGS) -ffp-contract=off -fno-tree-slp-vectorize -fno-math-errno \
               $(WARNINGS) -Iinclude
-HOST_FLAGS := -std=c++17 $(HOST_CXXFLAGS) $(WARNINGS) -Iinclude -Isrc
+HOST_FLAGS := -std=c++17 $(HOST_CXXFLAGS) -ffp-contract=off -fno-tree-slp-vectorize $(WARNINGS) -Iinclude -Isrc
 FLAGS      += $(if $(filter single,$(PRECISION)),-DTR_SINGLE_PRECISION)
 CORE_FLAGS := -fno-exceptions -fno-rtti
 # The functions behind the C interface live in a namespace of their own and are hidden: the linker keeps one of several
@@ -112,7 +125,7 @@ TABLEGEN_OBJECTS   := $(TABLEGEN_SOURCE:src/%.cpp=$(BUILD)/host/%.o)
 # differentiation and the instances name theirs: these are compiled once for both.
 C_SOURCE           := $(filter %/aircraft_data.cpp,$(LIBRARY_SOURCE)) $(filter src/library/c_%.cpp,$(LIBRARY_SOURCE))
 AIRCRAFT_OBJECT    := $(BUILD)/cpp/library/headers_aircraft.o
-COMMON_OBJECTS     := $(patsubst %,$(BUILD)/cpp/library/%.o,analysis_double analysis_float c_processor) $(AIRCRAFT_OBJECT)
+COMMON_OBJECTS     := $(patsubst %,$(BUILD)/cpp/library/%.o,analysis_double analysis_float c_processor c_compiled) $(AIRCRAFT_OBJECT)
 C_OBJECTS          := $(C_SOURCE:src/%.cpp=$(BUILD)/ad/%.o)
 LIBRARY_OBJECTS    := $(C_OBJECTS) $(AIRCRAFT_OBJECT)
 LIBRARY_ND_OBJECTS := $(BUILD)/ad/library/aircraft_data.o $(AIRCRAFT_OBJECT) \
@@ -158,7 +171,8 @@ test-cross: $(BUILD)/reference_flight ## test on other machines, emulated: the s
 	$(Q)$(BUILD)/reference_flight >$(BUILD)/reference_flight.txt
 	+$(Q)set -e; for tools in $(CROSS_TOOLS); do \
 	  tests/tool.sh "test-cross $$tools" $$tools-g++ g++-$$tools qemu-$${tools%%-*} qemu-user || continue; \
-	  $(MAKE) CROSS_COMPILE=$$tools- BUILD=$(BUILD)/$$tools CXXFLAGS=-O1 $(BUILD)/$$tools/reference_flight test; \
+	  $(MAKE) CROSS_COMPILE=$$tools- CXX=$$tools-g++ CC=$$tools-gcc AR=$$tools-ar HOST_CXX='$(HOST_CXX)' ARCH= LDFLAGS= \
+	    RUNNER="qemu-$${tools%%-*} -L /usr/$$tools" BUILD=$(BUILD)/$$tools CXXFLAGS=-O1 $(BUILD)/$$tools/reference_flight test; \
 	  qemu-$${tools%%-*} -L /usr/$$tools $(BUILD)/$$tools/reference_flight | cmp - $(BUILD)/reference_flight.txt; \
 	  echo "$$tools: the reference flight is that of this machine, bit for bit"; done
 CROSS_TOOLS ?= aarch64-linux-gnu riscv64-linux-gnu arm-linux-gnueabihf
@@ -192,7 +206,9 @@ endif
 comma := ,
 
 clean: ## remove the build directory
-	rm -rf '$(BUILD)'
+	@if [ -n "$$(ls -A $(BUILD) 2>/dev/null)" ] && [ -z "$$(find $(BUILD)/ -maxdepth 2 -name '*.stamp')" ]; then \
+	  echo "clean: BUILD=$(BUILD) holds other files and nothing built, left as it is"; exit 1; fi
+	rm -rf $(BUILD)
 
 # Goals by what they are for; "use" is all the others.
 HELP_check   := test test-cross trace envelope fuzz coverage mutate headers lint format
@@ -306,8 +322,8 @@ $(sort $(LIBRARY_OBJECTS) $(LIBRARY_ND_OBJECTS) $(ANALYSES_OBJECTS)) $(PROGRAM_O
   $(BUILD)/flags.stamp | $(GENERATED)
 $(TEST_OBJECTS): $(BUILD)/tests.stamp
 $(BENCH_OBJECTS): $(BUILD)/bench.stamp
-# Asks what the processor can do: must itself run on every one.
-%/c_processor.o: ARCH_FLAGS := $(TARGET_$(TARGET))
+# Ask what the processor can do: must themselves run on every one.
+$(addprefix %/,c_processor.o c_entry.o c_words.o c_plain_names.o processor_check.o): ARCH_FLAGS := $(TARGET_$(TARGET))
 
 $(BUILD)/ad/%.o: src/%.cpp
 	$(call compile,$(LIBRARY_FLAGS))
@@ -345,6 +361,17 @@ $(HEADERS:%=alone/%): alone/include/%:
 	  $(CC) -std=c99 -Wall -Wextra -Wpedantic -Werror -Iinclude -fsyntax-only -x c -)
 
 -include $(OBJECTS:.o=.d)
+
+# ---- values of variables that the parts included above read ----
+
+without = $(if $(1),$(call without,$(wordlist 2,$(words $(1)),$(1)),$(subst $(firstword $(1)),,$(2))),$(2))
+number  = $(if $($(1)),$(if $(call without,0 1 2 3 4 5 6 7 8 9,$($(1))),,$(call without,0,$($(1)))))
+$(foreach name,CLANG_FORMAT FUZZ_CXX COVERAGE_CXX FIRMWARE_PREFIX,$(if $(strip $($(name))),,\
+  $(error $(name) is empty: name a program)))
+$(foreach name,SECONDS MUTANTS FIRMWARE_FRAMES MEASURED_STATES,$(if $(call number,$(name)),,\
+  $(error $(name)='$($(name))' is no whole number of 1 or more)))
+$(foreach name,STATES FLIGHTS,$(if $(or $(call number,$(name)),$(filter 0,$($(name)))),,\
+  $(error $(name)='$($(name))' is no whole number of 0 or more)))
 
 # ---- a misspelt variable on the command line would change nothing, silently ----
 

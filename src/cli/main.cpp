@@ -9,7 +9,6 @@
 #include "cli/command.hpp"
 #include "cli/errors.hpp"
 #include "cli/help.hpp"
-#include "library/processor.hpp"
 #include "text/nearest.hpp"
 #include "text/sink.hpp"
 
@@ -75,11 +74,6 @@ void complain(const std::string& message) {
 
 int main(int count, char** arguments) {
   using namespace tiltrotor::cli;
-  if (const char* const missing = tiltrotor::missing_instructions(tiltrotor::kInstructions)) {
-    std::fprintf(stderr, "tiltrotor: compiled for %s, which this processor lacks; build with ARCH= (empty)\n",
-                 missing);
-    return exit_case_failed;
-  }
   // A reader that leaves early and a file that may not grow are errors of writing, which clean up, not a
   // silent death.
   std::signal(SIGPIPE, SIG_IGN);

@@ -37,7 +37,7 @@ endif
 # $(call image_make,TARGET,PRECISION): make for another target, whatever this make was told. Loops of more than 8 turns
 # stay loops: written out, those over the partials of a dual number would take a third of the code of an image. Loops
 # that copy are not replaced by calls, which cost more than the short copies of a dual number.
-image_make = $(MAKE) --no-print-directory CROSS_COMPILE=$(FIRMWARE_PREFIX) CXX=$(FIRMWARE_PREFIX)g++ \
+image_make = CCACHE_DISABLE=1 $(MAKE) --no-print-directory CROSS_COMPILE=$(FIRMWARE_PREFIX) CXX=$(FIRMWARE_PREFIX)g++ \
   CC=$(FIRMWARE_PREFIX)gcc AR=$(FIRMWARE_PREFIX)ar HOST_CXX='$(HOST_CXX)' TARGET=$(1) PRECISION=$(2) ARCH= RUNNER= \
   CXXFLAGS='-O3 --param max-completely-peel-times=8 -fno-tree-loop-distribute-patterns \
   -fcallgraph-info=su -fstack-usage' LDFLAGS= BUILD=$(BUILD)/$(1)

@@ -3,7 +3,6 @@
 
 #include "library/c_state.hpp"
 #include "library/c_words.hpp"
-#include "library/processor.hpp"
 #include "tiltrotor/model/setup_explanation.hpp"
 #include "tiltrotor/model/variables/control_range.hpp"
 
@@ -149,12 +148,11 @@ void put_state(const tr_state& state, Sim& s) {
 
 }  // namespace tiltrotor::c_interface
 
-using namespace tiltrotor;
-using namespace tiltrotor::c_interface;
+namespace tiltrotor::c_interface::checked {
 
 tr_status tr_default_setup(tr_setup* setup, uint32_t version, int32_t aircraft, tr_real mast_deg) {
   if (version != TR_API_VERSION) return TR_WRONG_VERSION;
-  if (!processor_runs(kInstructions) || !rounds_once_to_nearest<R>()) return TR_BAD_ARITHMETIC;
+  if (!rounds_once_to_nearest<R>()) return TR_BAD_ARITHMETIC;
   if (setup == nullptr || !compiled_in(aircraft)) return TR_BAD_ARGUMENT;
   if (!mast_in_range(mast_deg)) return TR_OUT_OF_RANGE;
   const FlightSetup<R> defaults = flight_setup(aircraft_data<R>(), mast_deg);
@@ -175,7 +173,6 @@ tr_status tr_init(tr_sim* sim, uint32_t version, const tr_setup* setup) {
   if (sim == nullptr) return TR_BAD_ARGUMENT;
   // The size of what lies behind the pointer depends on the version: nothing is touched before it is known.
   if (version != TR_API_VERSION) return TR_WRONG_VERSION;
-  if (!processor_runs(kInstructions)) return TR_BAD_ARITHMETIC;
   (::new (static_cast<void*>(sim->reserved)) Sim)->mark = 0;
   if (setup == nullptr) return TR_BAD_ARGUMENT;
   FlightSetup<R> wanted;
@@ -186,7 +183,7 @@ tr_status tr_init(tr_sim* sim, uint32_t version, const tr_setup* setup) {
 tr_status tr_check_setup(const tr_setup* setup, uint32_t version, char* text, size_t length) {
   if (text != nullptr && length > 0) text[0] = '\0';
   if (version != TR_API_VERSION) return TR_WRONG_VERSION;
-  if (!processor_runs(kInstructions) || !rounds_once_to_nearest<R>()) return TR_BAD_ARITHMETIC;
+  if (!rounds_once_to_nearest<R>()) return TR_BAD_ARITHMETIC;
   if (setup == nullptr || (text == nullptr && length > 0)) return TR_BAD_ARGUMENT;
   FlightSetup<R> wanted{};
   const tr_status possible = wanted_setup(*setup, wanted);
@@ -196,17 +193,6 @@ tr_status tr_check_setup(const tr_setup* setup, uint32_t version, char* text, si
   explain(fault, text, static_cast<int>(length < kLongestLine ? length : kLongestLine));
   return fault.field == SetupField::none ? TR_OK : TR_OUT_OF_RANGE;
 }
-
-int32_t tr_aircraft_at(int32_t place) { return place == 0 ? aircraft_identity().id : 0; }
-const char* tr_aircraft_name(int32_t aircraft) {
-  return compiled_in(aircraft) ? aircraft_identity().name : "unknown";
-}
-const char* tr_aircraft_description(int32_t aircraft) {
-  return compiled_in(aircraft) ? aircraft_identity().description : "";
-}
-
-size_t tr_sim_size(void) { return sizeof(Sim); }
-size_t tr_work_size(void) { return kWorkBytes; }
 
 tr_status tr_set_controls(tr_sim* sim, const tr_real* controls, size_t length) {
   const tr_status ready = check(sim);
@@ -298,3 +284,16 @@ tr_status tr_get_outputs(const tr_sim* sim, tr_outputs* outputs) {
                       all_finite(o.specific_force_mps2, 3);
   return finite ? TR_OK : TR_NOT_FINITE;
 }
+
+}  // namespace tiltrotor::c_interface::checked
+
+int32_t tr_aircraft_at(int32_t place) { return place == 0 ? tiltrotor::aircraft_identity().id : 0; }
+const char* tr_aircraft_name(int32_t aircraft) {
+  return tiltrotor::c_interface::compiled_in(aircraft) ? tiltrotor::aircraft_identity().name : "unknown";
+}
+const char* tr_aircraft_description(int32_t aircraft) {
+  return tiltrotor::c_interface::compiled_in(aircraft) ? tiltrotor::aircraft_identity().description : "";
+}
+
+size_t tr_sim_size(void) { return sizeof(tiltrotor::c_interface::Sim); }
+size_t tr_work_size(void) { return tiltrotor::c_interface::kWorkBytes; }

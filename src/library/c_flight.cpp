@@ -40,8 +40,7 @@ tr_status step(Sim& s, tr_work* work, R dt, const R* xdot) {
 
 }  // namespace tiltrotor::c_interface
 
-using namespace tiltrotor;
-using namespace tiltrotor::c_interface;
+namespace tiltrotor::c_interface::checked {
 
 tr_status tr_trim(tr_sim* sim, tr_work* work, const tr_flight* flight, tr_trim_result* result) {
   const tr_status ready = check(sim);
@@ -92,3 +91,5 @@ tr_status tr_linearize_and_step(tr_sim* sim, tr_work* work, tr_real dt, int32_t 
       linearize_here(*opened(sim), work, columns, shape, {a, a_length, b, b_length}, xdot);
   return linear == TR_OK ? step(*opened(sim), work, dt, xdot) : linear;
 }
+
+}  // namespace tiltrotor::c_interface::checked

@@ -1,18 +1,26 @@
 #include "library/processor.hpp"
 
+#if (defined(__aarch64__) || defined(__arm__)) && defined(__linux__)
+#include <asm/hwcap.h>
+#include <sys/auxv.h>
+#endif
+
 namespace tiltrotor {
 
-const char* missing_instructions([[maybe_unused]] unsigned instructions) {
+unsigned processor_instructions() {
 #if defined(__x86_64__) || defined(__i386__)
   __builtin_cpu_init();
-  if ((instructions & kAvx) && !__builtin_cpu_supports("avx")) return "avx";
-  if ((instructions & kAvx2) && !__builtin_cpu_supports("avx2")) return "avx2";
-  if ((instructions & kFma) && !__builtin_cpu_supports("fma")) return "fma";
-  if ((instructions & kAvx512f) && !__builtin_cpu_supports("avx512f")) return "avx512f";
-  if ((instructions & kAvx512dq) && !__builtin_cpu_supports("avx512dq")) return "avx512dq";
-  if ((instructions & kAvx512vl) && !__builtin_cpu_supports("avx512vl")) return "avx512vl";
-  if ((instructions & kBmi2) && !__builtin_cpu_supports("bmi2")) return "bmi2";
 #endif
+#define TILTROTOR_HERE(place, name, macro, here) | ((here) ? 1u << k_##place : 0u)
+  return 0u TILTROTOR_INSTRUCTIONS(TILTROTOR_HERE);
+#undef TILTROTOR_HERE
+}
+
+const char* missing_instructions([[maybe_unused]] unsigned compiled, [[maybe_unused]] unsigned available) {
+#define TILTROTOR_NAME(place, name, macro, here) \
+  if (compiled & ~available & 1u << k_##place) return name;
+  TILTROTOR_INSTRUCTIONS(TILTROTOR_NAME)
+#undef TILTROTOR_NAME
   return nullptr;
 }
 

@@ -4,7 +4,6 @@
 #include <cfenv>
 
 #include "check.hpp"
-#include "library/processor.hpp"
 #include "tiltrotor/model/aircraft_data.hpp"
 #include "tiltrotor/model/configuration.hpp"
 #include "tiltrotor/tiltrotor.h"
@@ -83,10 +82,3 @@ TEST(arithmetic_other_rounding_is_found_by_every_call_that_computes) {
   CHECK_EQ(tr_step(&sim, &work, static_cast<tr_real>(0.005)), TR_OK);
 }
 
-TEST(arithmetic_missing_instructions_are_named) {
-  CHECK(processor_runs(0));
-  CHECK(processor_runs(kInstructions));
-#ifdef __x86_64__
-  if (!__builtin_cpu_supports("avx512f")) CHECK_EQ(missing_instructions(kAvx512f), "avx512f");
-#endif
-}

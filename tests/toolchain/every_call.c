@@ -1,0 +1,52 @@
+/* Calls every function that computes or opens an aircraft and prints its status. Plain C for any processor. */
+#include <stdio.h>
+#include <string.h>
+
+#include "tiltrotor/tiltrotor.h"
+
+static tr_sim sim;
+static tr_work work;
+static tr_real matrix[TR_MAX_LINEAR_STATES * TR_MAX_LINEAR_STATES];
+
+static void print(const char* name, tr_status status) {
+  printf("%s %s\n", name, tr_status_word(status));
+  fflush(stdout);
+}
+
+int main(void) {
+  unsigned char saved[TR_SAVED_SIZE];
+  const tr_real control = 0, one = 1;
+  tr_real real, imag, rates[TR_STATES];
+  tr_setup setup;
+  tr_flight flight;
+  tr_state state;
+  tr_outputs outputs;
+  tr_linear_shape shape;
+  tr_mode modes[TR_MAX_LINEAR_STATES];
+  size_t used = 0;
+  const size_t length = sizeof matrix / sizeof *matrix;
+  memset(&setup, 0, sizeof setup);
+  memset(&flight, 0, sizeof flight);
+  memset(&state, 0, sizeof state);
+  memset(&shape, 0, sizeof shape);
+  memset(saved, 0, sizeof saved);
+  flight.speed_mps = 40;
+  print("default_setup", tr_default_setup(&setup, TR_API_VERSION, TR_XV15, 0));
+  print("check_setup", tr_check_setup(&setup, TR_API_VERSION, 0, 0));
+  print("init", tr_init(&sim, TR_API_VERSION, &setup));
+  print("set_controls", tr_set_controls(&sim, &control, 1));
+  print("trim", tr_trim(&sim, &work, &flight, NULL));
+  print("step", tr_step(&sim, &work, (tr_real)0.005));
+  print("get_state", tr_get_state(&sim, &state));
+  print("set_state", tr_set_state(&sim, &state));
+  print("save", tr_save(&sim, saved, sizeof saved, &used));
+  print("load_saved", tr_load_saved(&sim, TR_API_VERSION, saved, sizeof saved));
+  print("derivative", tr_derivative(&sim, rates, TR_STATES));
+  print("get_outputs", tr_get_outputs(&sim, &outputs));
+  print("linearize", tr_linearize(&sim, &work, TR_INCEPTORS, &shape, matrix, length, NULL, 0));
+  print("linearize_and_step",
+        tr_linearize_and_step(&sim, &work, (tr_real)0.005, TR_INCEPTORS, &shape, matrix, length, NULL, 0));
+  print("eigenvalues", tr_eigenvalues(&work, &one, 1, &real, &imag, 1));
+  print("modes", tr_modes(&work, &shape, matrix, length, modes, TR_MAX_LINEAR_STATES, &used));
+  return 0;
+}
