@@ -30,9 +30,9 @@ laws='
     of["hp"] = of["W"] = mass * speed
     of["lb/ft2"] = of["Pa"] = D * L
   }
-  # Hands and feet, and the atmosphere, have their own size; so has the air that a source states.
+  # Hands and feet, the atmosphere and its gusts have their own size.
   function factor(name, unit) {
-    if (name ~ /^(stick|pedal|collective)_.*travel/ || name == "guess_stick_step" || name ~ /^altitude_/) return 1
+    if (name ~ /^(stick|pedal|collective)_.*travel/ || name == "guess_stick_step" || name ~ /^altitude_|^gust_/) return 1
     if (name ~ /^engine_power_/) return of[unit] / (D * speed)
     if (name == "rotor_blade_flap_inertia" || name == "rotor_chord") return of[unit] * blade
     return unit in of ? of[unit] : 1

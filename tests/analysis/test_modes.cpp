@@ -36,7 +36,7 @@ bool has(const ModeSet<double>& set, const char* name) { return !std::isnan(mode
 }  // namespace
 
 // tests/reference: symmetric, antisymmetric and residualised sets of a second implementation.
-TEST(modes_reference_eigenvalues) {
+TEST_OF_XV15(modes_reference_eigenvalues) {
   static LinearModel<double> full, reduced;
   static ResidualisationWorkspace<double> residual;
   static ModesWorkspace<double> work;

@@ -48,7 +48,7 @@ TEST(frames_helicopter_and_airplane_axes) {
 }
 
 // Hub stations of the aircraft without cant: SL 300 - 56 sin, WL 100 + 56 cos (mast 4.667 ft), BL 193 (in).
-TEST(frames_hub_stations) {
+TEST_OF_XV15(frames_hub_stations) {
   Options options;
   options.mast_cant = false;
   for (const double mast : {0.0, 30.0, 90.0}) {

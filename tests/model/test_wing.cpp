@@ -31,7 +31,7 @@ AirframeInput<double> cruise(double u, double w) {
 
 }  // namespace
 
-TEST(wing_printed_loads) {
+TEST_OF_XV15(wing_printed_loads) {
   for (const Point& p : kPoints) {
     const Replay r = replay(p);
     const FreeWing<double> wing = free_wing(r.c, r.in, r.stream, r.wake);
