@@ -69,7 +69,7 @@ TEST_OF_XV15(trim_beyond_stalled_rotors_has_no_use) {
 }
 
 // The same way on to the whole weight, where the rotors carry it: the trim of the cold start.
-TEST(trim_over_less_weight_is_the_trim_of_the_cold_start) {
+TEST_OF_XV15(trim_over_less_weight_is_the_trim_of_the_cold_start) {
   static TrimWorkspace<double> work;
   for (double speed : {0.0, 20.0, 40.0}) {
     const Configuration<double> c = configuration(0);
