@@ -82,7 +82,7 @@ TEST(frames_mirror_of_the_rotor_frame) {
 }
 
 // What a rotor sees of the aircraft's motion, against positions of the hub in space a short time apart.
-TEST(frames_hub_velocity_from_positions) {
+TEST_OF_XV15(frames_hub_velocity_from_positions) {
   Generator random(8);
   for (const double mast : {0.0, 37.0, 90.0}) {
     FlightSetup<double> setup = flight_setup(aircraft(), mast);

@@ -67,7 +67,7 @@ TEST(rotor_wake_side_wind) {
   CHECK_NEAR(immersed_wing(c, opposite, left).lateral, immersed_wing(c, in, right).lateral, 1e-13);
 }
 
-TEST(rotor_wake_fade) {
+TEST_OF_XV15(rotor_wake_fade) {
   const Configuration<double> helicopter = configuration(0);
   CHECK_EQ(wake_fade(helicopter, 4.9), 1.0);
   CHECK_EQ(wake_fade(helicopter, 12.5), 0.5);
@@ -82,7 +82,7 @@ TEST(rotor_wake_fade) {
 
 // S = 56 ft2 (sin 1.386 x + cos 3.114 x)(98.4 - V)/98.4, x = 90 deg - mast: printed shape 1 .. 0
 // .. 1.04, 1.00.
-TEST(rotor_wake_empirical_law) {
+TEST_OF_XV15(rotor_wake_empirical_law) {
   Options options;
   options.wake = WakeModel::gtrs_empirical;
   const auto area = [&](double mast, double speed) {

@@ -139,7 +139,7 @@ TEST(tail_mach_blend) {
 }
 
 // Between the wakes the tail meets upwash: K_WH down to -1.13 near 80 kt, -12 deg (table 2-I); never clipped.
-TEST(tail_rotor_wash_can_be_upwash) {
+TEST_OF_XV15(tail_rotor_wash_can_be_upwash) {
   const Configuration<double> c = configuration(0);
   const double speed = 80 * 1852 / 3600.0;
   const double alpha = -12 * kRadPerDeg<double>;

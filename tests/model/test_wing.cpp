@@ -57,7 +57,7 @@ TEST(wing_rotor_induced_angle) {
 }
 
 // The same coefficients serve both parts: wake area taken from the free wing, side by side, none lost.
-TEST(wing_area_is_split) {
+TEST_OF_XV15(wing_area_is_split) {
   const Configuration<double> c = configuration(90, linear_tables());
   AirframeInput<double> in = cruise(80, 4);
   const Flow none = flow(c, in);
@@ -102,7 +102,7 @@ TEST(wing_drag_between_mast_angles) {
            wing_coefficients(configuration(15), 0.05, 0.2).drag);
 }
 
-TEST(wing_flap_settings_blend) {
+TEST_OF_XV15(wing_flap_settings_blend) {
   const auto lift = [](double flap) {
     FlightSetup<double> setup = flight_setup(aircraft(), 0.0);
     setup.flap_deg = flap;
