@@ -120,7 +120,7 @@ TEST_OF_XV15(wing_flap_settings_blend) {
   CHECK_NEAR(wing_coefficients(c, -kPi<double> / 2, 0.1).drag, 1.44, 0.005);
 }
 
-TEST(wing_lateral_terms) {
+TEST_OF_XV15(wing_lateral_terms) {
   const Configuration<double> c = configuration(90);
   AirframeInput<double> in = cruise(80, 4);
   const Loads<double> level = flow(c, in).wing.loads;
@@ -155,7 +155,7 @@ TEST(wing_lateral_terms) {
 }
 
 // Downwash of the table over sqrt(1 - M^2), and its lag: eps' = (eps - eps_L) V / l_t with 6.83 m.
-TEST(wing_downwash_and_its_lag) {
+TEST_OF_XV15(wing_downwash_and_its_lag) {
   const Configuration<double> c = configuration(90);
   const double slow = flow(c, cruise(60, 3)).wing.downwash;
   CHECK(slow > 0.01 && slow < 0.2);
