@@ -9,7 +9,8 @@
 #
 # Four blades of three quarters of the chord and of the inertia have the same solidity and the same disk inertia.
 # Other breakpoints that change nothing: no flap setting 4, and the rotor wash at the tail a second time at mast 75,
-# where it is that of 60 and 90. Engines have their power at sea level, so that it is scaled where the air is.
+# where it is that of 60 and 90. Engines and masts are sized for sea level: the engines' power is scaled at the altitude,
+# the torque of the masts is L^4 there and here.
 set -eu
 from=$1 to=$2
 export LC_ALL=C
@@ -30,10 +31,11 @@ laws='
     of["hp"] = of["W"] = mass * speed
     of["lb/ft2"] = of["Pa"] = D * L
   }
-  # Hands and feet, and the atmosphere, have their own size; so has the air that a source states.
+  # Hands and feet, the atmosphere and its gusts have their own size.
   function factor(name, unit) {
-    if (name ~ /^(stick|pedal|collective)_.*travel/ || name == "guess_stick_step" || name ~ /^altitude_/) return 1
+    if (name ~ /^(stick|pedal|collective)_.*travel/ || name == "guess_stick_step" || name ~ /^altitude_|^gust_/) return 1
     if (name ~ /^engine_power_/) return of[unit] / (D * speed)
+    if (name ~ /^(mast_torque|transmission_limit)/) return of[unit] / D
     if (name == "rotor_blade_flap_inertia" || name == "rotor_chord") return of[unit] * blade
     return unit in of ? of[unit] : 1
   }

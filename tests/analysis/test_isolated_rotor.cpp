@@ -21,8 +21,8 @@ TEST(isolated_rotor_range_of_each_field) {
     double bound;
   };
   using F = RotorFlow<double>;
-  const Field fields[] = {{&F::axial, 150},
-                          {&F::in_plane, 150},
+  const Field fields[] = {{&F::axial, aircraft_data<double>().limits.speed},
+                          {&F::in_plane, aircraft_data<double>().limits.speed},
                           {&F::collective, 90 * kRadPerDeg<double>},
                           {&F::lateral_cyclic, 30 * kRadPerDeg<double>},
                           {&F::long_cyclic, 30 * kRadPerDeg<double>}};
@@ -30,7 +30,7 @@ TEST(isolated_rotor_range_of_each_field) {
     for (double part : {-1.001, -1.0, 1.0, 1.001, kNan}) {
       RotorFlow<double> f = flow(8);
       f.*field.value = part * field.bound;
-      CHECK_EQ(d::valid(f), part == 1 || part == -1);
+      CHECK_EQ(d::valid(aircraft_data<double>(), f), part == 1 || part == -1);
     }
   }
 }

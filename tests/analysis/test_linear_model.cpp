@@ -25,7 +25,7 @@ double row_error(int columns, Entry&& entry, Expected&& expected) {
 }  // namespace
 
 // tests/reference: exact Jacobians of a second implementation at its own trim points.
-TEST(linearize_reference_matrices) {
+TEST_OF_XV15(linearize_reference_matrices) {
   static LinearModel<double> model;
   for (int k = 0; k < 3; ++k) {
     const std::string name = kReferencePoints[k];

@@ -36,7 +36,7 @@ bool has(const ModeSet<double>& set, const char* name) { return !std::isnan(mode
 }  // namespace
 
 // tests/reference: symmetric, antisymmetric and residualised sets of a second implementation.
-TEST(modes_reference_eigenvalues) {
+TEST_OF_XV15(modes_reference_eigenvalues) {
   static LinearModel<double> full, reduced;
   static ResidualisationWorkspace<double> residual;
   static ModesWorkspace<double> work;
@@ -82,7 +82,7 @@ TEST(modes_numbers_follow_from_the_eigenvalue) {
 }
 
 // Which root is which: from another program.
-TEST(modes_names_of_known_roots) {
+TEST_OF_XV15(modes_names_of_known_roots) {
   static ModeSet<double> set;
   const auto near = [&](const char* name, double real, double imag) {
     const Mode<double> m = mode_named(set, name);
@@ -129,7 +129,7 @@ TEST(modes_names_of_known_roots) {
 
 // Along sweeps within the corridor the names alone, without following, stay with a mode while it moves, and
 // following agrees with them.
-TEST(modes_names_persist_along_a_sweep) {
+TEST_OF_XV15(modes_names_persist_along_a_sweep) {
   static ModeSet<double> set, previous;
   struct Sweep {
     double mast, from, to;
@@ -161,7 +161,7 @@ TEST(modes_names_persist_along_a_sweep) {
 
 // follow() hands on branches whatever the names: with two exchanged in the previous set, the exchange
 // persists.
-TEST(modes_follow_takes_branches_from_the_previous_set) {
+TEST_OF_XV15(modes_follow_takes_branches_from_the_previous_set) {
   static ModeSet<double> a, b;
   const Configuration<double> c = configuration(90);
   const TrimResult<double> r = trimmed(c, level(100));
@@ -196,7 +196,7 @@ TEST(modes_follow_takes_branches_from_the_previous_set) {
 }
 
 // From hover on, pairs split and merge: every mode still has one name and none twice.
-TEST(modes_names_in_helicopter_mode_and_turns) {
+TEST_OF_XV15(modes_names_in_helicopter_mode_and_turns) {
   static ModeSet<double> set, previous;
   const Configuration<double> c = configuration(0);
   bool first = true;

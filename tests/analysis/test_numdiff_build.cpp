@@ -50,7 +50,7 @@ double largest_difference(const LinearModel<double>& exact, const LinearModel<do
 }  // namespace
 
 // Both solve to a residual of 1e-10; states and controls follow from it through the inverse of the Jacobian.
-TEST(numdiff_trims_to_the_same_point) {
+TEST_OF_XV15(numdiff_trims_to_the_same_point) {
   double worst = 0;
   for (const Level& at : kFlights) {
     const Configuration<double> c = configuration(at.mast_deg);

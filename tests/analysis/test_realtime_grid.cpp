@@ -44,7 +44,7 @@ Eigenvalues<double, kMaxLinearStates> rigid_eigenvalues(const Configuration<doub
   return values;
 }
 
-TEST(realtime_grid_keeps_its_bounds) {
+TEST_OF_XV15(realtime_grid_keeps_its_bounds) {
   const auto work = std::make_unique<Workspaces>();
   constexpr double flights[][2] = {{0, 0},   {0, 35},  {30, 40},
                                    {60, 60}, {75, 80}, {90, 100}};  // mast deg, m/s

@@ -37,7 +37,7 @@ double difference(const State<double>& a, const State<double>& b) {
 }  // namespace
 
 // tests/reference: one degree of collective at 40 m/s, mast 0, computed by a second implementation.
-TEST(response_reference_collective_step) {
+TEST_OF_XV15(response_reference_collective_step) {
   const check::CsvFile file("tests/reference/response_collective_1deg_40mps.csv");
   const Configuration<double> c = configuration(0);
   Simulation<double> s = started(c, trimmed(c, level(40)), 0.005);

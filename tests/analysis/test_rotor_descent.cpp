@@ -53,7 +53,7 @@ std::vector<double> roots(const Configuration<double>& c, double axial, double c
 // The solver against a search of the whole range of inflow. At 40 m/s the blades balance a windmill up to 4
 // deg; from 6 deg on they give more thrust than its wake can carry, and the one root left is no flow that
 // exists: 6 m/s down through a rotor that descends at 40, its wake faster still, against the air.
-TEST(isolated_rotor_finds_the_windmill) {
+TEST_OF_XV15(isolated_rotor_finds_the_windmill) {
   rotor_stand::Stand stand(0, realtime());
   const Configuration<double>& c = stand.configuration;
   int windmills = 0, none = 0, two_stable = 0;
@@ -126,7 +126,7 @@ TEST(cli_rotor_without_a_windmill_prints_no_figures) {
 }
 
 // Over the whole range of flow, pitch and cyclic, found or not.
-TEST(isolated_rotor_raises_no_floating_point_exception) {
+TEST_OF_XV15(isolated_rotor_raises_no_floating_point_exception) {
   std::uint32_t seed = 77;
   const auto random = [&seed](double low, double high) {
     seed = seed * 1664525u + 1013904223u;

@@ -89,7 +89,7 @@ TEST(response_stability_limits_are_those_of_the_methods) {
   }
 }
 
-TEST(response_longest_step_is_stable_in_trim) {
+TEST_OF_XV15(response_longest_step_is_stable_in_trim) {
   static TrimWorkspace<double> work;
   static TrimResult<double> r;
   static Configuration<double> c;
@@ -123,7 +123,7 @@ TEST(response_longest_step_is_stable_in_trim) {
 }
 
 // Any direction of flight up to 200 m/s and gusts, stalled blades, gimbal and inflow far from balance.
-TEST(response_longest_step_is_stable_out_of_trim) {
+TEST_OF_XV15(response_longest_step_is_stable_out_of_trim) {
   static Configuration<double> c;
   std::mt19937_64 random(20);
   const auto between = [&](double low, double high) {
@@ -179,7 +179,7 @@ TEST(response_longest_step_is_stable_out_of_trim) {
   NOTE("largest |R| " << found.decaying);
 }
 
-TEST(response_parts_are_few_in_any_state) {
+TEST_OF_XV15(response_parts_are_few_in_any_state) {
   const auto parts_at = [](const Configuration<double>& c, const State<double>& x, const Controls<double>& u,
                            Integrator integrator, double dt) {
     return response_detail::parts(integrator, dt, fastest_rates(c, x, u));
@@ -205,7 +205,7 @@ TEST(response_parts_are_few_in_any_state) {
 }
 
 // Long steps, begun off trim, end where short ones do.
-TEST(response_long_steps_follow_short_ones) {
+TEST_OF_XV15(response_long_steps_follow_short_ones) {
   static SimulationWorkspace<double> work;
   static TrimWorkspace<double> trim_work;
   static TrimResult<double> r;

@@ -6,7 +6,7 @@
 using namespace analysis_case;
 
 // tests/reference: outputs of a second implementation of the same equations in another language.
-TEST(trim_reference_grid) {
+TEST_OF_XV15(trim_reference_grid) {
   const check::CsvFile grid("tests/reference/trim_grid_c1.csv");
   double worst_angle = 0, worst_inch = 0, worst_inflow = 0, worst_ratio = 0;
   int worst_iterations = 0;
@@ -58,7 +58,7 @@ TEST(trim_reference_grid) {
 }
 
 // Every flight condition of the published GTRS and flight-test trim figures: one cold start each.
-TEST(trim_published_conditions_from_cold_start) {
+TEST_OF_XV15(trim_published_conditions_from_cold_start) {
   struct Condition {
     double mast_deg, speed;
   };
@@ -80,7 +80,7 @@ TEST(trim_published_conditions_from_cold_start) {
 
 // Newton's second law in earth axes: a steady turn accelerates by turn rate x velocity; component forces and
 // weight must supply it. Nothing of the body-axes equations is used.
-TEST(trim_fulfils_newtons_law_in_earth_axes) {
+TEST_OF_XV15(trim_fulfils_newtons_law_in_earth_axes) {
   struct Case {
     double mast_deg, speed, climb_deg, turn_deg, sideslip_deg;
   };
@@ -217,7 +217,7 @@ TEST(trim_under_every_set_of_states) {
 
 // Download: force of the wakes on the wing against the rotors' thrust. In a glide the rotors hardly pull;
 // then it is taken over a tenth of the weight.
-TEST(trim_download_over_the_thrust) {
+TEST_OF_XV15(trim_download_over_the_thrust) {
   struct Case {
     double mast_deg, speed, climb_deg;
     bool pulls;

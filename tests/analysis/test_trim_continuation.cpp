@@ -22,7 +22,7 @@ Configuration<double> high_up(double altitude_m, double mass_kg = 5896.7) {
 
 // What the rotors carry at most is found by adding collective to a lighter aircraft until that gives less
 // lift. Here the aircraft itself gets lighter, and the cold start decides.
-TEST(trim_tells_what_rotors_carry_before_they_stall) {
+TEST_OF_XV15(trim_tells_what_rotors_carry_before_they_stall) {
   for (double speed : {6.0, 8.0}) {
     const TrimResult<double> r = trimmed(high_up(3000), level(speed));
     CHECK(r.status == TrimStatus::rotor_stall);
@@ -39,7 +39,7 @@ TEST(trim_tells_what_rotors_carry_before_they_stall) {
 
 // Newton from anywhere finds no other trim but with blades like flat plates, at two to three times the power
 // of both engines (2 x 1156 kW); with 1 % less mass it finds the one short of stall.
-TEST(trim_beyond_stalled_rotors_has_no_use) {
+TEST_OF_XV15(trim_beyond_stalled_rotors_has_no_use) {
   static TrimWorkspace<double> work;
   std::mt19937 random(20261122);
   const auto between = [&random](double low, double high) {
@@ -70,7 +70,7 @@ TEST(trim_beyond_stalled_rotors_has_no_use) {
 }
 
 // The same way on to the whole weight, where the rotors carry it: the trim of the cold start.
-TEST(trim_over_less_weight_is_the_trim_of_the_cold_start) {
+TEST_OF_XV15(trim_over_less_weight_is_the_trim_of_the_cold_start) {
   static TrimWorkspace<double> work;
   for (double speed : {0.0, 20.0, 40.0}) {
     const Configuration<double> c = configuration(0);
@@ -114,7 +114,7 @@ TEST(trim_over_less_weight_leaves_the_equations) {
 }
 
 // The same top of the lift in single precision and by numerical differences.
-TEST(trim_of_stalled_rotors_in_every_build) {
+TEST_OF_XV15(trim_of_stalled_rotors_in_every_build) {
   const Configuration<double> c = high_up(3500);
   const double carried = trimmed(c, level(6)).weight_carried;
   static TrimWorkspace<double, NumDiff> numerical;

@@ -60,7 +60,7 @@ TEST(trim_power_lapses_with_altitude) {
 }
 
 // A mast carries 163,000 in lbf steadily.
-TEST(trim_torque_beyond_the_mast) {
+TEST_OF_XV15(trim_torque_beyond_the_mast) {
   const Configuration<double> c = realtime(0);
   RotorResponse<double> rotor[2] = {};
   rotor[left].loads.torque = 1.001 * 163000 * 0.0254 * 4.4482216152605;

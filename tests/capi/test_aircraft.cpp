@@ -2,6 +2,7 @@
 #include <string>
 
 #include "capi/flying.hpp"
+#include "tiltrotor/model/aircraft_data.hpp"
 
 using namespace capi;
 

@@ -56,7 +56,7 @@ struct Workspace {
 }  // namespace
 
 // From at rest to the ends of the ranges, also with numbers that are 0 and states that are alike.
-TEST(capi_states_raise_no_floating_point_exception) {
+TEST_OF_XV15(capi_states_raise_no_floating_point_exception) {
   Random random;
   const auto call = std::make_unique<Workspace>();
   std::memset(call.get(), 0xff, sizeof *call);
@@ -125,7 +125,7 @@ TEST(capi_matrices_raise_no_floating_point_exception) {
 }
 
 // Trims of the whole range, found or not, and the flight on from there.
-TEST(capi_trim_raises_no_floating_point_exception) {
+TEST_OF_XV15(capi_trim_raises_no_floating_point_exception) {
   Random random;
   const auto work = new_work();
   for (int k = 0; k < 60; ++k) {

@@ -218,7 +218,7 @@ TEST(capi_restore_errors) {
   CHECK(same_bits(sim, before));
 }
 
-TEST(capi_bad_flights_leave_the_aircraft_alone) {
+TEST_OF_XV15(capi_bad_flights_leave_the_aircraft_alone) {
   tr_sim sim = trimmed_sim(0, 20);
   const tr_sim before = sim;
   const auto work = new_work();

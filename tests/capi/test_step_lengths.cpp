@@ -45,7 +45,7 @@ tr_real off_trim(const tr_sim* sim, const tr_state& trim) {
 
 }  // namespace
 
-TEST(capi_step_of_any_length_is_stable) {
+TEST_OF_XV15(capi_step_of_any_length_is_stable) {
   const auto work = std::make_unique<tr_work>();
   int flown = 0;
   for (const Case& which : kCases) {
@@ -109,7 +109,7 @@ TEST(capi_step_is_stable_in_fast_air) {
 }
 
 // A step in parts too: the linear model hands its rates to the first of them.
-TEST(capi_linearize_and_step_in_parts_gives_the_bits_of_the_two_calls) {
+TEST_OF_XV15(capi_linearize_and_step_in_parts_gives_the_bits_of_the_two_calls) {
   const auto work = std::make_unique<tr_work>();
   tr_sim apart;
   if (!CHECK(trimmed(kCases[0], work.get(), &apart))) return;

@@ -37,7 +37,7 @@ TEST(cli_columns_are_as_specified) {
 }
 
 // The status tells the decisive limit, the last column all of them.
-TEST(cli_trim_lists_every_limit) {
+TEST_OF_XV15(cli_trim_lists_every_limit) {
   const CsvText trim(run_tiltrotor("trim --climb -60 --speed 45 --grid realtime").out);
   if (!CHECK_EQ(trim.rows.size(), 1u)) return;
   CHECK_EQ(trim.text(0, "status"), std::string("control_limit"));

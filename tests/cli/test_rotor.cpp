@@ -135,7 +135,7 @@ TEST(isolated_rotor_converges_over_its_range) {
 
 // XV-15 rotor, NASA Ames outdoor facility, run 15, metal blades, tip speed 769 ft/s (NASA/CR-2017-219486,
 // table A-2).
-TEST(cli_rotor_hover_power_against_oarf) {
+TEST_OF_XV15(cli_rotor_hover_power_against_oarf) {
   struct Point {
     double ct, cp;
   };

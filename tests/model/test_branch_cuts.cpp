@@ -76,7 +76,7 @@ void check_line(const Configuration<double>& c, const StateAndControls<double>& 
 
 }  // namespace
 
-TEST(derivatives_are_continuous_through_every_branch_cut) {
+TEST_OF_XV15(derivatives_are_continuous_through_every_branch_cut) {
   Generator random(77);
   for (const double mast : {0.0, 30.0, 60.0, 90.0}) {
     for (const bool fitted : {false, true}) {

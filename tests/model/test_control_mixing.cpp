@@ -22,7 +22,7 @@ Controls<double> only(double Controls<double>::*inceptor) {
 
 }  // namespace
 
-TEST(control_mixing_printed_gearing) {
+TEST_OF_XV15(control_mixing_printed_gearing) {
   // Degrees per inch at mast 0, 10, ..., 90.
   const double long_cyclic[] = {2.100, 2.090, 1.980, 1.810, 1.600, 1.350, 1.040, 0.710, 0.362, 0};
   const double pedal_60[] = {1.600, 1.580, 1.510, 1.390, 1.225, 1.035, 0.803, 0.550, 0.280, 0};

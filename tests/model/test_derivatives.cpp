@@ -241,7 +241,7 @@ TEST(slow_derivatives_every_column) { compare(kColumns, 9); }
 // Table slopes at zero sideslip by hand: CR-166536 tables 3-VII, 3-VIII, 3-IX at 10 deg (-14.5 ft2, -75 ft3,
 // -202 ft3), odd, so the slope at zero is that of the first interval. Force and moment in stability axes,
 // moments turned by alpha, force at the reference point.
-TEST(derivatives_fuselage_at_zero_sideslip) {
+TEST_OF_XV15(derivatives_fuselage_at_zero_sideslip) {
   const double foot = 0.3048;
   const double u = 40;
   const double w = 0;

@@ -51,7 +51,7 @@ double normal_acceleration(const Vec3<double>& w, double omega, double azimuth, 
 }  // namespace
 
 // The tilt accelerations, put back into every blade: inertia of the blade against air and spring moment.
-TEST(flapping_single_blade_in_space) {
+TEST_OF_XV15(flapping_single_blade_in_space) {
   NOTE("seed 21");
   Generator random(21);
   FlightSetup<double> setup = flight_setup(aircraft(), 0.0);
@@ -86,7 +86,7 @@ TEST(flapping_single_blade_in_space) {
   }
 }
 
-TEST(flapping_hub_spring_and_damping) {
+TEST_OF_XV15(flapping_hub_spring_and_damping) {
   Options options;
   const Configuration<double> c = configuration(0);
   // 225 ft lb a degree: nu^2 - 1 = K/(J Omega^2) = 0.0220.
@@ -105,7 +105,7 @@ TEST(flapping_hub_spring_and_damping) {
 
 // The hub of this aircraft has no damping; with one, moments C b1c' and C b1s' act on the gimbal against its
 // motion.
-TEST(flapping_damping_of_a_hub_that_has_it) {
+TEST_OF_XV15(flapping_damping_of_a_hub_that_has_it) {
   Aircraft<double> damped = aircraft();
   damped.rotor.hub_damping = 250;  // N m s/rad, about 1 % of critical
   Configuration<double> c, d;
@@ -197,7 +197,7 @@ TEST(flapping_textbook_limit) {
 
 // The complete rotor in hover at 7334 lb: tilt per cyclic with and without spring and coupling, and per pitch
 // rate (values of an independent second program).
-TEST(flapping_steady_tilt_in_hover) {
+TEST_OF_XV15(flapping_steady_tilt_in_hover) {
   const double small = 1e-4;
   const auto answer = [&](const Configuration<double>& c, const char* what) {
     const RotorInput<double> in = settled_at_thrust(c, hover_input(c), 7334 * kPound);
@@ -240,7 +240,7 @@ TEST(flapping_pitch_coupling) {
   CHECK_NEAR(pitch(1, 0) - flat, 0.0268, 1e-4);
 }
 
-TEST(flapping_first_order_limit) {
+TEST_OF_XV15(flapping_first_order_limit) {
   Options options;
   options.flapping = FlapOrder::first;
   for (const double axial : {0.0, 5.0}) {
@@ -275,7 +275,7 @@ TEST(flapping_first_order_limit) {
 }
 
 // b0 = (M0/(N_b I_b) + w0^2 precone)/(Omega^2 + w0^2): 2.7 deg in hover at 7334 lb, 1.9 deg in airplane mode.
-TEST(flapping_coning_balance) {
+TEST_OF_XV15(flapping_coning_balance) {
   Options options;
   options.coning_states = true;
   const Configuration<double> c = configuration(0, options);

@@ -52,7 +52,7 @@ TEST(frames_helicopter_and_airplane_axes) {
 }
 
 // Hub stations of the aircraft without cant: SL 300 - 56 sin, WL 100 + 56 cos (mast 4.667 ft), BL 193 (in).
-TEST(frames_hub_stations) {
+TEST_OF_XV15(frames_hub_stations) {
   Options options;
   options.mast_cant = false;
   for (const double mast : {0.0, 30.0, 90.0}) {
@@ -86,7 +86,7 @@ TEST(frames_mirror_of_the_rotor_frame) {
 }
 
 // What a rotor sees of the aircraft's motion, against positions of the hub in space a short time apart.
-TEST(frames_hub_velocity_from_positions) {
+TEST_OF_XV15(frames_hub_velocity_from_positions) {
   Generator random(8);
   for (const double mast : {0.0, 37.0, 90.0}) {
     FlightSetup<double> setup = flight_setup(aircraft(), mast);

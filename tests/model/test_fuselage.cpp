@@ -14,7 +14,7 @@ Loads<double> at(const Configuration<double>& c, const Vec3<double>& velocity) {
 
 }  // namespace
 
-TEST(fuselage_printed_loads) {
+TEST_OF_XV15(fuselage_printed_loads) {
   for (const Point& p : kPoints) {
     const Replay r = replay(p);
     const Printed load = in_pounds(fuselage_loads(r.c, r.in, r.stream));
@@ -56,7 +56,7 @@ TEST(fuselage_scales_with_dynamic_pressure) {
 }
 
 // The same force at two centres of gravity: moments differ by the shift cross the force.
-TEST(fuselage_moment_about_the_cg) {
+TEST_OF_XV15(fuselage_moment_about_the_cg) {
   FlightSetup<double> setup = flight_setup(aircraft(), 0.0);
   Configuration<double> aft;
   Configuration<double> forward;

@@ -58,7 +58,7 @@ TEST(inflow_gain_matrix_by_inversion_and_rotation) {
   NOTE("largest difference " << worst);
 }
 
-TEST(inflow_hover_is_momentum_theory) {
+TEST_OF_XV15(inflow_hover_is_momentum_theory) {
   const Configuration<double> c = configuration(0);
   for (const double n0 : {0.03, 0.0727, 0.1}) {
     // C_T = 2 lambda^2; the smoothed speed adds (1e-3)^2 under the root.
@@ -130,7 +130,7 @@ TEST(inflow_turns_with_the_wind) {
   }
 }
 
-TEST(inflow_apparent_mass) {
+TEST_OF_XV15(inflow_apparent_mass) {
   const double omega = 589 * 2 * kPi<double> / 60;
   Options options;
   for (const ApparentMass mass : {ApparentMass::impermeable, ApparentMass::loaded}) {

@@ -296,7 +296,7 @@ TEST(options_active_states) {
 }
 
 // Settings outside their ranges are refused, at both ends.
-TEST(options_and_setup_ranges) {
+TEST_OF_XV15(options_and_setup_ranges) {
   const auto refused = [](auto&& set) {
     FlightSetup<double> setup = flight_setup(aircraft(), 30.0);
     set(setup);

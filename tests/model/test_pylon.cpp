@@ -4,7 +4,7 @@
 using namespace flight_cases;
 using namespace printed_runs;
 
-TEST(pylon_printed_loads) {
+TEST_OF_XV15(pylon_printed_loads) {
   for (const Point& p : kPoints) {
     const Replay r = replay(p);
     const Printed pylons = in_pounds(pylon_interference_loads(r.c, r.wake));
@@ -19,7 +19,7 @@ TEST(pylon_printed_loads) {
 }
 
 // Both spinners: 2 x 1.0 ft2 along the mast, 2 x 6.5 ft2 across it; at hub height.
-TEST(pylon_spinner_drag_areas) {
+TEST_OF_XV15(pylon_spinner_drag_areas) {
   const double square_foot = kFoot * kFoot;
   AirframeInput<double> in{};
   in.velocity = {50, 0, 0};

@@ -43,7 +43,7 @@ Blade blade_axes(const RotorAxes& a, double azimuth, double flap) {
 
 // A blade element followed through space from the aircraft's CG: velocity by differences, wash added along
 // the shaft.
-TEST(rotor_section_velocities_from_positions) {
+TEST_OF_XV15(rotor_section_velocities_from_positions) {
   NOTE("seed 33");
   Generator random(33);
   for (const double mast : {0.0, 37.0, 90.0}) {
@@ -89,7 +89,7 @@ TEST(rotor_section_velocities_from_positions) {
 
 // Element forces added up in body axes at their own places: force on the aircraft, shaft torque with its
 // sign, spring moment of the tilted disk.
-TEST(rotor_hub_loads_by_hand_in_body_axes) {
+TEST_OF_XV15(rotor_hub_loads_by_hand_in_body_axes) {
   NOTE("seed 34");
   Generator random(34);
   for (const double mast : {0.0, 37.0, 90.0}) {
@@ -156,7 +156,7 @@ TEST(rotor_hub_loads_by_hand_in_body_axes) {
 
 // Power = drag of the sections times their speed + work of the hub force against hub speed and wash. Exact
 // for a flat disk with uniform wash, at any angle of the wind.
-TEST(rotor_energy_balance) {
+TEST_OF_XV15(rotor_energy_balance) {
   for (const V& velocity : {V{0, 0, 0}, V{0, 0, 8}, V{-40, 0, 4}, V{-30, 15, -5}, V{0, 0, 90}}) {
     const Configuration<double> c = configuration(0, linear_tables());
     RotorInput<double> in{};
@@ -192,7 +192,7 @@ TEST(rotor_energy_balance) {
 }
 
 // P = T (V_z + v) + profile for the settled rotor in hover, with momentum theory's v: within 2 %.
-TEST(rotor_hover_power_and_derivatives) {
+TEST_OF_XV15(rotor_hover_power_and_derivatives) {
   const Configuration<double> c = configuration(0);
   const double thrust = 7334 * kPound;
   const RotorInput<double> in = settled_at_thrust(c, hover_input(c), thrust);
@@ -221,7 +221,7 @@ TEST(rotor_hover_power_and_derivatives) {
 }
 
 // Textbook thrust: C_T = sigma a / 2 (theta/3 - lambda/2), constant chord, untwisted, linear section.
-TEST(rotor_textbook_thrust_and_torque) {
+TEST_OF_XV15(rotor_textbook_thrust_and_torque) {
   const TextbookRotor rotor;
   const Configuration<double> c = rotor.configuration();
   const double sigma = 3 * TextbookRotor::chord() / (kPi<double> * kRadius);
@@ -257,7 +257,7 @@ TEST(rotor_textbook_thrust_and_torque) {
 
 // Axial flow in airplane mode: no force in the plane, no load harmonics; the torques of the two rotors
 // cancel.
-TEST(rotor_axial_flow_is_axisymmetric) {
+TEST_OF_XV15(rotor_axial_flow_is_axisymmetric) {
   const Configuration<double> c = configuration(90);
   RotorInput<double> in{};
   in.velocity = {0, 0, 100};
@@ -326,7 +326,7 @@ TEST(rotor_turns_with_the_wind) {
 }
 
 // Individual blades, averaged over a revolution at the stations of the averaged mode, are the averaged mode.
-TEST(rotor_individual_blades_average_to_the_mean) {
+TEST_OF_XV15(rotor_individual_blades_average_to_the_mean) {
   const Configuration<double> c = configuration(0);
   RotorInput<double> in = hover_input(c);
   in.velocity = {-35, 2, 3};

@@ -20,7 +20,7 @@ constexpr double kSquareFoot = kFoot * kFoot;
 
 // Hover: 55.7 ft2 a side from 5.4 to 16.1 ft (the source lists a maximum of 56 ft2); wash ratio 1.371 at the
 // wing.
-TEST(rotor_wake_hover) {
+TEST_OF_XV15(rotor_wake_hover) {
   Options options;
   options.wash = WashFactor::vortex_cylinder;
   const Configuration<double> c = configuration(0, options);
@@ -38,7 +38,7 @@ TEST(rotor_wake_hover) {
   CHECK_EQ(immersed_wing(configuration(0), in, right).wash, 1.6 * 17);
 }
 
-TEST(rotor_wake_with_mast_angle) {
+TEST_OF_XV15(rotor_wake_with_mast_angle) {
   // Mast 30 in hover 56.2 ft2; mast 90 at 160 kt 65 ft2 of 90.5 (values of an independent second program).
   CHECK_NEAR(immersed_wing(configuration(30), flight(0, 0, 0, 17), right).area / kSquareFoot, 56.2, 0.8);
   CHECK_NEAR(immersed_wing(configuration(90), flight(82.3, 0, 0, 0.4), right).area / kSquareFoot, 65, 1.2);
@@ -67,7 +67,7 @@ TEST(rotor_wake_side_wind) {
   CHECK_NEAR(immersed_wing(c, opposite, left).lateral, immersed_wing(c, in, right).lateral, 1e-13);
 }
 
-TEST(rotor_wake_fade) {
+TEST_OF_XV15(rotor_wake_fade) {
   const Configuration<double> helicopter = configuration(0);
   CHECK_EQ(wake_fade(helicopter, 4.9), 1.0);
   CHECK_EQ(wake_fade(helicopter, 12.5), 0.5);
@@ -82,7 +82,7 @@ TEST(rotor_wake_fade) {
 
 // S = 56 ft2 (sin 1.386 x + cos 3.114 x)(98.4 - V)/98.4, x = 90 deg - mast: printed shape 1 .. 0
 // .. 1.04, 1.00.
-TEST(rotor_wake_empirical_law) {
+TEST_OF_XV15(rotor_wake_empirical_law) {
   Options options;
   options.wake = WakeModel::gtrs_empirical;
   const auto area = [&](double mast, double speed) {
@@ -99,7 +99,7 @@ TEST(rotor_wake_empirical_law) {
 
 // Hover download by hand: K_FW q S CD with K_FW 1.07, CD 1.44, q of 1.6 v0; 11 % of the thrust with the
 // pylons' 0.9 %.
-TEST(rotor_wake_download_in_hover) {
+TEST_OF_XV15(rotor_wake_download_in_hover) {
   const Configuration<double> c = configuration(0);
   const double wash = 56.3 * kFoot;
   const AirframeInput<double> in = flight(0, 0, 0, wash);

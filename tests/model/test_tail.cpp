@@ -24,7 +24,7 @@ AirframeInput<double> cruise(double u, double v, double w) {
 
 }  // namespace
 
-TEST(tail_printed_loads) {
+TEST_OF_XV15(tail_printed_loads) {
   for (const Point& p : kPoints) {
     Replay r = replay(p);
     const double downwash = free_wing(r.c, r.in, r.stream, r.wake).downwash;
@@ -67,7 +67,7 @@ TEST(tail_signs) {
 
 // Damping by the arm: the tail meets q times 258.8 in (SL 560 - 301.2, less the shift of the CG) as angle of
 // attack.
-TEST(tail_pitch_rate_is_an_angle) {
+TEST_OF_XV15(tail_pitch_rate_is_an_angle) {
   const Configuration<double> c = configuration(90, linear_tables());
   const AirframeInput<double> level = cruise(90, 0, 2);
   AirframeInput<double> pitching = level;
@@ -140,7 +140,7 @@ TEST(tail_mach_blend) {
 }
 
 // Between the wakes the tail meets upwash: K_WH down to -1.13 near 80 kt, -12 deg (table 2-I); never clipped.
-TEST(tail_rotor_wash_can_be_upwash) {
+TEST_OF_XV15(tail_rotor_wash_can_be_upwash) {
   const Configuration<double> c = configuration(0);
   const double speed = 80 * 1852 / 3600.0;
   const double alpha = -12 * kRadPerDeg<double>;

@@ -32,7 +32,7 @@ AirframeInput<double> cruise(double u, double w) {
 
 }  // namespace
 
-TEST(wing_printed_loads) {
+TEST_OF_XV15(wing_printed_loads) {
   for (const Point& p : kPoints) {
     const Replay r = replay(p);
     const FreeWing<double> wing = free_wing(r.c, r.in, r.stream, r.wake);
@@ -58,7 +58,7 @@ TEST(wing_rotor_induced_angle) {
 }
 
 // The same coefficients serve both parts: wake area taken from the free wing, side by side, none lost.
-TEST(wing_area_is_split) {
+TEST_OF_XV15(wing_area_is_split) {
   const Configuration<double> c = configuration(90, linear_tables());
   AirframeInput<double> in = cruise(80, 4);
   const Flow none = flow(c, in);
@@ -103,7 +103,7 @@ TEST(wing_drag_between_mast_angles) {
            wing_coefficients(configuration(15), 0.05, 0.2).drag);
 }
 
-TEST(wing_flap_settings_blend) {
+TEST_OF_XV15(wing_flap_settings_blend) {
   const auto lift = [](double flap) {
     FlightSetup<double> setup = flight_setup(aircraft(), 0.0);
     setup.flap_deg = flap;
@@ -121,7 +121,7 @@ TEST(wing_flap_settings_blend) {
   CHECK_NEAR(wing_coefficients(c, -kPi<double> / 2, 0.1).drag, 1.44, 0.005);
 }
 
-TEST(wing_lateral_terms) {
+TEST_OF_XV15(wing_lateral_terms) {
   const Configuration<double> c = configuration(90);
   AirframeInput<double> in = cruise(80, 4);
   const Loads<double> level = flow(c, in).wing.loads;
@@ -156,7 +156,7 @@ TEST(wing_lateral_terms) {
 }
 
 // Downwash of the table over sqrt(1 - M^2), and its lag: eps' = (eps - eps_L) V / l_t with 6.83 m.
-TEST(wing_downwash_and_its_lag) {
+TEST_OF_XV15(wing_downwash_and_its_lag) {
   const Configuration<double> c = configuration(90);
   const double slow = flow(c, cruise(60, 3)).wing.downwash;
   CHECK(slow > 0.01 && slow < 0.2);

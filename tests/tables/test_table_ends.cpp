@@ -178,7 +178,7 @@ TEST(table_ends_add_little) {
 
 // The angles that have brought this about: 100 kt of the pressure ratio at the
 // tail, 20 deg of the surfaces.
-TEST(table_ends_of_speed_and_deflection) {
+TEST_OF_XV15(table_ends_of_speed_and_deflection) {
   const HorizontalTailTables<double>& h = aircraft().htail;
   const GridPoint<double> mast[1] = {{0, 0.0}};
   const auto ratio = [&](double speed) {
