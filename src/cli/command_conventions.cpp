@@ -35,7 +35,8 @@ Loads       force on the aircraft and moment about the CG, body axes, without we
 States      u v w p q r phi theta psi | b1c b1s db1c db1s n0 nc ns of the right rotor (_R) | of the left rotor (_L) |
             eps, the lagged wing downwash at the tail.
 Files       CSV is RFC 4180 in UTF-8, a byte-order mark allowed, one record a line. --states reads what trim and respond
-            print. Numbers of trim, modes, respond and rotor smaller than 1e-12 (but residual) are rounding and printed as 0.
+            print. Numbers of trim, modes, respond and rotor smaller than 1e-12 (but residual), and loads, rates and entries
+            of A and B smaller than 1e-14 of the terms beside them, are rounding and printed as 0.
 )";
 
 int run(const Arguments&) {

@@ -31,12 +31,6 @@ std::vector<std::optional<double>> optional_numbers(const Arguments& arguments, 
   return values;
 }
 
-std::optional<double> flap_setting(const Arguments& arguments) {
-  if (!arguments.given("--flap")) return std::nullopt;
-  const std::size_t setting = arguments.choice("--flap", "0", {"0", "20", "40", "75"});
-  return aircraft_data<double>().wing.flap_deg[setting];
-}
-
 const Option altitude_option = {"--altitude", "M", "-500..11000, standard atmosphere (0)"};
 const OptionList switch_options = {
     {"--tables", "KIND", "interpolation: c1 or linear (c1)"},
@@ -57,7 +51,7 @@ Configuration<double> prepared(const FlightSetup<double>& setup, const std::stri
 OptionList SetupOptions::list() {
   const OptionList aircraft = {
       altitude_option,
-      {"--flap", "DEG", "0, 20, 40 or 75 (mast 0: 40; mast 90: 0; between: 20)"},
+      {"--flap", "DEG", "0..75 (mast 0: 40; mast 90: 0; between: 20)"},
       {"--rotor-rpm", "RPM", "200..760 (mast 90: 517; else 589)"},
       {"--mass", "KG", "3000..10000 (5896.7 = 13000 lb)"},
       {"--cg-sl", "IN", "station of the CG at mast 0, 276..314 (301.2)"},
@@ -71,22 +65,27 @@ SetupOptions::SetupOptions(const Arguments& arguments) : SetupOptions(arguments,
   altitude_ = optional_number(arguments, "--altitude", kAltitudeRange, 1);
   mass_ = optional_number(arguments, "--mass", kMassRange, 1);
   sl_cg_ = optional_number(arguments, "--cg-sl", kCgRange, kInch);
+  flap_deg_ = optional_number(arguments, "--flap", kFlapRange, 1);
 }
 
 std::vector<SetupOptions> SetupOptions::every_combination(const Arguments& arguments) {
   const auto altitudes = optional_numbers(arguments, "--altitude", kAltitudeRange, 1);
   const auto masses = optional_numbers(arguments, "--mass", kMassRange, 1);
   const auto stations = optional_numbers(arguments, "--cg-sl", kCgRange, kInch);
-  require_few(arguments.command(), {altitudes.size(), masses.size(), stations.size()});
+  const auto flaps = optional_numbers(arguments, "--flap", kFlapRange, 1);
+  require_few(arguments.command(), {altitudes.size(), masses.size(), stations.size(), flaps.size()});
   std::vector<SetupOptions> all;
   SetupOptions one(arguments, Common{});
   for (const auto& altitude : altitudes) {
     for (const auto& mass : masses) {
       for (const auto& station : stations) {
-        one.altitude_ = altitude;
-        one.mass_ = mass;
-        one.sl_cg_ = station;
-        all.push_back(one);
+        for (const auto& flap : flaps) {
+          one.altitude_ = altitude;
+          one.mass_ = mass;
+          one.sl_cg_ = station;
+          one.flap_deg_ = flap;
+          all.push_back(one);
+        }
       }
     }
   }
@@ -94,8 +93,7 @@ std::vector<SetupOptions> SetupOptions::every_combination(const Arguments& argum
 }
 
 SetupOptions::SetupOptions(const Arguments& arguments, Common)
-    : flap_deg_(flap_setting(arguments)),
-      rotor_speed_(optional_number(arguments, "--rotor-rpm", kRotorSpeedRange, rpm)) {
+    : rotor_speed_(optional_number(arguments, "--rotor-rpm", kRotorSpeedRange, rpm)) {
   std::vector<std::string> assigned;
   for (const std::string& assignment : arguments.texts("--option")) {
     const std::string where = arguments.where("--option") + " " + assignment;
@@ -135,6 +133,7 @@ std::string SetupOptions::text() const {
   if (altitude_) given += ", " + number_text(*altitude_, digits) + " m";
   if (mass_) given += ", " + number_text(*mass_, digits) + " kg";
   if (sl_cg_) given += ", CG at " + number_text(*sl_cg_ / kInch, digits) + " in";
+  if (flap_deg_) given += ", flaps " + number_text(*flap_deg_, digits) + " deg";
   return given;
 }
 

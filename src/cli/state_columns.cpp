@@ -1,6 +1,7 @@
 #include "cli/state_columns.hpp"
 
 #include <algorithm>
+#include <string_view>
 
 #include "cli/flight_options.hpp"
 #include "cli/number.hpp"
@@ -18,7 +19,7 @@ struct PrintedName {
   const char* unit;
 };
 // In the order of kStateVariables.
-constexpr PrintedName printed_states[state_count] = {
+constexpr PrintedName printed_states[] = {
     {"u_mps", "m/s"},
     {"v_mps", "m/s"},
     {"w_mps", "m/s"},
@@ -51,6 +52,21 @@ constexpr PrintedName printed_states[state_count] = {
     {"east_m", "m"},
     {"down_m", "m"},
 };
+constexpr int printed_count = sizeof(printed_states) / sizeof(printed_states[0]);
+
+// One row per state, in degrees where the model has radians.
+constexpr bool printed_units_fit() {
+  if (printed_count != state_count) return false;
+  for (int i = 0; i < state_count; ++i) {
+    const std::string_view model = kStateVariables[i].unit();
+    const std::string_view printed = printed_states[i].unit;
+    const bool angle = model.substr(0, 3) == "rad";
+    if (angle ? printed.substr(0, 3) != "deg" || printed.substr(3) != model.substr(3) : printed != model)
+      return false;
+  }
+  return true;
+}
+static_assert(printed_units_fit(), "one row of printed_states per state, in its order");
 
 // Names of the reference files and of the program for the four inceptors.
 struct InceptorColumn {
