@@ -158,8 +158,7 @@ Q := $(if $(V),,@)
 all: $(LIBRARIES) $(SHARED) $(PROGRAMS) ## build the libraries, static and shared, and both programs (the default)
 
 run: all ## run the whole study; figures and numbers go to build/report
-	$(Q)$(RUNNER) $(BUILD)/tiltrotor report --output $(BUILD)/report
-	@echo "$(abspath $(BUILD))/report/index.html"
+	$(Q)$(RUNNER) $(BUILD)/tiltrotor report --output '$(abspath $(BUILD))/report'
 
 validate: all ## every number against its published one, the worst first; fails where the list of known exceedances is not true
 	$(Q)$(RUNNER) $(BUILD)/tiltrotor report --validate

@@ -40,7 +40,8 @@ Loads       force on the aircraft and moment about the CG, body axes, without we
 Names       _R right, _L left rotor; eps: lagged wing downwash at the tail; b0, db0: coning (coning_states); north, east,
             down: position (position_states).
 Files       CSV is RFC 4180 in UTF-8, a byte-order mark allowed, one record a line. --states reads what trim and respond
-            print. Numbers of trim, modes, respond and rotor smaller than 1e-12 (but residual) are rounding and printed as 0.
+            print. Numbers of trim, modes, respond and rotor smaller than 1e-12 (but residual), and loads, rates and entries
+            of A and B smaller than 1e-14 of the terms beside them, are rounding and printed as 0.
 )";
 
 // "States      u v w": names in the order of files and arrays.

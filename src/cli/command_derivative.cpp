@@ -3,10 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <iterator>
+#include <limits>
 
 #include "cli/command.hpp"
 #include "cli/errors.hpp"
 #include "cli/output.hpp"
+#include "text/rounding.hpp"
 #include "cli/states_option.hpp"
 #include "tiltrotor/model/derivative.hpp"
 
@@ -14,47 +17,60 @@ namespace tiltrotor::cli {
 
 namespace {
 
-// The first 24 states always, the others when they are alive.
-std::vector<int> printed_states(const Options& options) {
-  const ActiveStates active = active_states(options, true);
-  std::vector<int> states;
-  for (int i = 0; i < kStateIndex.coning[right].angle; ++i) states.push_back(i);
-  for (int k = 0; k < active.count; ++k) {
-    if (active.index[k] >= kStateIndex.coning[right].angle) states.push_back(active.index[k]);
+// Rates at a state, a rate zero where it is the rounding of what acts.
+void rates_without_rounding(const Configuration<double>& c, const StateRow& row,
+                            double (&rates)[state_count]) {
+  Evaluation<double> evaluation;
+  evaluate(c, row.state, row.controls, evaluation);
+  double forces = kGravity<double> * c.mass.mass;
+  double moments = 0;
+  for (const Loads<double>& l : evaluation.loads.component) {
+    forces += std::sqrt(dot(l.force, l.force));
+    moments += std::sqrt(dot(l.moment, l.moment));
   }
-  return states;
+  flatten(evaluation.rates, rates);
+  const double mass = c.mass.mass;
+  const Inertia<double>& inertia = c.mass.inertia;
+  const Vec3<int>& velocity = kStateIndex.velocity;
+  const Vec3<int>& turning = kStateIndex.rates;
+  const struct {
+    int state;
+    double terms;
+  } sums[] = {{velocity.x, forces / mass},       {velocity.y, forces / mass},
+              {velocity.z, forces / mass},       {turning.x, moments / inertia.xx},
+              {turning.y, moments / inertia.yy}, {turning.z, moments / inertia.zz}};
+  for (const auto& sum : sums) rates[sum.state] = without_rounding(rates[sum.state], sum.terms);
 }
 
 int run(const Arguments& arguments) {
   const SetupOptions setup(arguments);
   GivenStates given(arguments, setup);
-  StateFile& file = given.file();
-  const std::vector<int> states = printed_states(setup.switches());
-  std::vector<std::string> columns = file.columns();
+  const std::vector<int> states = needed_states(setup.switches());
+  std::vector<std::string> columns = given.file().columns();
   for (const int i : states) columns.push_back(std::string("d_") + kStateVariables[i].name);
 
   Output output(arguments);
   Records records = output.records(columns, Output::to_compare);
-  int status = exit_success;
-  const auto visit = [&](const StateRow& row) {
-    State<double> rates;
-    derivative(given.configuration(row), row.state, row.controls, rates);
-    double flat[state_count];
-    flatten(rates, flat);
+  const auto visit = [&](const StateRow& row, const Configuration<double>& configuration) -> int {
+    double rates[state_count];
+    std::fill(std::begin(rates), std::end(rates), std::numeric_limits<double>::quiet_NaN());
+    if (row.fault.empty()) rates_without_rounding(configuration, row, rates);
     Row cells = row.cells;
-    for (const int i : states) cells.emplace_back(flat[i]);
+    for (const int i : states) cells.emplace_back(rates[i]);
     records.add(cells);
     const double* const bad =
-        std::find_if(flat, flat + state_count, [](double r) { return !std::isfinite(r); });
-    if (bad != flat + state_count) {
+        std::find_if(std::begin(rates), std::end(rates), [](double r) { return !std::isfinite(r); });
+    if (bad == std::end(rates)) return exit_success;
+    if (row.fault.empty()) {
       std::fprintf(stderr, "tiltrotor: %s:%zu: the derivative of this state is not finite: d_%s\n",
-                   file.path().c_str(), row.line, kStateVariables[static_cast<int>(bad - flat)].name);
-      status = exit_case_failed;
+                   given.file().path().c_str(), row.line,
+                   kStateVariables[static_cast<int>(bad - rates)].name);
     }
+    return exit_case_failed;
   };
-  file.each(output.shard().begin(file.size()), output.shard().end(file.size()), visit);
+  const int exit_status = given.each(output.shard(), visit);
   records.finish();
-  return status;
+  return exit_status;
 }
 
 }  // namespace

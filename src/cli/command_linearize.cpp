@@ -1,10 +1,10 @@
 // `tiltrotor linearize`: A and B at trim or at given states.
 
-#include <cmath>
 #include <cstdio>
 #include <memory>
 
 #include "cli/command.hpp"
+#include "cli/derived_columns.hpp"
 #include "cli/errors.hpp"
 #include "cli/linear_options.hpp"
 #include "cli/linear_output.hpp"
@@ -55,17 +55,16 @@ class Linearizer {
 
 int at_given_states(const Arguments& arguments, const SetupOptions& setup) {
   GivenStates given(arguments, setup);
-  StateFile& file = given.file();
-  Linearizer linearizer(arguments, file.size() == 1);
-  int exit_status = exit_success;
-  const auto visit = [&](const StateRow& row) {
-    const Configuration<double> configuration = given.configuration(row);
-    const Vec3<double> v = row.state.velocity - row.controls.gust;
-    const LinearCase which{row.name, configuration.setup.mast_deg, std::sqrt(dot(v, v)), "ok", true};
-    const int done = linearizer.add(which, configuration, row.state, row.controls);
-    if (done != exit_success) exit_status = done;
+  Linearizer linearizer(arguments, given.file().size() == 1);
+  const auto visit = [&](const StateRow& row, const Configuration<double>& configuration) -> int {
+    const bool usable = row.fault.empty();
+    const LinearCase which{row.name, configuration.setup.mast_deg, airspeed(row.state, row.controls),
+                           usable ? "ok" : "no_state", usable};
+    if (usable) return linearizer.add(which, configuration, row.state, row.controls);
+    linearizer.add_without_model(which);
+    return exit_case_failed;
   };
-  file.each(linearizer.shard().begin(file.size()), linearizer.shard().end(file.size()), visit);
+  const int exit_status = given.each(linearizer.shard(), visit);
   linearizer.finish();
   return exit_status;
 }

@@ -6,6 +6,7 @@
 #include "cli/command.hpp"
 #include "cli/errors.hpp"
 #include "cli/output.hpp"
+#include "text/rounding.hpp"
 #include "cli/states_option.hpp"
 #include "cli/trimmed_flights.hpp"
 #include "tiltrotor/model/derivative.hpp"
@@ -29,11 +30,19 @@ int add_state(Records& records, const std::string& name, const Configuration<dou
   Evaluation<double> evaluation;
   evaluate_aircraft(configuration, state, controls, evaluation);
   Loads<double> total{};
-  for (int i = 0; i < component_count; ++i) {
-    add_row(records, name, configuration.setup.mast_deg, kComponentNames[i], evaluation.loads.component[i]);
-    total = total + evaluation.loads.component[i];
+  double forces = 0;
+  double moments = 0;
+  for (const Loads<double>& l : evaluation.loads.component) {
+    total = total + l;
+    forces += std::sqrt(dot(l.force, l.force));
+    moments += std::sqrt(dot(l.moment, l.moment));
   }
-  add_row(records, name, configuration.setup.mast_deg, "total_aero", total);
+  const auto add = [&](const char* component, const Loads<double>& l) {
+    add_row(records, name, configuration.setup.mast_deg, component,
+            {without_rounding(l.force, forces), without_rounding(l.moment, moments)});
+  };
+  for (int i = 0; i < component_count; ++i) add(kComponentNames[i], evaluation.loads.component[i]);
+  add("total_aero", total);
   const double size = dot(total.force, total.force) + dot(total.moment, total.moment);
   if (std::isfinite(size)) return exit_success;
   for (int i = 0; i < component_count; ++i) {
@@ -48,15 +57,13 @@ int add_state(Records& records, const std::string& name, const Configuration<dou
 
 int loads_at_given_states(const Arguments& arguments, const SetupOptions& setup) {
   GivenStates given(arguments, setup);
-  StateFile& file = given.file();
   Output output(arguments);
   Records records = output.records(columns, Output::to_compare);
-  int exit_status = exit_success;
-  const auto visit = [&](const StateRow& row) {
-    const int done = add_state(records, row.name, given.configuration(row), row.state, row.controls);
-    if (done != exit_success) exit_status = done;
+  const auto visit = [&](const StateRow& row, const Configuration<double>& configuration) -> int {
+    if (!row.fault.empty()) return exit_case_failed;
+    return add_state(records, row.name, configuration, row.state, row.controls);
   };
-  file.each(output.shard().begin(file.size()), output.shard().end(file.size()), visit);
+  const int exit_status = given.each(output.shard(), visit);
   records.finish();
   return exit_status;
 }

@@ -17,8 +17,9 @@ namespace tiltrotor::cli {
 namespace {
 
 const std::vector<std::string> columns = {
-    "mast_deg",      "speed_mps",      "axis",   "mode",       "real",    "imag",     "frequency_rad_s",
-    "damping_ratio", "time_to_half_s", "status", "altitude_m", "mass_kg", "cg_sl_in", "branch"};
+    "mast_deg",   "speed_mps",       "axis",          "mode",           "real",
+    "imag",       "frequency_rad_s", "damping_ratio", "time_to_half_s", "status",
+    "altitude_m", "mass_kg",         "cg_sl_in",      "branch",         "flap_deg"};
 
 // Branches are followed along a sweep of speed, or of mast angle at one speed, and numbered through it. A
 // shard begins with the sweep, to find the same numbers.
@@ -46,7 +47,8 @@ void add_row(Records& records, const TrimmedFlight& flight, const char* status,
                           : Row{"", "", nothing, nothing, nothing, nothing, nothing};
   row.insert(row.end(), numbers.begin(), numbers.end());
   const double branch = mode != nullptr ? mode->branch : nothing;
-  for (const Cell& cell : Row{status, setup.altitude, setup.mass, given_as(setup.sl_cg, kInch), branch})
+  for (const Cell& cell :
+       Row{status, setup.altitude, setup.mass, given_as(setup.sl_cg, kInch), branch, setup.flap_deg})
     row.push_back(cell);
   records.add(row);
 }
@@ -107,7 +109,7 @@ Command modes_command() {
       "number `branch`: followed along a sweep of speed at one mast angle (of mast angle at one speed) in\n"
       "steps of at most 10 m/s (10 deg). Where a pair falls apart into two real roots, and at a flight\n"
       "without a trim, branches end. A shard follows them from the beginning of its sweep.\n"
-      "--mast, --speed, --altitude, --mass and --cg-sl take a value, a list or a range.\n",
+      "--mast, --speed, --altitude, --mass, --cg-sl and --flap take a value, a list or a range.\n",
       "tiltrotor modes --mast 30,60,90 --speed 60",
       reduce_option() + flight_list() + SetupOptions::list() + Output::list(),
       run};

@@ -1,5 +1,6 @@
 // `tiltrotor rotor`: one rotor alone, as on a test stand or in a wind tunnel.
 
+#include <cmath>
 #include <limits>
 
 #include "cli/command.hpp"
@@ -7,6 +8,7 @@
 #include "cli/flight_options.hpp"
 #include "cli/output.hpp"
 #include "text/progress.hpp"
+#include "text/rounding.hpp"
 #include "tiltrotor/analysis/isolated_rotor.hpp"
 
 namespace tiltrotor::cli {
@@ -31,6 +33,12 @@ struct Column {
 using Setting = const Configuration<double>&;
 using Rotor = const IsolatedRotor<double>&;
 
+// Force without the rounding of a thrust beside which it is nothing.
+Vec3<double> in_plane(Rotor r) {
+  const Vec3<double>& force = r.response.loads.force;
+  return without_rounding(force, std::sqrt(dot(force, force)));
+}
+
 // The column `status` follows them.
 const Column numbers[] = {
     {"collective75_deg", [](Setting, Rotor r) { return given_as(r.input.collective, radian); }, true},
@@ -50,8 +58,8 @@ const Column numbers[] = {
     {"lateral_cyclic_deg", [](Setting, Rotor r) { return given_as(r.input.lateral_cyclic, radian); }},
     {"long_cyclic_deg", [](Setting, Rotor r) { return given_as(r.input.long_cyclic, radian); }},
     {"coning_deg", [](Setting, Rotor r) { return r.input.coning.angle / radian; }},
-    {"force_aft_n", [](Setting, Rotor r) { return r.response.loads.force.x; }},
-    {"force_advancing_n", [](Setting, Rotor r) { return r.response.loads.force.y; }},
+    {"force_aft_n", [](Setting, Rotor r) { return in_plane(r).x; }},
+    {"force_advancing_n", [](Setting, Rotor r) { return in_plane(r).y; }},
     {"torque_nm", [](Setting, Rotor r) { return r.figures.torque; }},
     {"rotor_rpm", [](Setting c, Rotor) { return given_as(c.setup.rotor_speed, rpm_unit); }, true},
     {"speed_axial_mps", [](Setting, Rotor r) { return r.input.velocity.z; }, true},

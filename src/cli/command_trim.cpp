@@ -148,19 +148,20 @@ int run(const Arguments& arguments) {
 std::vector<std::string> trim_columns() { return column_names(); }
 
 Command trim_command() {
-  return {"trim",
-          "equilibrium at every combination of mast angle, speed, altitude, mass and CG",
-          "Level, climbing, turning or sideslipping flight, each from a cold start. --mast, --speed, "
-          "--altitude,\n"
-          "--mass and --cg-sl take a value, a list or a range. A `status` that is not ok is explained on "
-          "stderr and\n"
-          "makes the exit status 1: trimmed beyond a limit (vortex_ring, wing_stall, control_limit, "
-          "flap_limit,\n"
-          "power_limit, torque_limit: the first that holds; `limits` lists all), or no trim\n"
-          "(rotor_stall, not_converged, singular; out_of_range where the flight asked for cannot be).\n",
-          "tiltrotor trim --mast 0,30 --speed 0,40,50 --format csv",
-          flight_list() + SetupOptions::list() + Output::list(),
-          run};
+  return {
+      "trim",
+      "equilibrium at every combination of mast angle, speed, altitude, mass, CG and flaps",
+      "Level, climbing, turning or sideslipping flight, each from a cold start. --mast, --speed, "
+      "--altitude,\n"
+      "--mass, --cg-sl and --flap take a value, a list or a range. A `status` that is not ok is explained on "
+      "stderr and\n"
+      "makes the exit status 1: trimmed beyond a limit (vortex_ring, wing_stall, control_limit, "
+      "flap_limit,\n"
+      "power_limit, torque_limit: the first that holds; `limits` lists all), or no trim\n"
+      "(rotor_stall, not_converged, singular; out_of_range where the flight asked for cannot be).\n",
+      "tiltrotor trim --mast 0,30 --speed 0,40,50 --format csv",
+      flight_list() + SetupOptions::list() + Output::list(),
+      run};
 }
 
 }  // namespace tiltrotor::cli

@@ -32,19 +32,6 @@ std::vector<std::optional<double>> optional_numbers(const Arguments& arguments, 
   return values;
 }
 
-std::vector<std::string> flap_words() {
-  const WingTables<double>& wing = aircraft_data<double>().wing;
-  std::vector<std::string> words;
-  for (int k = 0; k < wing.flap_settings; ++k) words.push_back(number_text(wing.flap_deg[k]));
-  return words;
-}
-
-std::optional<double> flap_setting(const Arguments& arguments) {
-  if (!arguments.given("--flap")) return std::nullopt;
-  const std::vector<std::string> words = flap_words();
-  return aircraft_data<double>().wing.flap_deg[arguments.choice("--flap", words[0], words)];
-}
-
 // "3000..10000"
 std::string limits_text(const Range& range) {
   return number_text(range.low) + ".." + number_text(range.high);
@@ -94,7 +81,7 @@ Range speed_range() { return {0, inward(aircraft_data<double>().limits.speed, 1,
 OptionList SetupOptions::list() {
   const Aircraft<double>& a = aircraft_data<double>();
   constexpr int digits = 5;
-  static const std::string flap = one_of(flap_words()) +
+  static const std::string flap = limits_text(kFlapRange) +
                                   " (mast 0: " + number_text(a.defaults.flap_helicopter) +
                                   "; mast 90: " + number_text(a.defaults.flap_airplane) +
                                   "; between: " + number_text(a.defaults.flap_conversion) + ")";
@@ -120,22 +107,27 @@ SetupOptions::SetupOptions(const Arguments& arguments) : SetupOptions(arguments,
   altitude_ = optional_number(arguments, "--altitude", kAltitudeRange, 1);
   mass_ = optional_number(arguments, "--mass", kMassRange, 1);
   sl_cg_ = optional_number(arguments, "--cg-sl", kCgRange, kInch);
+  flap_deg_ = optional_number(arguments, "--flap", kFlapRange, 1);
 }
 
 std::vector<SetupOptions> SetupOptions::every_combination(const Arguments& arguments) {
   const auto altitudes = optional_numbers(arguments, "--altitude", kAltitudeRange, 1);
   const auto masses = optional_numbers(arguments, "--mass", kMassRange, 1);
   const auto stations = optional_numbers(arguments, "--cg-sl", kCgRange, kInch);
-  require_few(arguments.command(), {altitudes.size(), masses.size(), stations.size()});
+  const auto flaps = optional_numbers(arguments, "--flap", kFlapRange, 1);
+  require_few(arguments.command(), {altitudes.size(), masses.size(), stations.size(), flaps.size()});
   std::vector<SetupOptions> all;
   SetupOptions one(arguments, Common{});
   for (const auto& altitude : altitudes) {
     for (const auto& mass : masses) {
       for (const auto& station : stations) {
-        one.altitude_ = altitude;
-        one.mass_ = mass;
-        one.sl_cg_ = station;
-        all.push_back(one);
+        for (const auto& flap : flaps) {
+          one.altitude_ = altitude;
+          one.mass_ = mass;
+          one.sl_cg_ = station;
+          one.flap_deg_ = flap;
+          all.push_back(one);
+        }
       }
     }
   }
@@ -143,8 +135,7 @@ std::vector<SetupOptions> SetupOptions::every_combination(const Arguments& argum
 }
 
 SetupOptions::SetupOptions(const Arguments& arguments, Common)
-    : flap_deg_(flap_setting(arguments)),
-      rotor_speed_(optional_number(arguments, "--rotor-rpm", kRotorSpeedRange, kRpm)) {
+    : rotor_speed_(optional_number(arguments, "--rotor-rpm", kRotorSpeedRange, kRpm)) {
   std::vector<std::string> assigned;
   for (const std::string& assignment : arguments.texts("--option")) {
     const std::string where = arguments.where("--option") + " " + assignment;
@@ -184,6 +175,7 @@ std::string SetupOptions::text() const {
   if (altitude_) given += ", " + number_text(*altitude_, digits) + " m";
   if (mass_) given += ", " + number_text(*mass_, digits) + " kg";
   if (sl_cg_) given += ", CG at " + number_text(*sl_cg_ / kInch, digits) + " in";
+  if (flap_deg_) given += ", flaps " + number_text(*flap_deg_, digits) + " deg";
   return given;
 }
 

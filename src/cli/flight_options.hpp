@@ -33,7 +33,7 @@ class SetupOptions {
   static OptionList list();
   static OptionList rotor_list();  // what concerns an isolated rotor
   explicit SetupOptions(const Arguments& arguments);
-  // One for every combination of --altitude, --mass and --cg-sl, in that order.
+  // One for every combination of --altitude, --mass, --cg-sl and --flap, in that order.
   static std::vector<SetupOptions> every_combination(const Arguments& arguments);
 
   FlightSetup<double> flight_setup(double mast_deg) const;
@@ -41,7 +41,7 @@ class SetupOptions {
   Configuration<double> configuration(double mast_deg) const;
   // With another rotor speed, rad/s.
   Configuration<double> configuration(double mast_deg, double rotor_speed) const;
-  // What was given of altitude, mass and CG, for a message: ", 3000 m, 6000 kg, CG at 300 in".
+  // What was given of altitude, mass, CG and flaps, for a message: ", 3000 m, 6000 kg, CG at 300 in".
   std::string text() const;
   const Options& switches() const { return switches_; }
 

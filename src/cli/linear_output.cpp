@@ -7,6 +7,7 @@
 #include "text/identity.hpp"
 #include "text/json.hpp"
 #include "text/number.hpp"
+#include "text/rounding.hpp"
 
 namespace tiltrotor::cli {
 
@@ -59,7 +60,8 @@ LinearOutput::LinearOutput(const Arguments& arguments, bool single)
   if (kind_ == json && !single_) sink_.write("[\n");
 }
 
-void LinearOutput::add(const LinearCase& which, const Model& model) {
+void LinearOutput::add(const LinearCase& which, const Model& exact) {
+  const Model model = without_rounding(exact);
   if (kind_ == table) add_table(which, model);
   if (kind_ == csv) add_csv(which, model);
   if (kind_ == json) add_json(which, model);

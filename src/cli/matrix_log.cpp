@@ -1,6 +1,7 @@
 #include "cli/matrix_log.hpp"
 
 #include "text/number.hpp"
+#include "text/rounding.hpp"
 
 namespace tiltrotor::cli {
 
@@ -10,7 +11,8 @@ MatrixLog::MatrixLog(const std::string& folder, const std::string& where) {
   b_ = std::make_unique<Sink>(folder + "/b.csv", where);
 }
 
-void MatrixLog::add(double time, const LinearModel<double>& model) {
+void MatrixLog::add(double time, const LinearModel<double>& exact) {
+  const LinearModel<double> model = without_rounding(exact);
   if (!has_header_) write_header(model);
   std::string a, b;
   for (int i = 0; i < model.states; ++i) {

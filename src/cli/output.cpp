@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "cli/errors.hpp"
+#include "text/rounding.hpp"
 
 namespace tiltrotor::cli {
 
@@ -39,8 +40,7 @@ Output::Output(const Arguments& arguments)
 }
 
 Records Output::records(std::vector<std::string> columns, Digits digits) {
-  constexpr double rounding = 1e-12;  // in the unit of the column
-  return Records(sink_, format_, std::move(columns), digits, digits == to_read ? rounding : 0,
+  return Records(sink_, format_, std::move(columns), digits, digits == to_read ? kUsualTerms : 0,
                  shard_.first());
 }
 

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "cli/derived_columns.hpp"
 #include "cli/state_columns.hpp"
 
 namespace tiltrotor::cli {
@@ -25,24 +26,6 @@ struct Column {
   double (*value)(Now);
 };
 
-// Relative to the air, gust included.
-double airspeed(Now m) {
-  const Vec3<double> v = m.x.velocity - m.u.gust;
-  return std::sqrt(dot(v, v));
-}
-
-// Along the heading, level with the ground.
-double forward_speed(Now m) {
-  const Vec3<double>& v = m.x.velocity;
-  const double lateral_plane = v.y * std::sin(m.x.roll) + v.z * std::cos(m.x.roll);
-  return v.x * std::cos(m.x.pitch) + lateral_plane * std::sin(m.x.pitch);
-}
-double climb_rate(Now m) {
-  const Vec3<double>& v = m.x.velocity;
-  const double lateral_plane = v.y * std::sin(m.x.roll) + v.z * std::cos(m.x.roll);
-  return v.x * std::sin(m.x.pitch) - lateral_plane * std::cos(m.x.pitch);
-}
-
 const Column columns[] = {
     {"time_s", [](Now m) { return current_time(m.simulation); }},
     {"u_mps", [](Now m) { return m.x.velocity.x; }},
@@ -54,9 +37,9 @@ const Column columns[] = {
     {"roll_deg", [](Now m) { return m.x.roll / radian; }},
     {"pitch_deg", [](Now m) { return m.x.pitch / radian; }},
     {"yaw_deg", [](Now m) { return m.x.yaw / radian; }},
-    {"speed_mps", airspeed},
-    {"forward_speed_mps", forward_speed},
-    {"climb_rate_mps", climb_rate},
+    {"speed_mps", [](Now m) { return airspeed(m.x, m.u); }},
+    {"forward_speed_mps", [](Now m) { return forward_speed(m.x); }},
+    {"climb_rate_mps", [](Now m) { return climb_rate(m.x); }},
     {"collective75_deg", [](Now m) { return m.u.collective / radian; }},
     // Inches from neutral.
     {"long_stick_from_neutral_in", [](Now m) { return m.u.long_stick; }},

@@ -55,10 +55,17 @@ constexpr PrintedName printed_states[] = {
     {"down", "down_m", "m"},
 };
 
+// In degrees where the model has radians.
+constexpr bool printed_unit_fits(int state) {
+  const std::string_view model = kStateVariables[state].unit();
+  const std::string_view printed = printed_states[state].unit;
+  return model.substr(0, 3) == "rad" ? printed.substr(0, 3) == "deg" && printed.substr(3) == model.substr(3)
+                                     : printed == model;
+}
 constexpr bool every_state_is_printed() {
   if (std::size(printed_states) != state_count) return false;
   for (int i = 0; i < state_count; ++i)
-    if (std::string_view(printed_states[i].state) != kStateVariables[i].name) return false;
+    if (std::string_view(printed_states[i].state) != kStateVariables[i].name || !printed_unit_fits(i)) return false;
   return true;
 }
 static_assert(every_state_is_printed(), "a row of printed_states per state, in order");

@@ -1,8 +1,8 @@
 // Names of states, controls and settings in the columns of files.
 //
 // A state or control may stand in SI units under the name of the model (theta, th75_rad) or as the program
-// prints it (pitch_deg, collective75_deg). What trim and respond print besides follows from these and is
-// passed over.
+// prints it (pitch_deg, collective75_deg). What trim and respond print besides follows from these and is not
+// read.
 #pragma once
 
 #include <optional>

@@ -15,33 +15,6 @@ namespace tiltrotor::cli {
 
 namespace {
 
-// In the unit of the column.
-Range range_of(const Target& target) {
-  switch (target.kind) {
-    case Target::mast:
-      return kMastRange;
-    case Target::altitude:
-      return kAltitudeRange;
-    case Target::flap:
-      return kFlapRange;
-    case Target::rotor_speed:
-      return kRotorSpeedRange;
-    case Target::mass:
-      return kMassRange;
-    case Target::sl_cg:
-      return kCgRange;
-    case Target::state: {
-      const double bound = target.shown(response_detail::state_bound<double>(target.index));
-      return {-bound, bound, target.unit_name};
-    }
-    case Target::control:
-      return {target.shown(-kLargestControl<double>), target.shown(kLargestControl<double>),
-              target.unit_name};
-    default:
-      return {-std::numeric_limits<double>::max(), std::numeric_limits<double>::max(), ""};
-  }
-}
-
 // A header in other units than the model's is told what it lacks in those.
 std::string missing_columns(const std::vector<std::string>& header, const Options& options) {
   const auto has = [&](const std::string& name) {
@@ -61,6 +34,10 @@ std::string missing_columns(const std::vector<std::string>& header, const Option
   return text;
 }
 
+bool is_motion(const Target& target) {
+  return target.kind == Target::state || target.kind == Target::control;
+}
+
 std::string separator_hint(const std::vector<std::string>& header) {
   if (header.size() > 1) return "";
   if (header[0].find(';') != std::string::npos)
@@ -72,21 +49,24 @@ std::string separator_hint(const std::vector<std::string>& header) {
 
 }  // namespace
 
-StateFile::StateFile(const std::string& name, const Options& options) : lines_(name) {
+StateFile::StateFile(const std::string& name, const Options& options) : options_(options), lines_(name) {
   if (!next_row_line()) throw UsageError(path() + ":1: no header line");
   read_header(options);
   StateRow row{};
   while (next_row_line()) read_row(size_++, row);
   if (size_ == 0) throw UsageError(path() + ": no states below the header");
-  for (std::size_t i = 0; i < header_.size(); ++i)
-    if (targets_[i].kind != Target::rate) columns_.push_back(header_[i]);
+  for (std::size_t i = 0; i < header_.size(); ++i) {
+    if (targets_[i].kind == Target::rate) continue;
+    columns_.push_back(header_[i]);
+    column_targets_.push_back(targets_[i]);
+  }
 }
 
 bool StateFile::has(Target::Kind kind) const {
   return std::any_of(targets_.begin(), targets_.end(), [&](const Target& t) { return t.kind == kind; });
 }
 
-void StateFile::each(std::size_t begin, std::size_t end, const std::function<void(const StateRow&)>& visit) {
+void StateFile::each(std::size_t begin, std::size_t end, const std::function<void(StateRow&)>& visit) {
   lines_.rewind();
   next_row_line();
   StateRow row{};
@@ -131,6 +111,63 @@ void StateFile::read_header(const Options& options) {
   if (!missing.empty()) throw UsageError(where + ": missing column" + missing);
 }
 
+std::string StateFile::cell(const std::string& column) const {
+  const auto place = std::find(header_.begin(), header_.end(), column);
+  return place == header_.end() ? "" : cells_[static_cast<std::size_t>(place - header_.begin())];
+}
+
+// In the unit of the column. A control may be beyond its stop where the row's own column `limits` says so: a
+// trim that no pilot could hold.
+Range StateFile::range_of(std::size_t column) const {
+  const Target& target = targets_[column];
+  const auto between = [&](double low, double high) {
+    return Range{target.shown(low), target.shown(high), target.unit_name};
+  };
+  switch (target.kind) {
+    case Target::mast:
+      return kMastRange;
+    case Target::altitude:
+      return kAltitudeRange;
+    case Target::flap:
+      return kFlapRange;
+    case Target::rotor_speed:
+      return kRotorSpeedRange;
+    case Target::mass:
+      return kMassRange;
+    case Target::sl_cg:
+      return kCgRange;
+    case Target::state: {
+      const double bound = response_detail::state_bound<double>(target.index);
+      return between(-bound, bound);
+    }
+    case Target::control: {
+      const std::vector<std::string> limits = split(cell("limits"), ' ');
+      if (std::find(limits.begin(), limits.end(), kControlVariables[target.index].name) != limits.end())
+        return between(-kLargestControl<double>, kLargestControl<double>);
+      const ControlRange<double> range = control_range<double>(target.index);
+      return between(range.low, range.high);
+    }
+    default:
+      return {-std::numeric_limits<double>::max(), std::numeric_limits<double>::max(), ""};
+  }
+}
+
+bool StateFile::holds_state() const {
+  for (std::size_t i = 0; i < cells_.size(); ++i)
+    if (is_motion(targets_[i]) && !cells_[i].empty()) return true;
+  return false;
+}
+
+// A state that stands still under the options is not read.
+void StateFile::require_alive(std::size_t column, double value) const {
+  const Target& target = targets_[column];
+  if (target.kind != Target::state || value == 0 || is_active(kStateVariables[target.index], options_))
+    return;
+  throw UsageError(lines_.where() + ": column " + header_[column] + ": " + cells_[column] +
+                   ", but with these options the state stands still; give the --option the file was made "
+                   "with");
+}
+
 void StateFile::read_row(std::size_t number, StateRow& row) {
   const char* const fault = csv::split_line(line_, cells_);
   if (fault != nullptr) throw UsageError(lines_.where() + ": " + fault);
@@ -140,26 +177,34 @@ void StateFile::read_row(std::size_t number, StateRow& row) {
   }
   double x[state_count] = {};
   double u[control_count] = {};
+  row = StateRow{};
   row.line = lines_.number();
   row.name = std::to_string(number);
-  row.cells.clear();
+  const bool has_state = holds_state();
+  if (!has_state) {
+    const std::string status = cell("status");
+    row.fault = "the row holds no state" + (status.empty() ? "" : ": " + quoted(status));
+  }
   for (std::size_t i = 0; i < cells_.size(); ++i) {
-    const std::string& cell = cells_[i];
+    const std::string& text = cells_[i];
     const Target& target = targets_[i];
     if (target.kind == Target::rate) continue;
     double value = std::numeric_limits<double>::quiet_NaN();
-    const bool is_number = read_number(cell, value);
+    const bool is_number = read_number(text, value);
     if (target.kind == Target::name || target.kind == Target::derived) {
-      if (target.kind == Target::name && !cell.empty()) row.name = cell;
-      const bool repeats_number = target.kind == Target::derived && (is_number || cell.empty());
-      row.cells.emplace_back(repeats_number ? Cell(Quotation{cell, value}) : Cell(cell));
+      if (target.kind == Target::name && !text.empty()) row.name = text;
+      const bool repeats_number = target.kind == Target::derived && (is_number || text.empty());
+      row.cells.emplace_back(repeats_number ? Cell(Quotation{text, value}) : Cell(text));
       continue;
     }
-    const Range range = range_of(target);
-    if (!is_number || !(value >= range.low && value <= range.high))
-      parse_number(cell, lines_.where() + ": column " + header_[i], range);  // throws
-    row.cells.emplace_back(Quotation{cell, value});
+    const bool may_be_empty = !has_state && is_motion(target);
+    const Range range = range_of(i);
+    if (!may_be_empty && (!is_number || !(value >= range.low && value <= range.high)))
+      parse_number(text, lines_.where() + ": column " + header_[i], range);  // throws
+    row.cells.emplace_back(Quotation{text, value});
+    if (may_be_empty) continue;
     value = target.read(value);
+    require_alive(i, value);
     if (target.kind == Target::mast) row.mast_deg = value;
     if (target.kind == Target::altitude) row.altitude = value;
     if (target.kind == Target::flap) row.flap_deg = value;

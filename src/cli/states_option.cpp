@@ -1,5 +1,8 @@
 #include "cli/states_option.hpp"
 
+#include <cstdio>
+
+#include "cli/derived_columns.hpp"
 #include "cli/errors.hpp"
 
 namespace tiltrotor::cli {
@@ -27,14 +30,15 @@ constexpr Setting settings[] = {
 }  // namespace
 
 OptionList states_option() {
-  return {{"--states", "FILE",
-           "CSV (- is standard input) of states: u v w p q r phi theta psi,\n"
-           "b1c_R b1s_R db1c_R db1s_R n0_R nc_R ns_R, the same with _L, eps,\n"
-           "and controls th75_rad lon_in lat_in ped_in, in any order; SI\n"
-           "units, radians, inches from neutral; or as trim and respond print.\n"
-           "Optional: case, mast_deg, altitude_m, flap_deg, rotor_rpm,\n"
-           "mass_kg, cg_sl_in; what follows from these is not read\n(speed_mps, alpha_deg, ..., d_*); --grid "
-           "and --option must be\nthose the file was made with"}};
+  return {
+      {"--states", "FILE",
+       "CSV (- is standard input) of states: u v w p q r phi theta psi,\n"
+       "b1c_R b1s_R db1c_R db1s_R n0_R nc_R ns_R, the same with _L, eps,\n"
+       "and controls th75_rad lon_in lat_in ped_in, in any order; SI\n"
+       "units, radians, inches from neutral; or as trim and respond print.\n"
+       "Optional: case, mast_deg, altitude_m, flap_deg, rotor_rpm,\n"
+       "mass_kg, cg_sl_in; what follows from these (speed_mps,\nalpha_deg, ...) must agree with them; loads, "
+       "status, d_* are\nnot read; --grid and --option must be those the file was\nmade with"}};
 }
 
 GivenStates::GivenStates(const Arguments& arguments, const SetupOptions& setup)
@@ -48,6 +52,21 @@ GivenStates::GivenStates(const Arguments& arguments, const SetupOptions& setup)
     if (file_.has(s.kind) && arguments.given(s.option))
       throw UsageError(arguments.where(s.option) + ": " + file_.path() + " has its own column " + s.column);
   }
+}
+
+int GivenStates::each(const Shard& shard, const Visit& visit) {
+  int exit_status = exit_success;
+  file_.each(shard.begin(file_.size()), shard.end(file_.size()), [&](StateRow& row) {
+    const Configuration<double> c = configuration(row);
+    if (row.fault.empty()) row.fault = contradiction(row, file_, c);
+    if (!row.fault.empty()) {
+      std::fprintf(stderr, "tiltrotor: %s:%zu: %s\n", file_.path().c_str(), row.line, row.fault.c_str());
+      exit_status = exit_case_failed;
+    }
+    const int visited = visit(row, c);
+    if (visited != exit_success) exit_status = visited;
+  });
+  return exit_status;
 }
 
 Configuration<double> GivenStates::configuration(const StateRow& row) const {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "cli/flight_options.hpp"
+#include "cli/shard.hpp"
 #include "cli/state_file.hpp"
 
 namespace tiltrotor::cli {
@@ -12,11 +13,17 @@ OptionList states_option();
 class GivenStates {
  public:
   GivenStates(const Arguments& arguments, const SetupOptions& setup);
-  StateFile& file() { return file_; }
-  // What the row's own columns set, and the options the rest.
-  Configuration<double> configuration(const StateRow& row) const;
+  const StateFile& file() const { return file_; }
+
+  // Every row of the shard, in order, with what its own columns set and the options the rest. A row that is
+  // no flight (StateRow::fault) is explained on stderr before. Returns exit_case_failed when there was one or
+  // `visit` returned it.
+  using Visit = std::function<int(const StateRow&, const Configuration<double>&)>;
+  int each(const Shard& shard, const Visit& visit);
 
  private:
+  Configuration<double> configuration(const StateRow& row) const;
+
   const SetupOptions& setup_;
   double mast_deg_;
   StateFile file_;

@@ -7,6 +7,7 @@
 #include "text/identity.hpp"
 #include "text/json.hpp"
 #include "text/number.hpp"
+#include "text/rounding.hpp"
 
 namespace tiltrotor::text {
 
@@ -48,13 +49,13 @@ std::string csv_cell(const std::string& text) {
   return out + '"';
 }
 
-Records::Records(Sink& sink, Format format, std::vector<std::string> columns, int digits, double resolution,
+Records::Records(Sink& sink, Format format, std::vector<std::string> columns, int digits, double terms,
                  bool header)
     : sink_(sink),
       format_(format),
       columns_(std::move(columns)),
       digits_(digits),
-      resolution_(resolution),
+      terms_(terms),
       header_(header) {
   if (format_ == Format::table) table_.push_back(columns_);
 }
@@ -78,7 +79,7 @@ void Records::finish() {
 Row Records::rounded(Row row) const {
   for (std::size_t i = 0; i < row.size(); ++i) {
     double* const number = std::get_if<double>(&row[i]);
-    if (number != nullptr && std::abs(*number) < resolution_ && columns_[i] != "residual") *number = 0;
+    if (number != nullptr && columns_[i] != "residual") *number = without_rounding(*number, terms_);
   }
   return row;
 }

@@ -28,10 +28,10 @@ class Records {
  public:
   // JSON rows end with a member "program" (identity.hpp); CSV has room for rows only.
   // `digits`: significant digits of numbers in CSV; a table shows fewer, JSON always the shortest exact text.
-  // Numbers smaller than `resolution` are zero but for rounding and are written so, save those of the column
-  // `residual`. Without header: CSV whose header stands elsewhere (shards after the first). Nothing is
+  // Numbers are written without the rounding of `terms` (rounding.hpp), save those of the column `residual`.
+  // Without header: CSV whose header stands elsewhere (shards after the first). Nothing is
   // written before the first row or the end.
-  Records(Sink& sink, Format format, std::vector<std::string> columns, int digits, double resolution,
+  Records(Sink& sink, Format format, std::vector<std::string> columns, int digits, double terms,
           bool header = true);
 
   void add(const Row& row);
@@ -48,7 +48,7 @@ class Records {
   Format format_;
   std::vector<std::string> columns_;
   int digits_;
-  double resolution_;
+  double terms_;
   bool header_;
   std::size_t count_ = 0;
   std::vector<std::vector<std::string>> table_;  // the widths of a table are known at its end

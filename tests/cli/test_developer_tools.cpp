@@ -181,3 +181,12 @@ TEST(tools_help_lists_every_goal_in_four_groups) {
                                           " && cat Makefile */*.mk */*/*.mk | grep -c '^[a-z-]*:.*## '");
   CHECK_EQ(std::to_string(lines(help) - 4) + "\n", goals.out);
 }
+
+// The program that writes the page says where it is, with a path that is good from any folder.
+TEST(tools_run_leaves_the_path_of_the_page_to_the_program) {
+  const ScratchFolder folder;
+  const ProgramResult said = run_here(folder, make(folder, "-o all run RUNNER=echo"), false);
+  CHECK_EQ(said.exit_status, 0);
+  const std::string build = folder.path("build");
+  CHECK_EQ(said.out, build + "/tiltrotor report --output " + build + "/report\n");
+}

@@ -46,9 +46,11 @@ enum Component {
   component_count
 };
 
-inline constexpr const char* kComponentNames[component_count] = {
+inline constexpr const char* kComponentNames[] = {
     "rotor_right", "rotor_left", "wing_wake_right", "wing_wake_left", "wing_free", "pylon",
     "spinners",    "pylon_side", "fuselage",        "htail",          "fin_right", "fin_left"};
+static_assert(sizeof(kComponentNames) / sizeof(kComponentNames[0]) == component_count,
+              "one word per component");
 
 // Component loads of one evaluation, for the user who looks for a wrong sign.
 template <class T>

@@ -62,8 +62,8 @@ struct TrimOptions {
 // Trim from a cold start. The result is defined whatever is returned; when is_trimmed(status) it fulfils the
 // equations of motion to the tolerance (1e-10 in double), otherwise it describes the best point of the first
 // attempt. rotor_stall: there is none short of the rotors' stall, and result.weight_carried is the part of
-// the weight that can be carried; looked for below WingTables::borne_mast_deg. not_converged: no trim found;
-// result.residual_state tells which equation is left, result.obstacle and result.limits, what the last point
+// the weight that can be carried; looked for where the aircraft does not rest on its wing. not_converged: no
+// trim found; result.residual_state tells which equation is left, result.obstacle and result.limits, what the last point
 // exceeds, often the reason. not_finite: a field of `flight` is NaN or infinite. No call raises a
 // floating-point exception for an invalid operation, a division by zero or an overflow. Cost: typically 3 to
 // 9 Jacobians; at most about 1800 Jacobians, each with 12 derivatives, with the default options.
@@ -230,7 +230,7 @@ TrimStatus trim(const Configuration<R>& c, const SteadyFlight<R>& flight, TrimWo
       ++result.attempts;
       outcome = trim_detail::from_other_speed(c, flight, side == 0 ? R(-1) : R(1), work, result.iterations);
     }
-    if (outcome.status != TrimStatus::ok && c.setup.mast_deg < c.aircraft->wing.borne_mast_deg) {
+    if (outcome.status != TrimStatus::ok && !is_wingborne(c, flight.speed)) {
       ++result.attempts;
       outcome = trim_detail::from_less_weight(c, flight, work, result.iterations, result.weight_carried);
     }

@@ -52,9 +52,28 @@ NewtonOutcome<R> from_other_speed(const Configuration<R>& c, const SteadyFlight<
   return outcome;
 }
 
-// Of the weight, where the way from a lighter aircraft begins.
+// What rotors and wing carry where the way from a lighter aircraft begins: far from stall, whatever rotor
+// speed, altitude and weight.
 template <class R>
-inline constexpr R kLightParts[] = {R(0.7), R(0.4)};
+struct EasyLift {
+  R blade_loading;  // thrust coefficient over solidity
+  R wing_lift;      // coefficient
+};
+template <class R>
+inline constexpr EasyLift<R> kEasyLifts[] = {{R(0.077), R(1)}, {R(0.077), R(0)}, {R(0.044), R(0)}};
+
+// As a part of the weight, at most 0.7.
+template <class R>
+R carried_part(const Configuration<R>& c, R speed, const EasyLift<R>& easy) {
+  const RotorTables<R>& rotor = c.aircraft->rotor;
+  const R chord = blade_chord(rotor, c.setup.options.chord, rotor.twist_reference);
+  const R blades = R(2) * static_cast<R>(rotor.blades) * chord * rotor.radius;  // m^2, of both rotors
+  const R wing = R(0.5) * c.aircraft->wing.area * square(speed);
+  const R lift = c.air.density * (easy.blade_loading * blades * square(c.tip_speed) + easy.wing_lift * wing);
+  const R part = lift / (c.mass.mass * kGravity<R>);
+  const R most = R(0.7);
+  return part < most ? part : most;
+}
 
 // From a lighter aircraft by more and more collective. At each collective the part of the weight that the
 // aircraft carries is the unknown, so the way does not end where more collective gives less lift: there the
@@ -71,35 +90,38 @@ NewtonOutcome<R> from_less_weight(const Configuration<R>& c, const SteadyFlight<
   TrimEquations<R>& equations = work.equations;
   const auto solve = [&] { return newton(c, flight, work, kStageIterations, iterations); };
   NewtonOutcome<R> outcome{TrimStatus::not_converged, std::numeric_limits<R>::infinity(), 0};
-  R most = R(0);  // lifted so far, and its collective
-  for (const R part : kLightParts<R>) {
-    if (outcome.status == TrimStatus::ok) break;
-    most = part;
-    trim_first_guess(c, flight, equations, work.z);
-    set_carried_weight(equations, part);
-    outcome = solve();
-  }
+  const R step = kRadPerDeg<R>;
   R& lift = work.z[kCollectiveRow];
-  R middle = lift;
-  lift = most;
   const auto lift_at = [&](R collective) {
     set_collective(equations, collective);
     outcome = solve();
     return lift;
   };
-
-  // Up, until the lift falls or is enough.
-  const R step = kRadPerDeg<R>;
+  R most = R(0);  // lifted so far, and its collective
+  R middle = R(0);
   int rises = 0;
   bool falls = false;
-  for (int k = 0; k < kCollectiveSteps && !falls && most < R(1) && outcome.status == TrimStatus::ok; ++k) {
-    const R next = lift_at(middle + step);
-    falls = next < most;
-    if (!falls) {
-      most = next;
-      middle += step;
-      ++rises;
+  for (const EasyLift<R>& easy : kEasyLifts<R>) {
+    trim_equations(c, equations);
+    most = carried_part(c, flight.speed, easy);
+    trim_first_guess(c, flight, equations, work.z, most);
+    set_carried_weight(equations, most);
+    outcome = solve();
+    if (outcome.status != TrimStatus::ok) continue;
+    middle = lift;
+    lift = most;
+    // Up, until the lift falls or is enough.
+    falls = false;
+    for (int k = 0; k < kCollectiveSteps && !falls && most < R(1) && outcome.status == TrimStatus::ok; ++k) {
+      const R next = lift_at(middle + step);
+      falls = next < most;
+      if (!falls) {
+        most = next;
+        middle += step;
+        ++rises;
+      }
     }
+    if (rises > 0) break;  // else the start was beyond the top
   }
   // The top lies between one step below and one above: golden section.
   const bool stalls = falls && rises > 0;

@@ -7,8 +7,20 @@
 
 namespace tiltrotor {
 
-// Roll, pitch, four inceptors, five states a rotor, downwash, two coning angles.
-inline constexpr int kMaxTrimUnknowns = 19;
+// States that a steady flight sets itself: its motion, rates that vanish with their angle, and what nothing
+// depends on. Every other state is an unknown.
+constexpr bool is_set_by_flight(VariableKind kind) {
+  return kind == VariableKind::speed || kind == VariableKind::body_rate ||
+         kind == VariableKind::gimbal_rate || kind == VariableKind::coning_rate ||
+         kKindFacts[static_cast<int>(kind)].ignorable;
+}
+// With the four inceptors.
+constexpr int count_trim_unknowns() {
+  int count = kControlIndex.pedal + 1;
+  for (int i = 0; i < state_count; ++i) count += !is_set_by_flight(kStateVariables[i].kind);
+  return count;
+}
+inline constexpr int kMaxTrimUnknowns = count_trim_unknowns();
 
 // One unknown and one equation. The unknown is a state, a control or, where both places are -1, the part of
 // the weight that is carried; the equation says that the rate of a state, scaled, is zero.
@@ -171,13 +183,13 @@ R blade_angle(const TrimGuessTables<R>& guess, R cm) {
 
 // First guess for any mast angle and speed, extended to turns and climbs: bank of a
 // coordinated turn, its load factor on the rotors, and the part of the climb that thrust along the path must
-// carry.
+// carry. `carried`: part of the weight.
 template <class R>
 void trim_first_guess(const Configuration<R>& c, const SteadyFlight<R>& flight,
-                      const TrimEquations<R>& equations, R* z) {
+                      const TrimEquations<R>& equations, R* z, R carried = R(1)) {
   const R sm = sin(c.mast);
   const R cm = cos(c.mast);
-  const R weight = c.mass.mass * kGravity<R>;
+  const R weight = carried * c.mass.mass * kGravity<R>;
   const R bank_limit = R(60) * kRadPerDeg<R>;
   R bank = atan2(flight.speed * cos(flight.climb) * flight.turn_rate, kGravity<R>);
   bank = bank > bank_limit ? bank_limit : bank < -bank_limit ? -bank_limit : bank;

@@ -15,6 +15,9 @@ inline constexpr const char* kFieldWords[] = {
     "turn rate must be within 60 deg/s",
     "sideslip must be within 60 deg, and 0 at speed 0 and climb +-90 deg",
     "gust must be within 100 m/s"};
+static_assert(sizeof(kFieldWords) / sizeof(kFieldWords[0]) ==
+                  static_cast<unsigned>(SteadyFlightField::gust) + 1,
+              "one text per SteadyFlightField");
 
 // "speed must be 0..150 m/s"
 template <class R>

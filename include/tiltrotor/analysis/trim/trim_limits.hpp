@@ -99,6 +99,14 @@ constexpr bool is_trimmed(TrimStatus status) {
 template <class R>
 inline constexpr R kWingLoadShare = R(0.02);
 
+// Whether the aircraft rests on its wing at an airspeed, m/s.
+template <class R>
+bool is_wingborne(const Configuration<R>& c, R speed) {
+  const R pressure_lift = R(0.5) * c.air.density * speed * speed * c.aircraft->wing.area;
+  return c.setup.mast_deg >= c.aircraft->wing.borne_mast_deg &&
+         pressure_lift > kWingLoadShare<R> * c.mass.mass * kGravity<R>;
+}
+
 // Shaft power that all engines give the rotors at an altitude, W, from a rating of one engine at sea level:
 // less the losses of the transmission, and as choice engine_lapse says by pressure over the square root of
 // temperature.
@@ -161,11 +169,8 @@ LimitCheck<R> check_limits(const Configuration<R>& c, R speed, R wing_angle, con
   for (int side = 0; side < 2; ++side)
     check_descent(c, x, velocity, blades, rotor[side].loads.force.z, side, check);
 
-  const R pressure_lift = R(0.5) * c.air.density * speed * speed * aircraft.wing.area;
-  const bool wingborne = c.setup.mast_deg >= aircraft.wing.borne_mast_deg &&
-                         pressure_lift > kWingLoadShare<R> * c.mass.mass * kGravity<R>;
   const R stall = aircraft.wing.stall_deg * kRadPerDeg<R>;
-  if (wingborne && wing_angle > stall)
+  if (is_wingborne(c, speed) && wing_angle > stall)
     check.add(TrimStatus::wing_stall, TrimLimit::wing_angle, wing_angle, stall);
 
   const auto travel = [&check](TrimLimit limit, R value, R bound) {
