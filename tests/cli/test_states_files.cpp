@@ -5,10 +5,10 @@
 
 #include "check.hpp"
 #include "cli/csv_text.hpp"
-#include "text/json.hpp"
 #include "cli/scratch_folder.hpp"
 #include "run_program.hpp"
 #include "text/csv_line.hpp"
+#include "text/json.hpp"
 
 using check::built;
 using check::CsvText;
