@@ -55,14 +55,18 @@ void recorded_derivative(const Configuration<C>& c, const State<T>& x, const Con
                          DerivativeWorkspace<T>& work, State<T>& rates, Record&& record) {
   static_assert(derivative_detail::kScalarsFit<T, C>,
                 "a configuration with partials has the scalar of the state, of at most 16 directions");
-  work.velocity = x.velocity - u.gust;
-  work.controls = mix_controls(c, u, work.velocity);
+  out_of_line([&] {
+    work.velocity = x.velocity - u.gust;
+    work.controls = mix_controls(c, u, work.velocity);
+  });
 
   for (const Side side : {right, left}) {
     rotor_input(c, x, work.velocity, work.controls, side, work.rotor_input);
     derivative_detail::local_rotor_response(c, work.rotor_input, azimuth, work.local.rotor, work.rotor[side]);
-    work.advance_ratio[side] = advance_ratio(c, work.rotor_input.velocity);
-    work.hub_loads[side] = hub_loads(c, side, x.rotor[side], work.rotor[side].loads);
+    out_of_line([&] {
+      work.advance_ratio[side] = advance_ratio(c, work.rotor_input.velocity);
+      work.hub_loads[side] = hub_loads(c, side, x.rotor[side], work.rotor[side].loads);
+    });
     record(side == right ? rotor_right : rotor_left, work.hub_loads[side]);
   }
 
@@ -70,12 +74,13 @@ void recorded_derivative(const Configuration<C>& c, const State<T>& x, const Con
   derivative_detail::local_airframe_response(c, work.airframe_input, work.local.airframe, work.airframe,
                                              record);
 
-  work.total = work.hub_loads[right] + work.hub_loads[left] + work.airframe.total;
-  work.body = rigid_body(c.mass, x.velocity, x.rates, x.roll, x.pitch, x.yaw, work.total);
-
-  rigid_body_rates(work.body, rates);
-  for (const Side side : {right, left}) rotor_rates(c, x, work.rotor[side], work.body.rates, side, rates);
-  rates.downwash = downwash_rate(c, x, work.velocity, work.airframe.downwash);
+  out_of_line([&] {
+    work.total = work.hub_loads[right] + work.hub_loads[left] + work.airframe.total;
+    work.body = rigid_body(c.mass, x.velocity, x.rates, x.roll, x.pitch, x.yaw, work.total);
+    rigid_body_rates(work.body, rates);
+    for (const Side side : {right, left}) rotor_rates(c, x, work.rotor[side], work.body.rates, side, rates);
+    rates.downwash = downwash_rate(c, x, work.velocity, work.airframe.downwash);
+  });
 }
 
 // Everything, by component.

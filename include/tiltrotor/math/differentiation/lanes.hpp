@@ -21,6 +21,12 @@
 
 namespace tiltrotor {
 
+// Calls a step of a computation apart: what it needs on the stack does not lie below the steps that follow.
+template <class Step>
+TILTROTOR_NOINLINE void out_of_line(Step&& step) {
+  step();
+}
+
 #if defined(__AVX512F__)
 inline constexpr int kVectorBytes = 64;
 #elif defined(__AVX__)

@@ -75,7 +75,7 @@ void quasi_static_rotor(const Configuration<C>& c, const RotorInput<T>& in,
   at.state.b1s_rate = T(R(0));
   rotor_loads(c, at, azimuth, work.blades, work.loads_at_rest);
   const RotorLoads<T>& at_rest = work.loads_at_rest;
-  out.flapping = quasi_static_flap_rates(c, in.state, in.rates, at_rest.mc, at_rest.ms);
+  out_of_line([&] { out.flapping = quasi_static_flap_rates(c, in.state, in.rates, at_rest.mc, at_rest.ms); });
   at.state.b1c_rate = out.flapping.b1c_rate;
   at.state.b1s_rate = out.flapping.b1s_rate;
   rotor_loads(c, at, azimuth, work.blades, out.loads);
@@ -86,14 +86,17 @@ void quasi_static_rotor(const Configuration<C>& c, const RotorInput<T>& in,
 template <class T, class C>
 void rotor_response(const Configuration<C>& c, const RotorInput<T>& in,
                     const AzimuthStations<Real<T>>& azimuth, RotorWorkspace<T>& work, RotorResponse<T>& out) {
-  if (c.setup.options.flapping == FlapOrder::first) {
-    quasi_static_rotor(c, in, azimuth, work, out);
-  } else {
+  const bool second_order = c.setup.options.flapping == FlapOrder::second;
+  if (second_order) {
     rotor_loads(c, in, azimuth, work.blades, out.loads);
-    out.flapping = flap_rates(c, in.state, in.rates, out.loads.mc, out.loads.ms);
+  } else {
+    quasi_static_rotor(c, in, azimuth, work, out);
   }
-  out.coning_acceleration = coning_acceleration(c, in.coning, out.loads.m0);
-  out.inflow = inflow_rates(c, in.state, inflow_forcing(c, in, out.loads));
+  out_of_line([&] {
+    if (second_order) out.flapping = flap_rates(c, in.state, in.rates, out.loads.mc, out.loads.ms);
+    out.coning_acceleration = coning_acceleration(c, in.coning, out.loads.m0);
+    out.inflow = inflow_rates(c, in.state, inflow_forcing(c, in, out.loads));
+  });
 }
 
 // Hub force and moment on the airframe, body axes about the CG: force, spring moment and torque.
