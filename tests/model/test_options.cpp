@@ -23,12 +23,12 @@ enum Part : unsigned {
   body = 1u << 11,
   tailplane = 1u << 12,
   fins = 1u << 13,
-  downwash_rate = 1u << 14,
+  lagged_downwash = 1u << 14,
   angular_acceleration = 1u << 15,
 };
 // Blade loads reach the free wing's flow through the rotor force.
 constexpr unsigned kBladeLoads = rotor_forces | tilt | mean_inflow | cyclic_inflow | hub_component |
-                                 wing_in_free_stream | downwash_rate | angular_acceleration;
+                                 wing_in_free_stream | lagged_downwash | angular_acceleration;
 
 struct Condition {
   double mast = 30;
@@ -91,7 +91,7 @@ unsigned changed(const Evaluation<double>& a, const Evaluation<double>& b) {
   component(htail, tailplane);
   component(fin_right, fins);
   component(fin_left, fins);
-  mark(a.rates.downwash == b.rates.downwash, downwash_rate);
+  mark(a.rates.downwash == b.rates.downwash, lagged_downwash);
   mark(a.rates.rates.x == b.rates.rates.x && a.rates.rates.y == b.rates.rates.y &&
            a.rates.rates.z == b.rates.rates.z,
        angular_acceleration);
@@ -162,12 +162,12 @@ TEST(options_of_the_wing) {
   check_switch({0}, wing_in_free_stream | kAcceleration, [](Options& o) { o.rotor_lift_on_wing = false; });
   check_switch(
       {90}, 0, [](Options& o) { o.rotor_lift_on_wing = false; }, wing_in_free_stream | kAcceleration);
-  check_switch({0}, wing_in_free_stream | downwash_rate | kAcceleration,
+  check_switch({0}, wing_in_free_stream | lagged_downwash | kAcceleration,
                [](Options& o) { o.wing_rate_velocity = true; });
 }
 
 TEST(options_of_the_tail) {
-  check_switch({}, tailplane | downwash_rate | kAcceleration, [](Options& o) { o.downwash_lag = false; });
+  check_switch({}, tailplane | lagged_downwash | kAcceleration, [](Options& o) { o.downwash_lag = false; });
   check_switch({}, tailplane | fins | kAcceleration, [](Options& o) { o.tail_wash = TailWash::closed_form; });
   check_switch({}, tailplane | kAcceleration, [](Options& o) { o.tail_pressure = TailPressure::constant; });
   check_switch({90}, 0, [](Options& o) { o.tail_pressure = TailPressure::constant; });
