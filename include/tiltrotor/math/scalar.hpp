@@ -24,8 +24,8 @@ struct ScalarTraits {
 template <class T>
 using Real = typename ScalarTraits<T>::Real;
 
-// Plain value of any scalar: the only part a comparison or an index may look at. Of a pack (pack.hpp), the
-// pack.
+// Plain value of any scalar: the only part a comparison or an index may look at. Of a batch (batch.hpp), the
+// batch.
 template <class T>
 auto value(const T& x) {
   return ScalarTraits<T>::value(x);
