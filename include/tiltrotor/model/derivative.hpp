@@ -48,21 +48,21 @@ template <class T, class Record>
 void recorded_derivative(const Configuration<Real<T>>& c, const State<T>& x, const Controls<T>& u,
                          Real<T> azimuth, DerivativeWorkspace<T>& work, State<T>& rates, Record&& record) {
   out_of_line([&] {
-    work.velocity = x.velocity - u.gust;
-    work.controls = mix_controls(c, u, work.velocity);
+    work.velocity_b = x.velocity - u.gust;
+    work.controls = mix_controls(c, u, work.velocity_b);
   });
 
   for (const Side side : {right, left}) {
-    rotor_input(c, x, work.velocity, work.controls, side, work.rotor_input);
+    rotor_input(c, x, work.velocity_b, work.controls, side, work.rotor_input);
     derivative_detail::local_rotor_response(c, work.rotor_input, azimuth, work.local.rotor, work.rotor[side]);
     out_of_line([&] {
-      work.advance_ratio[side] = advance_ratio(c, work.rotor_input.velocity);
+      work.advance_ratio[side] = advance_ratio(c, work.rotor_input.velocity_a);
       work.hub_loads[side] = hub_loads(c, side, x.rotor[side], work.rotor[side].loads);
     });
     record(side == right ? rotor_right : rotor_left, work.hub_loads[side]);
   }
 
-  airframe_input(c, x, work.velocity, work.controls, work.rotor, work.advance_ratio, work.airframe_input);
+  airframe_input(c, x, work.velocity_b, work.controls, work.rotor, work.advance_ratio, work.airframe_input);
   derivative_detail::local_airframe_response(c, work.airframe_input, work.local.airframe, work.airframe,
                                              record);
 
@@ -71,7 +71,7 @@ void recorded_derivative(const Configuration<Real<T>>& c, const State<T>& x, con
     work.body = rigid_body(c.mass, x.velocity, x.rates, x.roll, x.pitch, x.yaw, work.total);
     rigid_body_rates(work.body, rates);
     for (const Side side : {right, left}) rotor_rates(c, x, work.rotor[side], work.body.rates, side, rates);
-    rates.downwash = downwash_rate(c, x, work.velocity, work.airframe.downwash);
+    rates.downwash = downwash_rate(c, x, work.velocity_b, work.airframe.downwash);
   });
 }
 
