@@ -1,5 +1,5 @@
-// Memory of one evaluation of the model: placed by the caller, or on the stack by the functions without it (with
-// many partials it takes some 60 kB).
+// Memory of one evaluation of the model: placed by the caller, or on the stack by the functions without it
+// (with many partials it takes some 60 kB).
 #pragma once
 
 #include <type_traits>
@@ -41,7 +41,7 @@ struct LocalWorkspace<T, false> {
 
 template <class T>
 struct DerivativeWorkspace {
-  Vec3<T> velocity;  // of the CG relative to the air
+  Vec3<T> velocity_b;  // of the CG relative to the air, m/s
   BladeControls<T> controls;
   RotorInput<T> rotor_input;  // of one rotor
   RotorResponse<T> rotor[2];
