@@ -68,9 +68,8 @@ void recorded_derivative(const Configuration<Real<T>>& c, const State<T>& x, con
 
   out_of_line([&] {
     work.total = work.hub_loads[right] + work.hub_loads[left] + work.airframe.total;
-    work.body = rigid_body(c.mass, x.velocity, x.rates, x.roll, x.pitch, x.yaw, work.total);
-    rigid_body_rates(work.body, rates);
-    for (const Side side : {right, left}) rotor_rates(c, x, work.rotor[side], work.body.rates, side, rates);
+    rigid_body_rates(c, x, work.total, rates);
+    for (const Side side : {right, left}) rotor_rates(c, x, work.rotor[side], side, rates);
     rates.downwash = downwash_rate(c, x, work.velocity_b, work.airframe.downwash);
   });
 }
