@@ -26,6 +26,7 @@ inline constexpr bool kScalarsFit = kIsPlain<C> ||
                                     (std::is_same_v<C, T> && std::is_same_v<LocalDual<RotorInput, T>, T> &&
                                      std::is_same_v<LocalDual<AirframeInput, T>, T>);
 
+// The components on scalars of their own, which carry as many directions as a component sees.
 template <class T, class C>
 void local_rotor_response(const Configuration<C>& c, const RotorInput<T>& in, Real<T> azimuth,
                           LocalRotorWorkspace<T>& work, RotorResponse<T>& out) {
@@ -75,9 +76,8 @@ void recorded_derivative(const Configuration<C>& c, const State<T>& x, const Con
 
   out_of_line([&] {
     work.total = work.hub_loads[right] + work.hub_loads[left] + work.airframe.total;
-    work.body = rigid_body(c.mass, x.velocity, x.rates, x.roll, x.pitch, x.yaw, work.total);
-    rigid_body_rates(work.body, rates);
-    for (const Side side : {right, left}) rotor_rates(c, x, work.rotor[side], work.body.rates, side, rates);
+    rigid_body_rates(c, x, work.total, rates);
+    for (const Side side : {right, left}) rotor_rates(c, x, work.rotor[side], side, rates);
     rates.downwash = downwash_rate(c, x, work.velocity_b, work.airframe.downwash);
   });
 }

@@ -6,7 +6,6 @@
 
 #include "tiltrotor/math/differentiation/preaccumulate.hpp"
 #include "tiltrotor/model/airframe/airframe.hpp"
-#include "tiltrotor/model/rigid_body.hpp"
 #include "tiltrotor/model/rotor/rotor.hpp"
 #include "tiltrotor/model/variables/controls.hpp"
 
@@ -50,7 +49,6 @@ struct DerivativeWorkspace {
   Loads<T> total;
   AirframeInput<T> airframe_input;
   AirframeResponse<T> airframe;
-  RigidBodyRates<T> body;
   LocalWorkspace<T> local;
 };
 

@@ -7,8 +7,10 @@
 
 namespace tiltrotor {
 
-template <class T>
-void rigid_body_rates(const RigidBodyRates<T>& body, State<T>& rates) {
+// `total`: aerodynamic force and moment about the CG.
+template <class T, class C>
+void rigid_body_rates(const Configuration<C>& c, const State<T>& x, const Loads<T>& total, State<T>& rates) {
+  const RigidBodyRates<T> body = rigid_body(c.mass, x.velocity, x.rates, x.roll, x.pitch, x.yaw, total);
   rates.velocity = body.velocity;
   rates.rates = body.rates;
   rates.roll = body.roll;
@@ -17,10 +19,10 @@ void rigid_body_rates(const RigidBodyRates<T>& body, State<T>& rates) {
   rates.position = body.position;
 }
 
-// `angular_acceleration_b`: of the aircraft, rad/s^2; the hub's is added to the flapping on demand.
+// The hub's angular acceleration, known from the rigid body, is added to the flapping on demand.
 template <class T, class C>
-void rotor_rates(const Configuration<C>& c, const State<T>& x, const RotorResponse<T>& rotor,
-                 const Vec3<T>& angular_acceleration_b, int side, State<T>& rates) {
+void rotor_rates(const Configuration<C>& c, const State<T>& x, const RotorResponse<T>& rotor, int side,
+                 State<T>& rates) {
   using R = Real<T>;
   const Options& o = c.setup.options;
   RotorState<T>& out = rates.rotor[side];
@@ -32,7 +34,7 @@ void rotor_rates(const Configuration<C>& c, const State<T>& x, const RotorRespon
   out.lambda_c = rotor.inflow.lambda_c;
   out.lambda_s = rotor.inflow.lambda_s;
   if (o.flap_angular_acceleration && o.flapping == FlapOrder::second) {
-    const Vec3<T> acceleration_a = mirror_axial(c.hub[side].from_body.apply(angular_acceleration_b), side);
+    const Vec3<T> acceleration_a = mirror_axial(c.hub[side].from_body.apply(rates.rates), side);
     out.b1c_rate += acceleration_a.y;
     out.b1s_rate -= acceleration_a.x;
   }
