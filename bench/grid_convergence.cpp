@@ -119,7 +119,7 @@ void rotor_sums(const Configuration<double>& c, const TrimResult<double>& at, Wo
                 double* torque) {
   evaluate_aircraft(c, at.state, at.controls, work.evaluation);
   for (int side = 0; side < 2; ++side) {
-    thrust[side] = work.evaluation.rotor[side].loads.force.z;
+    thrust[side] = work.evaluation.rotor[side].loads.force_a.z;
     torque[side] = work.evaluation.rotor[side].loads.torque;
   }
 }

@@ -51,14 +51,15 @@ void jacobian(const FlightPoint& p, double relative, Jacobian& out) {
   const double own_step = std::cbrt(std::numeric_limits<double>::epsilon());
   for (int j = 0; j < inputs; ++j) scale[j] = out.scale[j] * relative / own_step;
   static NumDiff::Workspace<double, kModelDirections, kInputs, kMaxLinearStates> work;
-  static ModelWorkspace<double> work;
+  static ModelWorkspace<double> model_work;
   double rates[kMaxLinearStates];
   const auto f = [&](const double* x, double* y) {
-    flatten(p.trim.state, work.x);
-    flatten(p.trim.controls, work.u);
-    for (int j = 0; j < inputs; ++j) (j < n ? work.x[model.state[j]] : work.u[model.control[j - n]]) = x[j];
-    model_rates(p.c, 0.0, work);
-    for (int i = 0; i < n; ++i) y[i] = work.x[model.state[i]];
+    flatten(p.trim.state, model_work.x);
+    flatten(p.trim.controls, model_work.u);
+    for (int j = 0; j < inputs; ++j)
+      (j < n ? model_work.x[model.state[j]] : model_work.u[model.control[j - n]]) = x[j];
+    model_rates(p.c, 0.0, model_work);
+    for (int i = 0; i < n; ++i) y[i] = model_work.x[model.state[i]];
   };
   NumDiff::jacobian(f, {inputs, n, input, scale, rates}, work,
                     [&out](int i, int j, double slope) { out.entry[i][j] = slope; });

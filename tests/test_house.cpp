@@ -1,5 +1,5 @@
-// The plan of the house: includes run one way, and every file is small. Expected: the table below, which is that of
-// src/README.md, and the limits of src/CONTRIBUTING.md.
+// The plan of the house: includes run one way, every file is small, and physics is free of memory. Expected: the
+// table below, which is that of src/README.md, and the limits of src/CONTRIBUTING.md.
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
@@ -146,4 +146,26 @@ TEST(house_physics_is_short) {
     ++count;
   }
   CHECK_LE(30, count);
+}
+
+// Workspaces have headers of their own; inlining and unions are no matter of physics.
+TEST(house_physics_is_free_of_memory) {
+  for (const std::string& file : sources({"include/tiltrotor/model"})) {
+    if (file.find("_workspace.hpp") != std::string::npos) continue;
+    for (const std::string& line : lines_of(file))
+      for (const char* const word : {"TILTROTOR_NOINLINE", "union {", "reinterpret_cast", "Workspace {"})
+        if (!CHECK(line.find(word) == std::string::npos)) NOTE(word << " in " << file);
+  }
+}
+
+// One word for the caller's memory: workspace.
+TEST(house_memory_is_called_workspace) {
+  const std::regex other("\\b(rooms?|Room|[A-Z][a-z]+Rooms?|Overlay|ModelMemory|waist)\\b");
+  for (const std::string& file : sources({"include"})) {
+    // Room for a signal, for text, and a height over a parabola.
+    if (std::regex_search(file, std::regex("(momentum_range|trim_explanation|response)\\.hpp"))) continue;
+    std::smatch match;
+    for (const std::string& line : lines_of(file))
+      if (!CHECK(!std::regex_search(line, match, other))) NOTE(match[1] << " in " << file);
+  }
 }

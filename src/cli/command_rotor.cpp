@@ -35,7 +35,7 @@ using Rotor = const IsolatedRotor<double>&;
 
 // Force without the rounding of a thrust beside which it is nothing.
 Vec3<double> in_plane(Rotor r) {
-  const Vec3<double>& force = r.response.loads.force;
+  const Vec3<double>& force = r.response.loads.force_a;
   return without_rounding(force, std::sqrt(dot(force, force)));
 }
 
@@ -62,8 +62,8 @@ const Column numbers[] = {
     {"force_advancing_n", [](Setting, Rotor r) { return in_plane(r).y; }},
     {"torque_nm", [](Setting, Rotor r) { return r.figures.torque; }},
     {"rotor_rpm", [](Setting c, Rotor) { return given_as(c.setup.rotor_speed, rpm_unit); }, true},
-    {"speed_axial_mps", [](Setting, Rotor r) { return r.input.velocity.z; }, true},
-    {"speed_inplane_mps", [](Setting, Rotor r) { return 0.0 - r.input.velocity.x; }, true},
+    {"speed_axial_mps", [](Setting, Rotor r) { return r.input.velocity_a.z; }, true},
+    {"speed_inplane_mps", [](Setting, Rotor r) { return 0.0 - r.input.velocity_a.x; }, true},
     {"axial_ratio", [](Setting, Rotor r) { return r.figures.axial_ratio; }, true},
     {"advance_ratio", [](Setting, Rotor r) { return r.figures.advance_ratio; }, true},
     {"iterations", [](Setting, Rotor r) { return static_cast<double>(r.iterations); }, true},

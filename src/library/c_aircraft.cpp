@@ -270,7 +270,7 @@ tr_status tr_get_outputs(const tr_sim* sim, tr_outputs* outputs) {
   for (int side = 0; side < 2; ++side) {
     const RotorLoads<R>& rotor = e.rotor[side].loads;
     const RotorState<R>& x = s.x.rotor[side];
-    o.thrust_n[side] = std::sqrt(dot(rotor.force, rotor.force));
+    o.thrust_n[side] = std::sqrt(dot(rotor.force_a, rotor.force_a));
     o.torque_nm[side] = rotor.torque;
     o.power_w[side] = rotor.torque * c.setup.rotor_speed;
     o.collective_rad[side] = blades.collective[side];

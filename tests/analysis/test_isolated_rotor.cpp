@@ -91,7 +91,7 @@ TEST(isolated_rotor_figures_need_every_condition) {
   const Configuration<double>& c = stand.configuration;
   const auto figures = [&](double axial, double in_plane, double thrust, double torque) {
     RotorLoads<double> loads{};
-    loads.force.z = thrust;
+    loads.force_a.z = thrust;
     loads.torque = torque;
     return d::figures(c, flow(8, axial, in_plane), loads, 0.089);
   };

@@ -37,7 +37,7 @@ std::vector<double> roots(const Configuration<double>& c, double axial, double c
   for (double v = -10; v < 90; v += step) {
     RotorInput<double> in{};
     RotorResponse<double> out;
-    in.velocity = {0, 0, axial};
+    in.velocity_a = {0, 0, axial};
     in.collective = collective_deg * kRadPerDeg<double>;
     in.coning.angle = c.coning;
     in.state.lambda_0 = v / c.tip_speed;

@@ -58,8 +58,8 @@ struct Workspace {
 // From at rest to the ends of the ranges, also with numbers that are 0 and states that are alike.
 TEST_OF_XV15(capi_states_raise_no_floating_point_exception) {
   Random random;
-  const auto call = std::make_unique<Workspace>();
-  std::memset(call.get(), 0xff, sizeof *call);
+  const auto workspace = std::make_unique<Workspace>();
+  std::memset(workspace.get(), 0xff, sizeof *workspace);
   int calls = 0;
   for (int k = 0; k < 600; ++k) {
     tr_setup setup = setup_at(k % 4 == 0 ? random.between(0, 90) : tr_real(k % 7 * 15));
@@ -85,19 +85,22 @@ TEST_OF_XV15(capi_states_raise_no_floating_point_exception) {
     check("outputs", raised([&] { CHECK_EQ(tr_get_outputs(&sim, &outputs), TR_OK); }));
     if (k % 3 == 0) {
       check("linearize", raised([&] {
-              CHECK_EQ(tr_linearize(&sim, &call->work, k % 2 ? TR_INCEPTORS : TR_ALL_CONTROLS, &shape,
-                                    call->a, max_states * max_states, call->b, max_states * TR_CONTROLS),
-                       TR_OK);
+              CHECK_EQ(
+                  tr_linearize(&sim, &workspace->work, k % 2 ? TR_INCEPTORS : TR_ALL_CONTROLS, &shape,
+                               workspace->a, max_states * max_states, workspace->b, max_states * TR_CONTROLS),
+                  TR_OK);
             }));
       const auto n = static_cast<size_t>(shape.states);
       check("eigenvalues", raised([&] {
-              (void)tr_eigenvalues(&call->work, call->a, n, call->real, call->imag, max_states);
+              (void)tr_eigenvalues(&workspace->work, workspace->a, n, workspace->real, workspace->imag,
+                                   max_states);
             }));
       check("modes", raised([&] {
-              (void)tr_modes(&call->work, &shape, call->a, n * n, call->modes, max_states, &count);
+              (void)tr_modes(&workspace->work, &shape, workspace->a, n * n, workspace->modes, max_states,
+                             &count);
             }));
     }
-    check("step", raised([&] { (void)tr_step(&sim, &call->work, dt_now); }));
+    check("step", raised([&] { (void)tr_step(&sim, &workspace->work, dt_now); }));
   }
   CHECK_LT(3000, calls);
 }
@@ -105,7 +108,7 @@ TEST_OF_XV15(capi_states_raise_no_floating_point_exception) {
 // Matrices of every order, of whole numbers and of numbers far apart, singular ones and that of zeros.
 TEST(capi_matrices_raise_no_floating_point_exception) {
   Random random;
-  const auto call = std::make_unique<Workspace>();
+  const auto workspace = std::make_unique<Workspace>();
   const int reach = sizeof(tr_real) == 4 ? 10 : 80;
   for (int k = 0; k < 2000; ++k) {
     const auto n = static_cast<size_t>(1 + k % TR_MAX_LINEAR_STATES);
@@ -116,10 +119,11 @@ TEST(capi_matrices_raise_no_floating_point_exception) {
       if (kind == 2) x *= std::pow(tr_real(10), std::floor(random.between(-reach, reach)));
       if (kind == 3) x = i % n > i / n ? x : 0;
       if (kind == 4) x = i % 3 == 0 ? x * std::numeric_limits<tr_real>::min() : 0;
-      call->a[i] = x;
+      workspace->a[i] = x;
     }
-    const int exceptions =
-        raised([&] { (void)tr_eigenvalues(&call->work, call->a, n, call->real, call->imag, max_states); });
+    const int exceptions = raised([&] {
+      (void)tr_eigenvalues(&workspace->work, workspace->a, n, workspace->real, workspace->imag, max_states);
+    });
     if (!CHECK_EQ(exceptions, 0)) NOTE("order " << n << ", kind " << kind);
   }
 }

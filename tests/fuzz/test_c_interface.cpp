@@ -63,7 +63,7 @@ tr_state any_state(const tr_sim& sim, fuzz::Bytes& in) {
   return state;
 }
 
-void fly(tr_sim& sim, Workspace& call, fuzz::Bytes& in) {
+void fly(tr_sim& sim, Workspace& workspace, fuzz::Bytes& in) {
   tr_real controls[TR_CONTROLS + 4] = {};
   const std::size_t length = in.byte() % (sizeof controls / sizeof *controls);
   for (std::size_t j = 0; j < length; ++j) controls[j] = in.number();
@@ -71,7 +71,7 @@ void fly(tr_sim& sim, Workspace& call, fuzz::Bytes& in) {
   tr_state before{};
   const bool ready = tr_get_state(&sim, &before) == TR_OK;
   const tr_real dt = in.below(3) == 0 ? in.number() : 0.01;
-  const tr_status status = tr_step(&sim, &call.work, dt);
+  const tr_status status = tr_step(&sim, &workspace.work, dt);
   REQUIRE(known(status) && (ready || status == TR_NOT_INITIALIZED));
   tr_state after{};
   if (status == TR_OK)
@@ -118,14 +118,14 @@ void read(const tr_sim& sim, fuzz::Bytes& in) {
             std::isfinite(outputs.airspeed_mps));
 }
 
-void trim(tr_sim& sim, Workspace& call, fuzz::Bytes& in) {
+void trim(tr_sim& sim, Workspace& workspace, fuzz::Bytes& in) {
   const double speeds[] = {0, 40, 80};
   tr_flight flight = {speeds[in.below(3)], 0, 0, 0};
   tr_real* const number[] = {&flight.speed_mps, &flight.climb_rad, &flight.turn_rate_radps,
                              &flight.sideslip_rad};
   for (int changes = in.below(3); changes > 0; --changes) *number[in.below(4)] = in.number();
   tr_trim_result result{};
-  const tr_status status = tr_trim(&sim, &call.work, &flight, in.below(2) == 0 ? &result : nullptr);
+  const tr_status status = tr_trim(&sim, &workspace.work, &flight, in.below(2) == 0 ? &result : nullptr);
   REQUIRE(known(status) && std::memchr(result.text, 0, sizeof result.text) != nullptr);
   const bool trimmed = status == TR_OK || status == TR_WING_STALL || status == TR_CONTROL_LIMIT ||
                        status == TR_FLAP_LIMIT || status == TR_VORTEX_RING_STATE ||
@@ -136,57 +136,59 @@ void trim(tr_sim& sim, Workspace& call, fuzz::Bytes& in) {
   for (int i = TR_U; i <= TR_R; ++i) REQUIRE(std::fabs(rates[i]) < 1e-6);
 }
 
-void linearize(tr_sim& sim, Workspace& call, fuzz::Bytes& in) {
+void linearize(tr_sim& sim, Workspace& workspace, fuzz::Bytes& in) {
   const std::size_t a_length = in.below(3) > 0 ? kSquare : 4 * in.byte();
-  const std::size_t b_length = in.below(3) > 0 ? sizeof call.b / sizeof *call.b - 1 : in.byte();
-  call.a[kSquare] = call.b[sizeof call.b / sizeof *call.b - 1] = kUntouched;
+  const std::size_t b_length = in.below(3) > 0 ? sizeof workspace.b / sizeof *workspace.b - 1 : in.byte();
+  workspace.a[kSquare] = workspace.b[sizeof workspace.b / sizeof *workspace.b - 1] = kUntouched;
   const tr_status status =
       in.below(2) == 0
-          ? tr_linearize(&sim, &call.work, in.below(5), &call.shape, call.a, a_length, call.b, b_length)
-          : tr_linearize_and_step(&sim, &call.work, in.number(), in.below(5), &call.shape, call.a, a_length,
-                                  call.b, b_length);
+          ? tr_linearize(&sim, &workspace.work, in.below(5), &workspace.shape, workspace.a, a_length,
+                         workspace.b, b_length)
+          : tr_linearize_and_step(&sim, &workspace.work, in.number(), in.below(5), &workspace.shape,
+                                  workspace.a, a_length, workspace.b, b_length);
   REQUIRE(known(status));
-  call.linear_model = status == TR_OK;
+  workspace.linear_model = status == TR_OK;
   if (status == TR_OK) {
-    const auto n = static_cast<std::size_t>(call.shape.states);
-    REQUIRE(all_finite(call.a, n * n) &&
-            all_finite(call.b, n * static_cast<std::size_t>(call.shape.controls)));
+    const auto n = static_cast<std::size_t>(workspace.shape.states);
+    REQUIRE(all_finite(workspace.a, n * n) &&
+            all_finite(workspace.b, n * static_cast<std::size_t>(workspace.shape.controls)));
   }
-  REQUIRE(call.a[kSquare] == kUntouched);
+  REQUIRE(workspace.a[kSquare] == kUntouched);
 }
 
-void find_modes(Workspace& call, fuzz::Bytes& in) {
-  if (!call.linear_model) {  // a shape and a matrix of anything
-    call.shape.states = in.byte();
-    for (int& state : call.shape.state) state = in.byte() % 32 - 1;
-    for (tr_real& x : call.a) x = in.number();
+void find_modes(Workspace& workspace, fuzz::Bytes& in) {
+  if (!workspace.linear_model) {  // a shape and a matrix of anything
+    workspace.shape.states = in.byte();
+    for (int& state : workspace.shape.state) state = in.byte() % 32 - 1;
+    for (tr_real& x : workspace.a) x = in.number();
   }
-  for (int changes = in.below(3); changes > 0; --changes) call.a[in.byte()] = in.number();
+  for (int changes = in.below(3); changes > 0; --changes) workspace.a[in.byte()] = in.number();
   const std::size_t capacity = in.below(2) == 0 ? TR_MAX_LINEAR_STATES : in.byte() % TR_MAX_LINEAR_STATES;
   std::size_t count = 0;
-  const tr_status status = tr_modes(&call.work, &call.shape, call.a, kSquare, call.modes, capacity, &count);
+  const tr_status status =
+      tr_modes(&workspace.work, &workspace.shape, workspace.a, kSquare, workspace.modes, capacity, &count);
   REQUIRE(known(status) && count <= TR_MAX_LINEAR_STATES);
   if (status != TR_OK) return;
   REQUIRE(count <= capacity);
   for (std::size_t k = 0; k < count; ++k)
-    REQUIRE(std::isfinite(call.modes[k].real) && call.modes[k].imag >= 0 &&
-            std::memchr(call.modes[k].name, 0, sizeof call.modes[k].name) != nullptr);
+    REQUIRE(std::isfinite(workspace.modes[k].real) && workspace.modes[k].imag >= 0 &&
+            std::memchr(workspace.modes[k].name, 0, sizeof workspace.modes[k].name) != nullptr);
 }
 
-void find_eigenvalues(Workspace& call, fuzz::Bytes& in) {
+void find_eigenvalues(Workspace& workspace, fuzz::Bytes& in) {
   const std::size_t n = in.byte() % (TR_MAX_LINEAR_STATES + 3u);
   tr_real matrix[kSquare];
   for (std::size_t i = 0; i < kSquare; ++i) matrix[i] = i < n * n ? in.number() : 0;
   tr_real real[TR_MAX_LINEAR_STATES];
   tr_real imag[TR_MAX_LINEAR_STATES];
   const tr_status status =
-      tr_eigenvalues(&call.work, matrix, n, real, imag, in.below(4) == 0 ? in.byte() % 28u : 27u);
+      tr_eigenvalues(&workspace.work, matrix, n, real, imag, in.below(4) == 0 ? in.byte() % 28u : 27u);
   REQUIRE(known(status));
   if (status == TR_OK) REQUIRE(all_finite(real, n) && all_finite(imag, n));
 }
 
-void call_with_nothing(Workspace& call, fuzz::Bytes& in) {
-  tr_sim* const sim = in.below(2) == 0 ? nullptr : &call.sim[0];
+void call_with_nothing(Workspace& workspace, fuzz::Bytes& in) {
+  tr_sim* const sim = in.below(2) == 0 ? nullptr : &workspace.sim[0];
   REQUIRE(tr_init(nullptr, in.raw<std::uint32_t>(), nullptr) != TR_OK);
   REQUIRE(tr_set_controls(sim, nullptr, in.byte()) != TR_OK && tr_step(sim, nullptr, 0.01) != TR_OK);
   REQUIRE(tr_get_state(sim, nullptr) != TR_OK && tr_set_state(sim, nullptr) != TR_OK);
@@ -209,20 +211,20 @@ void call_with_nothing(Workspace& call, fuzz::Bytes& in) {
 }  // namespace
 
 FUZZ_TARGET(c_interface) {
-  static Workspace call;
+  static Workspace workspace;
   fuzz::Bytes in(data, size);
-  std::memset(&call, in.byte(), sizeof call);
-  call.linear_model = false;
-  std::memset(call.sim, 0, sizeof call.sim);
+  std::memset(&workspace, in.byte(), sizeof workspace);
+  workspace.linear_model = false;
+  std::memset(workspace.sim, 0, sizeof workspace.sim);
   tr_setup setup;
   REQUIRE(tr_default_setup(&setup, TR_API_VERSION, tr_aircraft_at(0), 60) == TR_OK);
-  REQUIRE(tr_init(&call.bystander, TR_API_VERSION, &setup) == TR_OK);
-  const tr_sim bystander = call.bystander;
+  REQUIRE(tr_init(&workspace.bystander, TR_API_VERSION, &setup) == TR_OK);
+  const tr_sim bystander = workspace.bystander;
 
   int trims = 0;
   for (int call = 0; call < kCalls && !in.empty(); ++call) {
-    tr_sim& sim = call.sim[in.below(2)];
-    const tr_sim other = call.sim[&sim == call.sim ? 1 : 0];
+    tr_sim& sim = workspace.sim[in.below(2)];
+    const tr_sim other = workspace.sim[&sim == workspace.sim ? 1 : 0];
     const tr_sim before = sim;
     switch (in.below(11)) {
       case 0: {
@@ -239,7 +241,7 @@ FUZZ_TARGET(c_interface) {
       }
       case 1:
       case 2:
-        fly(sim, call, in);
+        fly(sim, workspace, in);
         break;
       case 3: {
         const tr_state state = any_state(sim, in);
@@ -253,24 +255,24 @@ FUZZ_TARGET(c_interface) {
         read(sim, in);
         break;
       case 5:
-        if (++trims <= 2) trim(sim, call, in);
+        if (++trims <= 2) trim(sim, workspace, in);
         break;
       case 6:
-        linearize(sim, call, in);
+        linearize(sim, workspace, in);
         break;
       case 7:
-        find_modes(call, in);
+        find_modes(workspace, in);
         break;
       case 8:
-        find_eigenvalues(call, in);
+        find_eigenvalues(workspace, in);
         break;
       case 9:
         save_and_load(other, sim, in);
         break;
       default:
-        call_with_nothing(call, in);
+        call_with_nothing(workspace, in);
     }
-    REQUIRE(std::memcmp(&other, &call.sim[&sim == call.sim ? 1 : 0], sizeof other) == 0);
-    REQUIRE(std::memcmp(&bystander, &call.bystander, sizeof bystander) == 0);
+    REQUIRE(std::memcmp(&other, &workspace.sim[&sim == workspace.sim ? 1 : 0], sizeof other) == 0);
+    REQUIRE(std::memcmp(&bystander, &workspace.bystander, sizeof bystander) == 0);
   }
 }

@@ -87,7 +87,7 @@ inline RotorInput<double> settled_at_thrust(const Configuration<double>& c, Roto
   for (int k = 0; k < 45; ++k) {
     in.collective = 0.5 * (low + high);
     in = settled(c, in);
-    (rotor_response(c, in, c.azimuth).loads.force.z < thrust ? low : high) = in.collective;
+    (rotor_response(c, in, c.azimuth).loads.force_a.z < thrust ? low : high) = in.collective;
   }
   return in;
 }

@@ -116,13 +116,13 @@ TEST(configuration_remade_at_every_step_keeps_the_flight) {
 TEST(configuration_moves_through_a_conversion) {
   FlightSetup<double> setup = flight_setup(aircraft(), 45.0);
   Configuration<double> c = prepared(setup);
-  double hub_x = c.hub[right].arm.x;
+  double hub_x = c.hub[right].arm_b.x;
   for (double mast = 45.5; mast <= 90; mast += 0.5) {
     setup.mast_deg = mast;
     CHECK(reconfigure(setup, c) == Status::ok);
-    CHECK(c.hub[right].arm.x > hub_x);  // the hub swings forward
-    CHECK(c.hub[right].arm.x - hub_x < 0.5 * kRadPerDeg<double> * 1.5);
-    hub_x = c.hub[right].arm.x;
+    CHECK(c.hub[right].arm_b.x > hub_x);  // the hub swings forward
+    CHECK(c.hub[right].arm_b.x - hub_x < 0.5 * kRadPerDeg<double> * 1.5);
+    hub_x = c.hub[right].arm_b.x;
     CHECK_NEAR(c.nacelle_axis.x, std::sin(mast * kRadPerDeg<double>), 1e-15);
   }
 }

@@ -177,7 +177,7 @@ TEST(flapping_textbook_limit) {
     RotorInput<double> moved = in;
     moved.lateral_cyclic = a1;
     moved.long_cyclic = b1;
-    moved.rates = {wx, wy, 0};
+    moved.rates_a = {wx, wy, 0};
     return settled(c, moved, true).state;
   };
   const double small = 1e-3;
@@ -204,7 +204,7 @@ TEST_OF_XV15(flapping_steady_tilt_in_hover) {
     RotorInput<double> moved = in;
     if (*what == 's') moved.long_cyclic -= small;  // th1s = -B1
     if (*what == 'c') moved.lateral_cyclic -= small;
-    if (*what == 'q') moved.rates.y += small;
+    if (*what == 'q') moved.rates_a.y += small;
     const RotorState<double> a = settled(c, in).state;
     const RotorState<double> b = settled(c, moved).state;
     return std::pair<double, double>{(b.b1c - a.b1c) / small, (b.b1s - a.b1s) / small};
@@ -247,17 +247,17 @@ TEST_OF_XV15(flapping_first_order_limit) {
     const Configuration<double> second = configuration(0);
     const Configuration<double> first = configuration(0, options);
     RotorInput<double> in = hover_input(second);
-    in.velocity = {-25, 1, axial};
+    in.velocity_a = {-25, 1, axial};
     in.long_cyclic = 0.03;
-    in.rates = {0.1, -0.05, 0.02};
+    in.rates_a = {0.1, -0.05, 0.02};
     in = settled(second, in);
     // At the equilibrium of the second-order equations the first-order rates vanish too, and the loads agree.
     const RotorResponse<double> a = rotor_response(second, in, second.azimuth);
     const RotorResponse<double> b = rotor_response(first, in, first.azimuth);
     CHECK_NEAR(b.flapping.b1c_rate, 0.0, 1e-9);
     CHECK_NEAR(b.flapping.b1s_rate, 0.0, 1e-9);
-    CHECK_NEAR(b.loads.force.x, a.loads.force.x, 1e-6);
-    CHECK_NEAR(b.loads.force.z, a.loads.force.z, 1e-6);
+    CHECK_NEAR(b.loads.force_a.x, a.loads.force_a.x, 1e-6);
+    CHECK_NEAR(b.loads.force_a.z, a.loads.force_a.z, 1e-6);
     // Away from it the tilt returns: the rate is that of the slow mode, gamma Omega / 16 = 15 1/s within a
     // third.
     const double away = 0.01;

@@ -30,8 +30,8 @@ TEST(frames_hub_axes_are_a_rotation) {
         const Rotation<double>& r = f.from_body;
         for (const V& row : {r.row_x, r.row_y, r.row_z}) CHECK_NEAR(dot(row, row), 1.0, 1e-15);
         check_vector(cross(r.row_x, r.row_y), r.row_z, 1e-15);  // right-handed
-        check_vector(r.row_z, -1.0 * f.thrust_axis, 0);
-        check_vector(f.arm, f.thrust_axis, 1e-15);  // mast of length 1 from the pivot
+        check_vector(r.row_z, -1.0 * f.thrust_axis_b, 0);
+        check_vector(f.arm_b, f.thrust_axis_b, 1e-15);  // mast of length 1 from the pivot
       }
     }
   }
@@ -39,16 +39,16 @@ TEST(frames_hub_axes_are_a_rotation) {
 
 TEST(frames_helicopter_and_airplane_axes) {
   const HubFrame<double> up = hub(0.0, 0.0, right);
-  check_vector(up.thrust_axis, V{0, 0, -1}, 0);
+  check_vector(up.thrust_axis_b, V{0, 0, -1}, 0);
   check_vector(up.from_body.row_x, V{1, 0, 0}, 0);
   check_vector(up.from_body.row_y, V{0, 1, 0}, 0);
   const HubFrame<double> forward = hub(kPi<double> / 2, 0.0, right);
-  check_vector(forward.thrust_axis, V{1, 0, 0}, 1e-15);
+  check_vector(forward.thrust_axis_b, V{1, 0, 0}, 1e-15);
   check_vector(forward.from_body.row_x, V{0, 0, 1}, 1e-15);  // hub x axis points down in airplane mode
   // Cant leans both rotors outboard.
   const double cant = 1 * kRadPerDeg<double>;
-  CHECK_NEAR(hub(0.0, cant, right).thrust_axis.y, std::sin(cant), 1e-15);
-  CHECK_NEAR(hub(0.0, cant, left).thrust_axis.y, -std::sin(cant), 1e-15);
+  CHECK_NEAR(hub(0.0, cant, right).thrust_axis_b.y, std::sin(cant), 1e-15);
+  CHECK_NEAR(hub(0.0, cant, left).thrust_axis_b.y, -std::sin(cant), 1e-15);
 }
 
 // Hub stations of the aircraft without cant: SL 300 - 56 sin, WL 100 + 56 cos (mast 4.667 ft), BL 193 (in).
@@ -60,14 +60,14 @@ TEST_OF_XV15(frames_hub_stations) {
     const double sine = std::sin(mast * kRadPerDeg<double>);
     const double cosine = std::cos(mast * kRadPerDeg<double>);
     for (const int side : {right, left}) {
-      CHECK_NEAR((c.mass.sl_cg - c.hub[side].arm.x) / kInch, 300 - 56.004 * sine, 1e-9);
-      CHECK_NEAR((c.mass.wl_cg - c.hub[side].arm.z) / kInch, 100 + 56.004 * cosine, 1e-9);
-      CHECK_NEAR(c.hub[side].arm.y / kInch, side == right ? 193 : -193, 1e-9);
+      CHECK_NEAR((c.mass.sl_cg - c.hub[side].arm_b.x) / kInch, 300 - 56.004 * sine, 1e-9);
+      CHECK_NEAR((c.mass.wl_cg - c.hub[side].arm_b.z) / kInch, 100 + 56.004 * cosine, 1e-9);
+      CHECK_NEAR(c.hub[side].arm_b.y / kInch, side == right ? 193 : -193, 1e-9);
     }
   }
   // With 1 deg of cant at mast 0 the hubs stand 56 in x sin 1 deg further outboard, none at mast 90.
-  CHECK_NEAR(configuration(0).hub[right].arm.y / kInch, 193 + 56.004 * std::sin(kRadPerDeg<double>), 1e-9);
-  CHECK_NEAR(configuration(90).hub[left].arm.y / kInch, -193, 1e-9);
+  CHECK_NEAR(configuration(0).hub[right].arm_b.y / kInch, 193 + 56.004 * std::sin(kRadPerDeg<double>), 1e-9);
+  CHECK_NEAR(configuration(90).hub[left].arm_b.y / kInch, -193, 1e-9);
 }
 
 TEST(frames_mirror_of_the_rotor_frame) {
@@ -109,11 +109,11 @@ TEST_OF_XV15(frames_hub_velocity_from_positions) {
         return t * s.x.velocity + hub + t * cross(s.x.rates, hub);
       };
       const V moved = (1 / (2 * h)) * (hub_at(h) - hub_at(-h));
-      const V in_h = mirror_polar(in.velocity, side);
+      const V in_h = mirror_polar(in.velocity_a, side);
       const V in_body = c.hub[side].from_body.apply_inverse(in_h);
       // The small cant changes the arc of the hub by 1 - cos(cant).
       check_vector(in_body, moved, 2e-4 * 0.1 * 1.5 + 1e-6);
-      const V rates_h = mirror_axial(in.rates, side);
+      const V rates_h = mirror_axial(in.rates_a, side);
       const V rates_body = c.hub[side].from_body.apply_inverse(rates_h);
       const V expected = s.x.rates - setup.mast_rate * c.hub[side].from_body.row_y;
       check_vector(rates_body, expected, 1e-14);

@@ -71,7 +71,7 @@ TEST(mirror_symmetric_flight) {
     CHECK_EQ(out.rates.yaw, 0.0);
     const auto r = flat(out.rotor[right]);
     const auto l = flat(out.rotor[left]);
-    const double force = std::abs(out.rotor[right].loads.force.z);
+    const double force = std::abs(out.rotor[right].loads.force_a.z);
     for (std::size_t i = 0; i < r.size(); ++i) CHECK_NEAR(l[i], r[i], 1e-12 * (force + std::abs(r[i])));
     // A symmetric aircraft flies up and forward, not nowhere: the loads themselves are there.
     CHECK_LT(1.0, std::abs(out.loads.component[rotor_right].force.z) +

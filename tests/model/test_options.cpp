@@ -64,7 +64,7 @@ unsigned changed(const Evaluation<double>& a, const Evaluation<double>& b) {
   for (const int side : {right, left}) {
     const RotorLoads<double>& p = a.rotor[side].loads;
     const RotorLoads<double>& q = b.rotor[side].loads;
-    mark(p.force.x == q.force.x && p.force.y == q.force.y && p.force.z == q.force.z && p.torque == q.torque &&
+    mark(p.force_a.x == q.force_a.x && p.force_a.y == q.force_a.y && p.force_a.z == q.force_a.z && p.torque == q.torque &&
              p.mc == q.mc && p.ms == q.ms,
          rotor_forces);
     const RotorState<double>& x = a.rates.rotor[side];
@@ -224,7 +224,7 @@ TEST(options_sizes_in_closed_form) {
   tilted_options.disk_plane_inflow = true;
   const Configuration<double> tilted = configuration(0, tilted_options);
   RotorInput<double> in{};
-  in.velocity = {-30, 4, 2};
+  in.velocity_a = {-30, 4, 2};
   in.state.b1c = 0.05;
   in.state.b1s = -0.03;
   const RotorLoads<double> loads{{0, 0, 3e4}, 0, 0, 0, 0};
@@ -234,9 +234,9 @@ TEST(options_sizes_in_closed_form) {
   Options pair_options;
   pair_options.side_by_side = true;
   const Configuration<double> pair = configuration(0, pair_options);
-  in.velocity = {-0.03 * pair.tip_speed, 0, 0};
+  in.velocity_a = {-0.03 * pair.tip_speed, 0, 0};
   CHECK_REL(inflow_forcing(pair, in, loads).c0 / inflow_forcing(shaft, in, loads).c0, 1.0, 1e-9);
-  in.velocity = {-0.25 * pair.tip_speed, 0, 0};
+  in.velocity_a = {-0.25 * pair.tip_speed, 0, 0};
   CHECK_NEAR(inflow_forcing(pair, in, loads).c0 / inflow_forcing(shaft, in, loads).c0, 1 - 0.085, 2e-3);
 }
 

@@ -98,8 +98,8 @@ void replay_rotor_loads(const Replay& replay, const std::string& tables) {
     CHECK_NEAR(c.coning, at("b0_deg") * kRadPerDeg<double>, 1e-12);
 
     RotorInput<double> in{};
-    in.velocity = {at("Vx_A"), at("Vy_A"), at("Vz_A")};
-    in.rates = {at("wx_A"), at("wy_A"), at("wz_A")};
+    in.velocity_a = {at("Vx_A"), at("Vy_A"), at("Vz_A")};
+    in.rates_a = {at("wx_A"), at("wy_A"), at("wz_A")};
     in.state = {at("b1c"), at("b1s"), at("db1c"), at("db1s"), at("n0"), at("nc"), at("ns")};
     in.coning = {at("b0_deg") * kRadPerDeg<double>, 0};
     in.collective = at("th75_rad");
@@ -117,8 +117,8 @@ void replay_rotor_loads(const Replay& replay, const std::string& tables) {
     const double flap = std::hypot(at("dd_b1c"), at("dd_b1s"));
     const double inflow = std::max({std::abs(at("d_n0")), std::abs(at("d_nc")), std::abs(at("d_ns"))});
     for (const Entry& e :
-         {Entry{"Fx_A_n", out.loads.force.x, force}, Entry{"Fy_A_n", out.loads.force.y, force},
-          Entry{"Fz_A_n", out.loads.force.z, force}, Entry{"Q_nm", out.loads.torque, moment},
+         {Entry{"Fx_A_n", out.loads.force_a.x, force}, Entry{"Fy_A_n", out.loads.force_a.y, force},
+          Entry{"Fz_A_n", out.loads.force_a.z, force}, Entry{"Q_nm", out.loads.torque, moment},
           Entry{"Mc_nm", out.loads.mc, moment}, Entry{"Ms_nm", out.loads.ms, moment},
           Entry{"M0_nm", out.loads.m0, moment}, Entry{"d_b1c", out.flapping.b1c_rate, 0},
           Entry{"d_b1s", out.flapping.b1s_rate, 0}, Entry{"dd_b1c", out.flapping.b1c_acceleration, flap},

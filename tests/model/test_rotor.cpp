@@ -66,7 +66,7 @@ TEST_OF_XV15(rotor_section_velocities_from_positions) {
                  (x.b1c + x.b1c_rate * t) * std::cos(psi) + (x.b1s + x.b1s_rate * t) * std::sin(psi);
         };
         const auto position = [&](double t) {  // from the CG, body axes
-          return c.hub[side].arm + radius * blade_axes(axes, azimuth + omega * t, flap_at(t)).along;
+          return c.hub[side].arm_b + radius * blade_axes(axes, azimuth + omega * t, flap_at(t)).along;
         };
         const double h = 1e-6;
         const V here = position(0);
@@ -143,7 +143,7 @@ TEST_OF_XV15(rotor_hub_loads_by_hand_in_body_axes) {
       CHECK_NEAR(loads.force.x, force.x, 1e-9 * scale);
       CHECK_NEAR(loads.force.y, force.y, 1e-9 * scale);
       CHECK_NEAR(loads.force.z, force.z, 1e-9 * scale);
-      const V at_hub = loads.moment - cross(c.hub[side].arm, force);
+      const V at_hub = loads.moment - cross(c.hub[side].arm_b, force);
       CHECK_NEAR(dot(at_hub, axes.up), shaft_moment, 1e-8 * (1 + std::abs(shaft_moment)));
       // Spring: a disk with its aft side up (tilted forward) pulls the nose down; with its outboard side up
       // (tilted inboard) it rolls the aircraft to the other side.
@@ -160,7 +160,7 @@ TEST_OF_XV15(rotor_energy_balance) {
   for (const V& velocity : {V{0, 0, 0}, V{0, 0, 8}, V{-40, 0, 4}, V{-30, 15, -5}, V{0, 0, 90}}) {
     const Configuration<double> c = configuration(0, linear_tables());
     RotorInput<double> in{};
-    in.velocity = velocity;
+    in.velocity_a = velocity;
     in.collective = 0.2 + std::atan(velocity.z / (0.75 * c.tip_speed));
     in.long_cyclic = 0.04;
     in.state.lambda_0 = 0.05;
@@ -185,7 +185,7 @@ TEST_OF_XV15(rotor_energy_balance) {
       }
     }
     const double power = loads.torque * c.setup.rotor_speed;
-    const double work = dot(loads.force, velocity) + loads.force.z * c.tip_speed * in.state.lambda_0;
+    const double work = dot(loads.force_a, velocity) + loads.force_a.z * c.tip_speed * in.state.lambda_0;
     CHECK_NEAR(power, work + profile, 1e-9 * (std::abs(power) + std::abs(work) + profile));
     CHECK_LT(0.0, profile);
   }
@@ -211,13 +211,13 @@ TEST_OF_XV15(rotor_hover_power_and_derivatives) {
   RotorInput<double> more = in;
   more.collective += small;
   RotorInput<double> climbing = in;
-  climbing.velocity.z += 0.01;
+  climbing.velocity_a.z += 0.01;
   const RotorLoads<double> a = rotor_response(c, settled(c, in), c.azimuth).loads;
   const RotorLoads<double> b = rotor_response(c, settled(c, more), c.azimuth).loads;
   const RotorLoads<double> d = rotor_response(c, settled(c, climbing), c.azimuth).loads;
-  CHECK_REL((b.force.z - a.force.z) / small / kPound, 39800, 0.005);
+  CHECK_REL((b.force_a.z - a.force_a.z) / small / kPound, 39800, 0.005);
   CHECK_REL((b.torque - a.torque) / small / (kPound * kFoot), 62200, 0.005);
-  CHECK_REL((d.force.z - a.force.z) / 0.01 / kPound * kFoot, -31.6, 0.01);
+  CHECK_REL((d.force_a.z - a.force_a.z) / 0.01 / kPound * kFoot, -31.6, 0.01);
 }
 
 // Textbook thrust: C_T = sigma a / 2 (theta/3 - lambda/2), constant chord, untwisted, linear section.
@@ -233,21 +233,21 @@ TEST_OF_XV15(rotor_textbook_thrust_and_torque) {
       in.state.lambda_0 = lambda;
       const RotorLoads<double> loads = rotor_loads(c, in, c.azimuth);
       const double ct = sigma * TextbookRotor::kLiftSlope / 2 * (theta / 3 - lambda / 2);
-      CHECK_REL(loads.force.z / scale, ct, 2e-3);
+      CHECK_REL(loads.force_a.z / scale, ct, 2e-3);
       CHECK_NEAR(loads.torque / (scale * kRadius), lambda * ct,
                  2e-3 * lambda * ct + 1e-9);  // no drag: induced alone
       CHECK_NEAR(loads.mc, 0.0, 1e-8 * loads.m0);
-      CHECK_NEAR(loads.force.x, 0.0, 1e-8 * loads.force.z);
+      CHECK_NEAR(loads.force_a.x, 0.0, 1e-8 * loads.force_a.z);
     }
   }
   // Edgewise: C_T grows by the factor 1 + 3/2 mu^2, and the advancing side carries more.
   const double mu = 0.05;
   RotorInput<double> in{};
   in.collective = 0.05;
-  in.velocity = {-mu * c.tip_speed, 0, 0};
+  in.velocity_a = {-mu * c.tip_speed, 0, 0};
   const RotorLoads<double> loads = rotor_loads(c, in, c.azimuth);
   const double ct = sigma * TextbookRotor::kLiftSlope / 2 * (0.05 / 3 * (1 + 1.5 * mu * mu));
-  CHECK_REL(loads.force.z / scale, ct, 2e-3);
+  CHECK_REL(loads.force_a.z / scale, ct, 2e-3);
   // Sum of r dF sin psi over the blades: N_b/2 times 1/2 rho a c R^2 (Omega R)^2 2 mu theta / 3.
   const double moment = 1.5 * 0.5 * c.air.density * TextbookRotor::kLiftSlope * TextbookRotor::chord() *
                         std::pow(kRadius, 2) * c.tip_speed * c.tip_speed * 2 * mu * 0.05 / 3;
@@ -260,15 +260,15 @@ TEST_OF_XV15(rotor_textbook_thrust_and_torque) {
 TEST_OF_XV15(rotor_axial_flow_is_axisymmetric) {
   const Configuration<double> c = configuration(90);
   RotorInput<double> in{};
-  in.velocity = {0, 0, 100};
+  in.velocity_a = {0, 0, 100};
   in.coning.angle = c.coning;
   in.collective = 0.62;
   in.state.lambda_0 = 0.002;
   const RotorResponse<double> out = rotor_response(c, in, c.azimuth);
-  const double force = out.loads.force.z;
+  const double force = out.loads.force_a.z;
   CHECK_LT(1000.0, force);
-  CHECK_NEAR(out.loads.force.x, 0.0, 1e-13 * force);
-  CHECK_NEAR(out.loads.force.y, 0.0, 1e-13 * force);
+  CHECK_NEAR(out.loads.force_a.x, 0.0, 1e-13 * force);
+  CHECK_NEAR(out.loads.force_a.y, 0.0, 1e-13 * force);
   CHECK_NEAR(out.loads.mc, 0.0, 1e-13 * out.loads.m0);
   CHECK_NEAR(out.loads.ms, 0.0, 1e-13 * out.loads.m0);
   const Loads<double> r = hub_loads(c, right, in.state, out.loads);
@@ -281,7 +281,7 @@ TEST_OF_XV15(rotor_axial_flow_is_axisymmetric) {
   const Loads<double> hover =
       hub_loads(up, right, RotorState<double>{}, RotorLoads<double>{V{0, 0, 0}, 1000, 0, 0, 0});
   CHECK_LT(990.0, hover.moment.z);
-  CHECK_REL(r.moment.x - (c.hub[right].arm.y * r.force.z - c.hub[right].arm.z * r.force.y), -out.loads.torque,
+  CHECK_REL(r.moment.x - (c.hub[right].arm_b.y * r.force.z - c.hub[right].arm_b.z * r.force.y), -out.loads.torque,
             1e-12);
 }
 
@@ -292,8 +292,8 @@ TEST(rotor_turns_with_the_wind) {
   const Configuration<double> c = configuration(0);
   for (int n = 0; n < 40; ++n) {
     RotorInput<double> in{};
-    in.velocity = {random.between(-50, 50), random.between(-50, 50), random.between(-5, 20)};
-    in.rates = {random.between(-0.5, 0.5), random.between(-0.5, 0.5), random.between(-0.5, 0.5)};
+    in.velocity_a = {random.between(-50, 50), random.between(-50, 50), random.between(-5, 20)};
+    in.rates_a = {random.between(-0.5, 0.5), random.between(-0.5, 0.5), random.between(-0.5, 0.5)};
     in.state = {random.between(-0.05, 0.05), random.between(-0.05, 0.05), random.between(-0.5, 0.5),
                 random.between(-0.5, 0.5),   random.between(0, 0.08),     random.between(-0.02, 0.02),
                 random.between(-0.02, 0.02)};
@@ -302,8 +302,8 @@ TEST(rotor_turns_with_the_wind) {
     in.lateral_cyclic = random.between(-0.05, 0.05);
     in.long_cyclic = random.between(-0.05, 0.05);
     RotorInput<double> turned = in;  // (x, y) -> (-y, x)
-    turned.velocity = {-in.velocity.y, in.velocity.x, in.velocity.z};
-    turned.rates = {-in.rates.y, in.rates.x, in.rates.z};
+    turned.velocity_a = {-in.velocity_a.y, in.velocity_a.x, in.velocity_a.z};
+    turned.rates_a = {-in.rates_a.y, in.rates_a.x, in.rates_a.z};
     turned.state = {-in.state.b1s,     in.state.b1c,       -in.state.b1s_rate, in.state.b1c_rate,
                     in.state.lambda_0, -in.state.lambda_s, in.state.lambda_c};
     turned.lateral_cyclic = -in.long_cyclic;
@@ -311,9 +311,9 @@ TEST(rotor_turns_with_the_wind) {
     const RotorResponse<double> a = rotor_response(c, in, c.azimuth);
     const RotorResponse<double> b = rotor_response(c, turned, c.azimuth);
     const double tolerance = 1e-12 * (std::abs(a.loads.m0) + 1e4);
-    CHECK_NEAR(b.loads.force.x, -a.loads.force.y, tolerance);
-    CHECK_NEAR(b.loads.force.y, a.loads.force.x, tolerance);
-    CHECK_NEAR(b.loads.force.z, a.loads.force.z, tolerance);
+    CHECK_NEAR(b.loads.force_a.x, -a.loads.force_a.y, tolerance);
+    CHECK_NEAR(b.loads.force_a.y, a.loads.force_a.x, tolerance);
+    CHECK_NEAR(b.loads.force_a.z, a.loads.force_a.z, tolerance);
     CHECK_NEAR(b.loads.torque, a.loads.torque, tolerance);
     CHECK_NEAR(b.loads.mc, -a.loads.ms, tolerance);
     CHECK_NEAR(b.loads.ms, a.loads.mc, tolerance);
@@ -329,8 +329,8 @@ TEST(rotor_turns_with_the_wind) {
 TEST_OF_XV15(rotor_individual_blades_average_to_the_mean) {
   const Configuration<double> c = configuration(0);
   RotorInput<double> in = hover_input(c);
-  in.velocity = {-35, 2, 3};
-  in.rates = {0.1, 0.05, 0};
+  in.velocity_a = {-35, 2, 3};
+  in.rates_a = {0.1, 0.05, 0};
   in.long_cyclic = 0.05;
   const auto mean = flat(rotor_response(c, in, c.azimuth));
   std::array<double, RotorResponse<double>::kCount> sum{};
@@ -342,8 +342,8 @@ TEST_OF_XV15(rotor_individual_blades_average_to_the_mean) {
     const RotorResponse<double> r = rotor_response(c, in, individual_azimuth<double>(3, azimuth));
     const auto now = flat(r);
     for (std::size_t i = 0; i < now.size(); ++i) sum[i] += now[i] / positions;
-    lowest = std::min(lowest, r.loads.force.z);
-    highest = std::max(highest, r.loads.force.z);
+    lowest = std::min(lowest, r.loads.force_a.z);
+    highest = std::max(highest, r.loads.force_a.z);
   }
   for (std::size_t i = 0; i < mean.size(); ++i)
     CHECK_NEAR(sum[i], mean[i], 1e-12 * (std::abs(mean[i]) + 1e3));
@@ -358,14 +358,14 @@ TEST(rotor_converges_with_the_grid) {
     options.grid_refinement = refinement;
     const Configuration<double> c = configuration(0, options);
     RotorInput<double> in = hover_input(c);
-    in.velocity = {-30.867, 0, -3};  // 60 kt
+    in.velocity_a = {-30.867, 0, -3};  // 60 kt
     in.collective = 0.15;
     in.state.lambda_0 = 0.031;
     in.state.lambda_c = 0.03;
     in.state.b1c = -0.02;
     in.state.b1s = -0.04;
     in.long_cyclic = 0.018;
-    return rotor_loads(c, in, c.azimuth).force.z;
+    return rotor_loads(c, in, c.azimuth).force_a.z;
   };
   const double t12 = thrust(12, 1);
   const double t24 = thrust(24, 1);

@@ -213,7 +213,7 @@ TEST(property_rotor_power_balance) {
   for (int k = 0; k < 100; ++k) {
     const Configuration<double> c = random_configuration(random);
     RotorInput<double> in{};
-    in.velocity = {random.between(-90, 60), random.between(-50, 50), random.between(-40, 120)};
+    in.velocity_a = {random.between(-90, 60), random.between(-50, 50), random.between(-40, 120)};
     in.collective = random.between(-0.1, 0.9);
     in.long_cyclic = random.between(-0.2, 0.2);
     in.lateral_cyclic = random.between(-0.2, 0.2);
@@ -253,10 +253,10 @@ TEST(property_rotor_power_balance) {
         gross += element;
       }
     }
-    const double induced = loads.force.z * c.tip_speed * x.lambda_0 + harmonics;
+    const double induced = loads.force_a.z * c.tip_speed * x.lambda_0 + harmonics;
     const double flapping = in.coning.rate * loads.m0 + x.b1c_rate * loads.mc + x.b1s_rate * loads.ms +
                             omega * (x.b1s * loads.mc - x.b1c * loads.ms);
-    CHECK_NEAR(loads.torque * omega, dot(loads.force, in.velocity) + induced + flapping + profile,
+    CHECK_NEAR(loads.torque * omega, dot(loads.force_a, in.velocity_a) + induced + flapping + profile,
                1e-10 * gross);
     CHECK_LT(0.0, profile);
   }

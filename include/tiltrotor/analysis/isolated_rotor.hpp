@@ -65,7 +65,7 @@ RotorFigures<R> figures(const Configuration<R>& c, const RotorFlow<R>& flow, con
   const R radius = c.aircraft->rotor.radius;
   const R unit_force = c.air.density * kPi<R> * square(radius) * square(c.tip_speed);
   RotorFigures<R> f;
-  f.thrust = loads.force.z;
+  f.thrust = loads.force_a.z;
   f.torque = loads.torque;
   f.power = loads.torque * c.setup.rotor_speed;
   f.thrust_coefficient = f.thrust / unit_force;
@@ -97,8 +97,8 @@ Status solve(const Configuration<R>& c, const Unknowns& set, CyclicUse cyclic,
 
 template <class R>
 MomentumRange range(const Configuration<R>& c, const IsolatedRotor<R>& rotor) {
-  const Vec3<R>& v = rotor.input.velocity;
-  return momentum_range(axial_flow(c.air.density, c.aircraft->rotor.radius, rotor.response.loads.force.z, v.z,
+  const Vec3<R>& v = rotor.input.velocity_a;
+  return momentum_range(axial_flow(c.air.density, c.aircraft->rotor.radius, rotor.response.loads.force_a.z, v.z,
                                    v.x, rotor.input.state.lambda_0 * c.tip_speed));
 }
 
@@ -125,7 +125,7 @@ Status isolated_rotor(const Configuration<R>& c, const RotorFlow<R>& flow, Isola
   const R solidity = static_cast<R>(tables.blades) * chord / (kPi<R> * tables.radius);
   const Unknowns set = unknowns(c.setup.options);
 
-  rotor.input.velocity = {-flow.in_plane, R(0), flow.axial};
+  rotor.input.velocity_a = {-flow.in_plane, R(0), flow.axial};
   rotor.input.coning.angle = c.coning;
   rotor.input.collective = flow.collective;
   rotor.input.lateral_cyclic = flow.lateral_cyclic;

@@ -5,8 +5,8 @@
 // values, clang++ -ffast-math and -ffinite-math-only), and excess precision (x87).
 // Told by no macro of g++ or clang++, hence looked for at run time by prepare(): fused multiply-add (g++
 // fuses wherever the processor can unless told -ffp-contract=off, which `pkg-config --cflags tiltrotor`
-// does), and the processor's rounding mode. Not looked for: flush-to-zero, which acts on numbers
-// below 1.2e-38 in single and 2.3e-308 in double precision only.
+// does), and the processor's rounding mode. Not looked for: flush-to-zero, which acts on numbers below 1.2e-38
+// in single and 2.3e-308 in double precision only.
 #pragma once
 
 #include <limits>

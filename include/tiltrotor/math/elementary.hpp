@@ -1,16 +1,13 @@
-// sin, cos and atan2 for double, float and packs of them (pack.hpp): short,
-// branch-free, the same bits on every target.
+// sin, cos and atan2 for double, float and batches of them (batch.hpp): short, branch-free, the same bits on
+// every target.
 //
-// Libraries differ in the last bits of these functions and in the time they
-// take. Here each is one argument reduction and one polynomial
-// (Chebyshev-fitted for the reduced interval), evaluated in a fixed order, so
-// that a flight computed on a workstation and on a microcontroller agrees bit
-// for bit when the compiler does not contract products and sums. Errors against
-// the exact functions stay below 2 units in the last place (2.5 for float
-// beyond one turn; tested), at zero crossings too, and for every finite x, y of
-// the angle: where the angle itself is subnormal, below 2 units of the smallest
-// number. Angles beyond kLargestAngle have lost their meaning to rounding and
-// return NaN.
+// Libraries differ in the last bits of these functions and in the time they take. Here each is one argument
+// reduction and one polynomial (Chebyshev-fitted for the reduced interval), evaluated in a fixed order, so
+// that a flight computed on a workstation and on a microcontroller agrees bit for bit when the compiler does
+// not contract products and sums. Errors against the exact functions stay below 2 units in the last place
+// (2.5 for float beyond one turn; tested), at zero crossings too, and for every finite x, y of the angle:
+// where the angle itself is subnormal, below 2 units of the smallest number. Angles beyond kLargestAngle have
+// lost their meaning to rounding and return NaN.
 #pragma once
 
 #include <cmath>
@@ -30,13 +27,12 @@ struct Elementary;
 template <>
 struct Elementary<double> {
   static constexpr double kLargestAngle = 1e8;  // rad
-  // Sides of an angle, and sums of their squares, beyond which products
-  // overflow or lose digits, and the factors that bring them back.
+  // Sides of an angle, and sums of their squares, beyond which products overflow or lose digits, and the
+  // factors that bring them back.
   static constexpr double kLargestSide = 0x1p1021, kSmallestSide = 0x1p-960;
   static constexpr double kLargestSquare = 0x1p1000, kSmallestSquare = 0x1p-900;
   static constexpr double kShrink = 0x1p-600, kEnlarge = 0x1p600;
-  // pi/2 in parts short enough for exact products with the number of quarter
-  // turns.
+  // pi/2 in parts short enough for exact products with the number of quarter turns.
   static constexpr double kHalfPi[3] = {1.5707963109016418, 1.5893254712295857e-08, 6.123233995736766e-17};
   static constexpr double kRoundToInteger = 6755399441055744.0;  // 1.5 * 2^52
 
@@ -75,9 +71,8 @@ struct Elementary<double> {
     return ((x - turns * kHalfPi[0]) - turns * kHalfPi[1]) - turns * kHalfPi[2];
   }
 
-  // Next to a zero crossing little is left of the angle, and the rounding of
-  // the last product shows: what the reduced angle r is too large, from the
-  // third part of pi/2 in two.
+  // Next to a zero crossing little is left of the angle, and the rounding of the last product shows: what the
+  // reduced angle r is too large, from the third part of pi/2 in two.
   static constexpr double kCrossing = 0x1p-48;  // square of the largest such angle
   static constexpr double kHalfPiRest[2] = {6.123233932053594e-17, 6.36831716351095e-25};
   template <class V>
@@ -125,7 +120,7 @@ struct Elementary<float> {
   }
 };
 
-// One of two plain numbers; lane by lane for packs.
+// One of two plain numbers; lane by lane for batches.
 template <class T>
 T select(bool condition, const T& if_true, const T& if_false) {
   return condition ? if_true : if_false;
@@ -137,7 +132,7 @@ struct SineCosine {
   V sine, cosine;
 };
 
-// Both at once. |x| <= kLargestAngle, otherwise NaN. V: plain number or pack.
+// Both at once. |x| <= kLargestAngle, otherwise NaN. V: plain number or batch.
 template <class V>
 SineCosine<V> sine_cosine(const V& x) {
   using R = typename ScalarTraits<V>::Real;
@@ -165,10 +160,9 @@ SineCosine<V> sine_cosine(const V& x) {
           select(in_range, select(left, -cosine, cosine), nan)};
 }
 
-// Angle of (x, y), -pi..pi, for finite arguments (0 at the origin); a zero y
-// counts as positive whatever its sign. V: plain number or pack; in a pack the
-// larger of |x|, |y| lies between kSmallestSide and kLargestSide or is zero,
-// and that of the slopes below likewise by the square.
+// Angle of (x, y), -pi..pi, for finite arguments (0 at the origin); a zero y counts as positive whatever its
+// sign. V: plain number or batch; in a batch the larger of |x|, |y| lies between kSmallestSide and kLargestSide
+// or is zero, and that of the slopes below likewise by the square.
 template <class V>
 V arctangent2(const V& y, const V& x) {
   using R = typename ScalarTraits<V>::Real;
@@ -204,9 +198,8 @@ V arctangent2(const V& y, const V& x) {
   return select(y < R(0), -angle, angle);
 }
 
-// Slopes of that angle along y and x: x / (x^2 + y^2) and -y / (x^2 + y^2), for
-// every finite (x, y) but the origin, where they are no numbers; infinite when
-// they exceed the largest number.
+// Slopes of that angle along y and x: x / (x^2 + y^2) and -y / (x^2 + y^2), for every finite (x, y) but the
+// origin, where they are no numbers; infinite when they exceed the largest number.
 template <class V>
 struct AngleSlopes {
   V along_y, along_x;
@@ -223,8 +216,7 @@ AngleSlopes<V> arctangent2_slopes(const V& y, const V& x) {
       const R u = x * unit;
       const R v = y * unit;
       const R inverse = R(1) / (std::fabs(u) > std::fabs(v) ? std::fabs(u) : std::fabs(v));
-      const R a = u * inverse;  // of unit size: the products below neither
-                                // vanish nor overflow on the way
+      const R a = u * inverse;  // of unit size: the products below neither vanish nor overflow on the way
       const R b = -v * inverse;
       const R rest = R(1) / (a * a + b * b);
       const R first = huge ? inverse : unit;

@@ -30,8 +30,8 @@ using Real = typename ScalarTraits<T>::Real;
 template <class T>
 inline constexpr bool kIsPlain = std::is_same_v<T, Real<T>>;
 
-// Plain value of any scalar: the only part a comparison or an index may look at. Of a pack (pack.hpp), the
-// pack.
+// Plain value of any scalar: the only part a comparison or an index may look at. Of a batch (batch.hpp), the
+// batch.
 template <class T>
 auto value(const T& x) {
   return ScalarTraits<T>::value(x);

@@ -7,22 +7,22 @@
 
 namespace tiltrotor {
 
-// `velocity`: of the CG relative to the air, B. A moving mast carries the hub along an arc about the conversion
-// axis and pitches the hub frame nose down.
+// `velocity_b`: of the CG relative to the air, m/s. A moving mast carries the hub along an arc about the
+// conversion axis and pitches the hub frame nose down.
 template <class T, class C>
-void rotor_input(const Configuration<C>& c, const State<T>& x, const Vec3<T>& velocity,
+void rotor_input(const Configuration<C>& c, const State<T>& x, const Vec3<T>& velocity_b,
                  const BladeControls<T>& controls, int side, RotorInput<T>& in) {
   using R = Real<T>;
   const HubFrame<C>& hub = c.hub[side];
-  const Vec3<C> swing = {c.setup.mast_rate * c.aircraft->mast.length * cos(c.mast), C(R(0)),
-                         c.setup.mast_rate * c.aircraft->mast.length * sin(c.mast)};
-  Vec3<T> hub_velocity = velocity + rate_cross_arm(x.rates, hub.arm);
-  hub_velocity = {hub_velocity.x + swing.x, hub_velocity.y, hub_velocity.z + swing.z};
-  Vec3<T> hub_rates = hub.from_body.apply(x.rates);
-  hub_rates.y = hub_rates.y - c.setup.mast_rate;
+  const Vec3<C> swing_b = {c.setup.mast_rate * c.aircraft->mast.length * cos(c.mast), C(R(0)),
+                           c.setup.mast_rate * c.aircraft->mast.length * sin(c.mast)};
+  Vec3<T> hub_velocity_b = velocity_b + rate_cross_arm(x.rates, hub.arm_b);
+  hub_velocity_b = {hub_velocity_b.x + swing_b.x, hub_velocity_b.y, hub_velocity_b.z + swing_b.z};
+  Vec3<T> hub_rates_h = hub.from_body.apply(x.rates);
+  hub_rates_h.y = hub_rates_h.y - c.setup.mast_rate;
 
-  in.velocity = mirror_polar(hub.from_body.apply(hub_velocity), side);
-  in.rates = mirror_axial(hub_rates, side);
+  in.velocity_a = mirror_polar(hub.from_body.apply(hub_velocity_b), side);
+  in.rates_a = mirror_axial(hub_rates_h, side);
   in.state = x.rotor[side];
   in.coning.angle = c.setup.options.coning_states ? x.coning[side].angle : T(c.coning);
   in.coning.rate = c.setup.options.coning_states ? x.coning[side].rate : T(R(0));
@@ -31,28 +31,28 @@ void rotor_input(const Configuration<C>& c, const State<T>& x, const Vec3<T>& ve
   in.long_cyclic = controls.long_cyclic[side];
 }
 
-// In-plane advance ratio of a hub velocity in the frame A.
+// In-plane advance ratio of a hub.
 template <class T, class C>
-T advance_ratio(const Configuration<C>& c, const Vec3<T>& hub_velocity) {
+T advance_ratio(const Configuration<C>& c, const Vec3<T>& hub_velocity_a) {
   using R = Real<T>;
   const C inverse_tip = R(1) / c.tip_speed;
-  const T mx = hub_velocity.x * inverse_tip;
-  const T my = hub_velocity.y * inverse_tip;
-  return sqrt(mx * mx + my * my + square(c.aircraft->smooth.advance_ratio));
+  const T mu_x = hub_velocity_a.x * inverse_tip;
+  const T mu_y = hub_velocity_a.y * inverse_tip;
+  return sqrt(mu_x * mu_x + mu_y * mu_y + square(c.aircraft->smooth.advance_ratio));
 }
 
 // `advance`: advance ratio of each rotor.
 template <class T, class C>
-void airframe_input(const Configuration<C>& c, const State<T>& x, const Vec3<T>& velocity,
+void airframe_input(const Configuration<C>& c, const State<T>& x, const Vec3<T>& velocity_b,
                     const BladeControls<T>& controls, const RotorResponse<T> (&rotor)[2],
                     const T (&advance)[2], AirframeInput<T>& in) {
   using R = Real<T>;
   const C unit_force = c.air.density * kPi<R> * square(c.tip_speed * c.aircraft->rotor.radius);
   const auto size = [](const Vec3<T>& force) { return sqrt(dot(force, force)); };
-  in.velocity = velocity;
+  in.velocity = velocity_b;
   in.rates = x.rates;
   for (const Side side : {right, left}) in.mean_wash[side] = c.tip_speed * x.rotor[side].lambda_0;
-  in.rotor_force = (size(rotor[right].loads.force) + size(rotor[left].loads.force)) * (R(1) / unit_force);
+  in.rotor_force = (size(rotor[right].loads.force_a) + size(rotor[left].loads.force_a)) * (R(1) / unit_force);
   in.advance_ratio = R(0.5) * (advance[right] + advance[left]);
   in.downwash = x.downwash;
   in.elevator = controls.elevator;

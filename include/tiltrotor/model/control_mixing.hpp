@@ -16,16 +16,15 @@ BladeControls<T> mix_controls(const Configuration<C>& c, const Controls<T>& u, c
   const Gearing<C>& g = c.gearing;
   const ControlTables<R>& t = c.aircraft->controls;
   const Interpolation mode = c.setup.options.tables;
-  const T speed_kt = total_speed(velocity, c.aircraft->smooth.airspeed) * (R(1) / kKnot<R>);
-  const T speed[1] = {speed_kt};
-  const T pedal_cyclic = lookup(t.pedal_cyclic, mode, c.pedal_mast, speed);
+  const T speed_kt[1] = {total_speed(velocity, c.aircraft->smooth.airspeed) * (R(1) / kKnot<R>)};
+  const T pedal_cyclic = lookup(t.pedal_cyclic, mode, c.pedal_mast, speed_kt);  // 8a-II
 
-  const T half_collective = u.diff_collective - g.lateral_collective * u.lat_stick;
-  const T cyclic = g.long_cyclic * u.long_stick + u.long_cyclic;
+  const T half_collective = u.diff_collective - g.lateral_collective * u.lat_stick;  // 8a-III
+  const T cyclic = g.long_cyclic * u.long_stick + u.long_cyclic;                     // 8a-I
   const T half_cyclic = u.diff_long_cyclic - pedal_cyclic * u.pedal;
   T lateral = u.lateral_cyclic;
   if (c.setup.options.lateral_cyclic) {
-    // A1 = - schedule: disks tilt outboard above 40 kt.
+    // A1 = - schedule, tables 8a-VII and 8a-VIII: disks tilt outboard above 40 kt.
     lateral =
         lateral - g.lateral_cyclic_gain * lookup(t.lateral_cyclic, mode, T(velocity.x * (R(1) / kKnot<R>)));
   }

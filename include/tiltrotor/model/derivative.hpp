@@ -56,30 +56,29 @@ void recorded_derivative(const Configuration<C>& c, const State<T>& x, const Con
   static_assert(derivative_detail::kScalarsFit<T, C>,
                 "a configuration with partials has the scalar of the state, of at most 16 directions");
   out_of_line([&] {
-    work.velocity = x.velocity - u.gust;
-    work.controls = mix_controls(c, u, work.velocity);
+    work.velocity_b = x.velocity - u.gust;
+    work.controls = mix_controls(c, u, work.velocity_b);
   });
 
   for (const Side side : {right, left}) {
-    rotor_input(c, x, work.velocity, work.controls, side, work.rotor_input);
+    rotor_input(c, x, work.velocity_b, work.controls, side, work.rotor_input);
     derivative_detail::local_rotor_response(c, work.rotor_input, azimuth, work.local.rotor, work.rotor[side]);
     out_of_line([&] {
-      work.advance_ratio[side] = advance_ratio(c, work.rotor_input.velocity);
+      work.advance_ratio[side] = advance_ratio(c, work.rotor_input.velocity_a);
       work.hub_loads[side] = hub_loads(c, side, x.rotor[side], work.rotor[side].loads);
     });
     record(side == right ? rotor_right : rotor_left, work.hub_loads[side]);
   }
 
-  airframe_input(c, x, work.velocity, work.controls, work.rotor, work.advance_ratio, work.airframe_input);
+  airframe_input(c, x, work.velocity_b, work.controls, work.rotor, work.advance_ratio, work.airframe_input);
   derivative_detail::local_airframe_response(c, work.airframe_input, work.local.airframe, work.airframe,
                                              record);
 
   out_of_line([&] {
     work.total = work.hub_loads[right] + work.hub_loads[left] + work.airframe.total;
-    work.body = rigid_body(c.mass, x.velocity, x.rates, x.roll, x.pitch, x.yaw, work.total);
-    rigid_body_rates(work.body, rates);
-    for (const Side side : {right, left}) rotor_rates(c, x, work.rotor[side], work.body.rates, side, rates);
-    rates.downwash = downwash_rate(c, x, work.velocity, work.airframe.downwash);
+    rigid_body_rates(c, x, work.total, rates);
+    for (const Side side : {right, left}) rotor_rates(c, x, work.rotor[side], side, rates);
+    rates.downwash = downwash_rate(c, x, work.velocity_b, work.airframe.downwash);
   });
 }
 

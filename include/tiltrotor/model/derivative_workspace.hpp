@@ -1,12 +1,11 @@
-// Memory of one evaluation of the model: placed by the caller, or on the stack by the functions without it (with
-// many partials it takes some 60 kB).
+// Memory of one evaluation of the model: placed by the caller, or on the stack by the functions without it
+// (with many partials it takes some 60 kB).
 #pragma once
 
 #include <type_traits>
 
 #include "tiltrotor/math/differentiation/preaccumulate.hpp"
 #include "tiltrotor/model/airframe/airframe.hpp"
-#include "tiltrotor/model/rigid_body.hpp"
 #include "tiltrotor/model/rotor/rotor.hpp"
 #include "tiltrotor/model/variables/controls.hpp"
 
@@ -41,7 +40,7 @@ struct LocalWorkspace<T, false> {
 
 template <class T>
 struct DerivativeWorkspace {
-  Vec3<T> velocity;  // of the CG relative to the air
+  Vec3<T> velocity_b;  // of the CG relative to the air, m/s
   BladeControls<T> controls;
   RotorInput<T> rotor_input;  // of one rotor
   RotorResponse<T> rotor[2];
@@ -50,7 +49,6 @@ struct DerivativeWorkspace {
   Loads<T> total;
   AirframeInput<T> airframe_input;
   AirframeResponse<T> airframe;
-  RigidBodyRates<T> body;
   LocalWorkspace<T> local;
 };
 

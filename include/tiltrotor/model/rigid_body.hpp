@@ -40,6 +40,7 @@ RigidBodyRates<T> rigid_body(const MassProperties<C>& mass, const Vec3<T>& v, co
 
   const Inertia<C>& i = mass.inertia;
   const C inverse_g = R(1) / (i.xx * i.zz - i.xz * i.xz);
+  // Moments about x and z with the gyroscopic terms; solved for p', r' by Ixx Izz - Ixz^2.
   const T tx = total.moment.x + i.xz * w.x * w.y + (i.yy - i.zz) * w.y * w.z;
   const T tz = total.moment.z - i.xz * w.y * w.z + (i.xx - i.yy) * w.x * w.y;
   d.rates.x = inverse_g * (i.zz * tx + i.xz * tz);

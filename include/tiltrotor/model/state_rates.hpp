@@ -7,8 +7,10 @@
 
 namespace tiltrotor {
 
-template <class T>
-void rigid_body_rates(const RigidBodyRates<T>& body, State<T>& rates) {
+// `total`: aerodynamic force and moment about the CG.
+template <class T, class C>
+void rigid_body_rates(const Configuration<C>& c, const State<T>& x, const Loads<T>& total, State<T>& rates) {
+  const RigidBodyRates<T> body = rigid_body(c.mass, x.velocity, x.rates, x.roll, x.pitch, x.yaw, total);
   rates.velocity = body.velocity;
   rates.rates = body.rates;
   rates.roll = body.roll;
@@ -17,10 +19,10 @@ void rigid_body_rates(const RigidBodyRates<T>& body, State<T>& rates) {
   rates.position = body.position;
 }
 
-// `body_rates`: angular acceleration of the aircraft, B, rad/s^2; the hub's is added to the flapping on demand.
+// The hub's angular acceleration, known from the rigid body, is added to the flapping on demand.
 template <class T, class C>
-void rotor_rates(const Configuration<C>& c, const State<T>& x, const RotorResponse<T>& rotor,
-                 const Vec3<T>& body_rates, int side, State<T>& rates) {
+void rotor_rates(const Configuration<C>& c, const State<T>& x, const RotorResponse<T>& rotor, int side,
+                 State<T>& rates) {
   using R = Real<T>;
   const Options& o = c.setup.options;
   RotorState<T>& out = rates.rotor[side];
@@ -32,22 +34,22 @@ void rotor_rates(const Configuration<C>& c, const State<T>& x, const RotorRespon
   out.lambda_c = rotor.inflow.lambda_c;
   out.lambda_s = rotor.inflow.lambda_s;
   if (o.flap_angular_acceleration && o.flapping == FlapOrder::second) {
-    const Vec3<T> w = mirror_axial(c.hub[side].from_body.apply(body_rates), side);
-    out.b1c_rate += w.y;
-    out.b1s_rate -= w.x;
+    const Vec3<T> acceleration_a = mirror_axial(c.hub[side].from_body.apply(rates.rates), side);
+    out.b1c_rate += acceleration_a.y;
+    out.b1s_rate -= acceleration_a.x;
   }
   rates.coning[side].angle = o.coning_states ? x.coning[side].rate : T(R(0));
   rates.coning[side].rate = o.coning_states ? rotor.coning_acceleration : T(R(0));
 }
 
-// eps' = (eps_0 - eps) V/l_t. `velocity`: of the CG relative to the air.
+// eps' = (eps_0 - eps) V/l_t. `velocity_b`: of the CG relative to the air, m/s.
 template <class T, class C>
-T downwash_rate(const Configuration<C>& c, const State<T>& x, const Vec3<T>& velocity,
+T downwash_rate(const Configuration<C>& c, const State<T>& x, const Vec3<T>& velocity_b,
                 const T& downwash_at_rest) {
   using R = Real<T>;
   const WingTables<R>& wing = c.aircraft->wing;
   if (!c.setup.options.downwash_lag) return T(R(0));
-  return (downwash_at_rest - x.downwash) * total_speed(velocity, wing.downwash_speed_floor) *
+  return (downwash_at_rest - x.downwash) * total_speed(velocity_b, wing.downwash_speed_floor) *
          (R(1) / wing.downwash_arm);
 }
 

@@ -64,7 +64,7 @@ FastestRates<R> fastest_rates(const Configuration<R>& c, const State<R>& x, cons
   const R blades = static_cast<R>(rotor.blades);
   const R omega = c.setup.rotor_speed;
   const Vec3<R> air = x.velocity - u.gust;
-  const Vec3<R>& arm = c.hub[right].arm;
+  const Vec3<R>& arm = c.hub[right].arm_b;
   const R hub_speed = std::sqrt(dot(air, air)) + std::sqrt(dot(arm, arm) * dot(x.rates, x.rates));
   const auto induced = [](const RotorState<R>& r) {
     return std::fabs(r.lambda_0) + std::fabs(r.lambda_c) + std::fabs(r.lambda_s);

@@ -133,13 +133,13 @@ void describe(const Configuration<R>& c, const SteadyFlight<R>& flight, TrimWork
   result.load_factor = -force_z / (c.mass.mass * kGravity<R>);
   for (int side = 0; side < 2; ++side) {
     const RotorLoads<R>& rotor = e.rotor[side].loads;
-    result.thrust[side] = std::sqrt(dot(rotor.force, rotor.force));
+    result.thrust[side] = std::sqrt(dot(rotor.force_a, rotor.force_a));
     result.power[side] = rotor.torque * c.setup.rotor_speed;
   }
   R download = R(0);
   for (int side = 0; side < 2; ++side) {
     const Loads<R>& wake = e.loads.component[side == right ? wing_wake_right : wing_wake_left];
-    download -= dot(wake.force, c.hub[side].thrust_axis);
+    download -= dot(wake.force, c.hub[side].thrust_axis_b);
   }
   const R thrust = result.thrust[right] + result.thrust[left];
   const R least_thrust = R(0.1) * c.mass.mass * kGravity<R>;

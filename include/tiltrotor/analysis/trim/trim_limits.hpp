@@ -146,8 +146,8 @@ void check_descent(const Configuration<R>& c, const State<R>& x, const Vec3<R>& 
                    const BladeControls<R>& blades, R thrust, int side, LimitCheck<R>& check) {
   RotorInput<R> in;
   rotor_input(c, x, velocity, blades, side, in);
-  const R in_plane = std::sqrt(square(in.velocity.x) + square(in.velocity.y));
-  const AxialFlow<R> flow = axial_flow(c.air.density, c.aircraft->rotor.radius, thrust, in.velocity.z,
+  const R in_plane = std::sqrt(square(in.velocity_a.x) + square(in.velocity_a.y));
+  const AxialFlow<R> flow = axial_flow(c.air.density, c.aircraft->rotor.radius, thrust, in.velocity_a.z,
                                        in_plane, in.state.lambda_0 * c.tip_speed);
   if (momentum_range(flow) == MomentumRange::holds) return;
   const TrimLimit limit = side == right ? TrimLimit::descent_right : TrimLimit::descent_left;
@@ -167,7 +167,7 @@ LimitCheck<R> check_limits(const Configuration<R>& c, R speed, R wing_angle, con
   LimitCheck<R> check;
   const Vec3<R> velocity = x.velocity - u.gust;
   for (int side = 0; side < 2; ++side)
-    check_descent(c, x, velocity, blades, rotor[side].loads.force.z, side, check);
+    check_descent(c, x, velocity, blades, rotor[side].loads.force_a.z, side, check);
 
   const R stall = aircraft.wing.stall_deg * kRadPerDeg<R>;
   if (is_wingborne(c, speed) && wing_angle > stall)

@@ -174,10 +174,9 @@ inline Status schur(const Matrix<R, N, N>& a, int n, EigenWorkspace<R, N>& work,
 }  // namespace eigen_detail
 
 // Eigenvalues of the leading n x n part of `a`.
-// Status: ok; not_finite (NaN or infinity in `a`: detected first, all outputs NaN; or an eigenvalue exceeds
-// the range of numbers); not_converged (the
-// eigenvalues not found are NaN); bad_argument (n outside 1..N). Cost: about 8 n^3 multiplications, at most
-// 30 n QR sweeps.
+// Status: ok; not_finite (NaN or infinity in `a`: detected
+// first, all outputs NaN; or an eigenvalue exceeds the range of numbers); not_converged (the eigenvalues not
+// found are NaN); bad_argument (n outside 1..N). Cost: about 8 n^3 multiplications, at most 30 n QR sweeps.
 template <class R, int N>
 inline Status eigenvalues(const Matrix<R, N, N>& a, int n, EigenWorkspace<R, N>& work,
                           Eigenvalues<R, N>& values) {

@@ -1,7 +1,7 @@
 // Batch: several plain numbers computed together, as many as the target's vectors hold.
 //
-// A pack is a scalar of the model like any other: the formulas of a blade element, written once, run on one
-// number, on a pack, or on a dual number whose value and partials are packs. Each lane sees the operations of
+// A batch is a scalar of the model like any other: the formulas of a blade element, written once, run on one
+// number, on a batch, or on a dual number whose value and partials are batches. Each lane sees the operations of
 // a plain number in the same order, so its result is the plain result bit for bit, whatever the number of
 // lanes. Decisions are made lane by lane with select(): both sides are computed.
 #pragma once

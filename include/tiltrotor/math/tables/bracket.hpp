@@ -102,8 +102,8 @@ void gather_four(const R* array, int index, R* out) {
 
 // An argument found on a smooth axis, with the weights of the four numbers that interpolate there: value at
 // the left and right knot, slope at the left and right knot. Tables over the same axis share it.
-//   T  scalar of the argument: plain number, pack, dual number, complex
-//   V  plain number or pack: what decisions and indices are made from
+//   T  scalar of the argument: plain number, batch, dual number, complex
+//   V  plain number or batch: what decisions and indices are made from
 //   W  scalar of the weights: dual numbers take plain weights and their slopes,
 //   the others weigh themselves
 template <class T>

@@ -13,7 +13,7 @@ template <class T>
 struct AirframeInput {
   Vec3<T> velocity;             // CG relative to the air, B, m/s
   Vec3<T> rates;                // rad/s
-  T mean_wash[2];               // v0 = n0 Omega R of each rotor, m/s
+  T mean_wash[2];               // v0 = lambda_0 Omega R of each rotor, m/s
   T rotor_force;                // C_RF: resultant forces of both rotors over rho pi Omega^2 R^4
   T advance_ratio;              // mean in-plane advance ratio of the rotors
   T downwash;                   // lagged wing downwash at the tail, rad
@@ -93,7 +93,8 @@ T flow_from_ahead(const T& alpha, const SmoothingWidths<Real<T>>& e) {
   return R(1) - smooth_step(T((size - e.rear_flow_start) * (R(1) / (kPi<R> - e.rear_flow_start))));
 }
 
-// Force of lift, drag and side force Y' (wind axes at alpha, beta) in body axes.
+// Force of lift L, drag D and side force Y' (wind axes at alpha, beta) in body axes:
+// X = L sa - (D cb + Y' sb) ca,  Y = Y' cb - D sb,  Z = -L ca - (D cb + Y' sb) sa.
 template <class T>
 Vec3<T> wind_force(const T& lift, const T& drag, const T& side, const T& alpha, const T& beta) {
   const T sa = sin(alpha);

@@ -6,7 +6,8 @@
 
 namespace tiltrotor {
 
-// 1 - dsigma/dbeta of the body. The tables know no flow from behind: the two ends meet in the middle there.
+// 1 - dsigma/dbeta of the body, tables 6-IV to 6-VII. They know no flow from behind: the two ends meet in the
+// middle there.
 template <class T, class C>
 T body_sidewash(const Configuration<C>& c, const FreeStream<T>& stream) {
   using R = Real<T>;
@@ -35,7 +36,7 @@ Loads<T> fin_loads(const Configuration<C>& c, const AirframeInput<T>& in, const 
   // Local sideslip: geometric, reduced by the rotors' and the body's sidewash, plus the roll-rate sidewash.
   const T geometric = sideslip_angle(v, f.speed_floor) - f.surface.incidence;
   const T body = body_sidewash(c, stream);
-  const T rotors = lookup(f.rotor_sidewash, o.tables, stream.speed_kt, stream.abs_beta_deg);
+  const T rotors = lookup(f.rotor_sidewash, o.tables, stream.speed_kt, stream.abs_beta_deg);  // 6-VIII
   const T half_span_over_speed = (c.aircraft->wing.span / R(2)) / total_speed(in.velocity, e.rate_speed);
   const T beta = rotors * body * geometric +
                  half_span_over_speed * (f.sidewash_roll * in.rates.x + f.sidewash_yaw * in.rates.z);
@@ -43,9 +44,10 @@ Loads<T> fin_loads(const Configuration<C>& c, const AirframeInput<T>& in, const 
   const T effectiveness = control_effectiveness(c, f.surface, stream.mach, in.rudder);
   const T rudder_beta = effectiveness * f.surface.control_tau * in.rudder;
   const T beta_deg = beta * kDegPerRad<R>;
-  const T slow = lookup(f.side_rudder, o.tables, beta_deg, T(in.rudder * kDegPerRad<R>));
-  const T fast = lookup(f.side_mach, o.tables, beta_deg, stream.mach) + f.lift_slope * rudder_beta;
+  const T slow = lookup(f.side_rudder, o.tables, beta_deg, T(in.rudder * kDegPerRad<R>));            // 6-I
+  const T fast = lookup(f.side_mach, o.tables, beta_deg, stream.mach) + f.lift_slope * rudder_beta;  // 6-II
   const T side_coefficient = slow + tail_mach_weight(c, stream.mach) * (fast - slow);
+  // Table 6-III.
   const T drag_coefficient = lookup(f.drag, o.tables, T((beta + rudder_beta) * kDegPerRad<R>), stream.mach);
 
   const R area = o.fin_area == FinArea::drawings ? f.surface.area : f.area_report;

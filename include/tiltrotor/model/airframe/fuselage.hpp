@@ -1,5 +1,5 @@
-// Fuselage: drag areas and volumes against angle of attack and sideslip, tables 3-I to 3-IX (NASA CR-166536
-// p. A-44).
+// Fuselage: drag areas and volumes against angle of attack and sideslip (NASA CR-166536 p. A-44, tables 3-I
+// to 3-IX, pp. B-26 to B-30).
 #pragma once
 
 #include "tiltrotor/model/airframe/airflow.hpp"
@@ -11,22 +11,23 @@ Loads<T> fuselage_loads(const Configuration<C>& c, const AirframeInput<T>& in, c
   using R = Real<T>;
   const FuselageTables<R>& f = c.aircraft->fuselage;
   const Interpolation mode = c.setup.options.tables;
-  const T& alpha = stream.alpha_deg;
-  const T beta = stream.beta * kDegPerRad<R>;
-  const T& abs_beta = stream.abs_beta_deg;
+  const T& alpha_deg = stream.alpha_deg;
+  const T beta_deg = stream.beta * kDegPerRad<R>;
+  const T& abs_beta_deg = stream.abs_beta_deg;
   const T cos_beta = cos(stream.beta);
   const T cos2 = cos_beta * cos_beta;
   const T q = R(0.5) * c.air.density * dot(in.velocity, in.velocity);
 
   // Alpha and beta tables both hold the value at zero sideslip: it is subtracted once.
-  const T lift = lookup(f.lift_alpha, mode, alpha) * cos2 + lookup(f.lift_beta, mode, abs_beta) - f.lift_zero;
-  const T drag = lookup(f.drag_alpha, mode, alpha) * cos2 + lookup(f.drag_beta, mode, abs_beta) -
-                 f.drag_zero + f.extra_drag;
-  const T pitch =
-      lookup(f.moment_alpha, mode, alpha) * cos2 + lookup(f.moment_beta, mode, abs_beta) - f.moment_zero;
-  const T side = lookup(f.side_beta, mode, beta);
-  const T roll = lookup(f.roll_beta, mode, beta);
-  const T yaw = lookup(f.yaw_beta, mode, beta);
+  const auto even = [&](const Table<R, 1>& along_alpha, const Table<R, 1>& along_beta, R zero) {
+    return lookup(along_alpha, mode, alpha_deg) * cos2 + lookup(along_beta, mode, abs_beta_deg) - zero;
+  };
+  const T lift = even(f.lift_alpha, f.lift_beta, f.lift_zero);                 // 3-I, 3-II; m^2
+  const T drag = even(f.drag_alpha, f.drag_beta, f.drag_zero) + f.extra_drag;  // 3-III, 3-IV; choices.csv
+  const T pitch = even(f.moment_alpha, f.moment_beta, f.moment_zero);          // 3-V, 3-VI; m^3
+  const T side = lookup(f.side_beta, mode, beta_deg);                          // 3-VII
+  const T roll = lookup(f.roll_beta, mode, beta_deg);                          // 3-VIII
+  const T yaw = lookup(f.yaw_beta, mode, beta_deg);                            // 3-IX
 
   const T sa = sin(stream.alpha);
   const T ca = cos(stream.alpha);

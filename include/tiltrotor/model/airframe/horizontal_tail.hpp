@@ -1,5 +1,5 @@
 // Horizontal tail with elevator, in the wing's downwash and the rotors' wash (NASA CR-166536 pp. A-85 to
-//
+// A-88, tables 5-I to 5-VI, pp. B-56 to B-68).
 #pragma once
 
 #include "tiltrotor/model/airframe/tail_flow.hpp"
@@ -23,24 +23,25 @@ Loads<T> horizontal_tail_loads(const Configuration<C>& c, const AirframeInput<T>
   const T lift_alpha = alpha + h.surface.incidence - downwash;
   const T effectiveness = control_effectiveness(c, h.surface, stream.mach, in.elevator);
   const T drag_alpha = lift_alpha + effectiveness * h.surface.control_tau * in.elevator;
-  const T lift_deg = wrapped(lift_alpha) * kDegPerRad<R>;
-  const T drag_deg = wrapped(drag_alpha) * kDegPerRad<R>;
-  const T slow = lookup(h.lift_elevator, o.tables, lift_deg, T(in.elevator * kDegPerRad<R>));
-  const T fast = lookup(h.lift_mach, o.tables, drag_deg, stream.mach);
+  const T lift_alpha_deg = wrapped(lift_alpha) * kDegPerRad<R>;
+  const T drag_alpha_deg = wrapped(drag_alpha) * kDegPerRad<R>;
+  const T slow = lookup(h.lift_elevator, o.tables, lift_alpha_deg, T(in.elevator * kDegPerRad<R>));  // 5-I
+  const T fast = lookup(h.lift_mach, o.tables, drag_alpha_deg, stream.mach);                         // 5-II
   const T fast_weight = tail_mach_weight(c, stream.mach);
 
   const T abs_beta = smooth_min(smooth_abs_zero(beta, e.angle), h.beta_limit * kRadPerDeg<R>, e.angle);
   const T lift = slow + fast_weight * (fast - slow) + (h.lift_beta * c.nacelle_axis.z * R(-1)) * abs_beta;
-  const T drag = lookup(h.drag, o.tables, drag_deg, stream.mach);
+  const T drag = lookup(h.drag, o.tables, drag_alpha_deg, stream.mach);  // 5-III
 
   const T arguments[2] = {stream.alpha_deg, stream.speed_kt};
-  const T ratio = lookup(h.pressure_ratio, o.tables, c.tail_pressure_mast, arguments);
+  const T ratio = lookup(h.pressure_ratio, o.tables, c.tail_pressure_mast, arguments);  // 5-V
   const C by_mast =
       o.tail_pressure == TailPressure::by_mast ? h.pressure.at(c.setup.mast_deg) : C(h.pressure.at_90);
-  // Body velocity, not the local one: the pressure ratio holds the rest.
+  // Body velocity, not the local one: the pressure ratio holds the rest (p. A-87).
   const T q = (R(0.5) * c.air.density * by_mast) * ratio *
               (in.velocity.x * in.velocity.x + in.velocity.z * in.velocity.z);
   const T scale = q * h.surface.area * tail_sideslip_factor(c, stream);
+  // Turned by the angle of the flow, without the incidence (p. A-88).
   return force_at(arm, scale * wind_force(lift, drag, T(R(0)), T(alpha - downwash), beta));
 }
 

@@ -6,7 +6,8 @@
 
 namespace tiltrotor {
 
-// Ratio of the wash at the tail to the mean wash at the disk; negative means upwash between the wakes.
+// Ratio of the wash at the tail to the mean wash at the disk, tables 2-I and 2-II (pp. B-22 to B-25);
+// negative means upwash between the wakes.
 template <class T, class C>
 T tail_wash_ratio(const Configuration<C>& c, const FreeStream<T>& stream) {
   using R = Real<T>;
@@ -18,17 +19,17 @@ T tail_wash_ratio(const Configuration<C>& c, const FreeStream<T>& stream) {
     ratio = lookup(h.rotor_wash, mode, c.tail_wash_mast, arguments);
   } else {
     // Fit along alpha near 0 of an older report: K = h0 + h1 bM + (h2 + h3 bM) r^2, bM in degrees.
-    const C& m = c.setup.mast_deg;
+    const C& mast_deg = c.setup.mast_deg;
     const R foot = R(0.3048);
-    const T r =
-        (stream.speed * (R(1) / foot) - h.wash_fit_speed + h.wash_fit[4] * m) * (R(1) / h.wash_fit_speed);
-    ratio = h.wash_fit[0] + h.wash_fit[1] * m + (h.wash_fit[2] + h.wash_fit[3] * m) * r * r;
+    const T r = (stream.speed * (R(1) / foot) - h.wash_fit_speed + h.wash_fit[4] * mast_deg) *
+                (R(1) / h.wash_fit_speed);
+    ratio = h.wash_fit[0] + h.wash_fit[1] * mast_deg + (h.wash_fit[2] + h.wash_fit[3] * mast_deg) * r * r;
   }
-  const T beta[1] = {stream.abs_beta_deg};
-  return ratio * lookup(h.rotor_wash_beta, mode, c.tail_wash_beta_mast, beta);
+  const T abs_beta_deg[1] = {stream.abs_beta_deg};
+  return ratio * lookup(h.rotor_wash_beta, mode, c.tail_wash_beta_mast, abs_beta_deg);
 }
 
-// Effectiveness of elevator or rudder: K = X_K(M) - D_K max(|delta| - 15 deg, 0)/15 deg.
+// Effectiveness of elevator or rudder: K = X_K(M) - D_K max(|delta| - 15 deg, 0)/15 deg (X_K: table 5-IV).
 template <class T, class C>
 T control_effectiveness(const Configuration<C>& c, const TailSurface<Real<T>>& surface, const T& mach,
                         const T& deflection) {
@@ -49,6 +50,7 @@ T tail_mach_weight(const Configuration<C>& c, const T& mach) {
   return smooth_step(T((mach - t.mach_blend_start) * (R(1) / (t.mach_blend_end - t.mach_blend_start))));
 }
 
+// Table 5-VI.
 template <class T, class C>
 T tail_sideslip_factor(const Configuration<C>& c, const FreeStream<T>& stream) {
   using R = Real<T>;

@@ -1,5 +1,5 @@
-// The part of wing and pylons in the free stream, with flap, aileron and rate terms, and the wing's downwash
-// (NASA CR-166536 pp.; constants pp. B-31 to B-33).
+// The part of wing and pylons in the free stream, with flap, aileron and rate terms, and the wing's downwash:
+// NASA CR-166536 pp.; constants pp. B-31 to B-33, tables pp. B-34 to B-54.
 #pragma once
 
 #include "tiltrotor/model/airframe/wing_coefficients.hpp"
@@ -7,8 +7,6 @@
 
 namespace tiltrotor {
 
-// Roll and yaw coefficients due to sideslip and rates (NASA CR-166536 pp. A-71, B-31 to B-33; DATCOM
-// compressibility factors).
 template <class T>
 struct LateralCoefficients {
   T roll, yaw;
@@ -27,6 +25,7 @@ struct FreeWing {
   Loads<T> loads;
 };
 
+// Roll and yaw coefficients due to sideslip and rates (pp. A-71, B-31 to B-33).
 template <class T, class C>
 LateralCoefficients<T> wing_lateral_coefficients(const Configuration<C>& c, const AirframeInput<T>& in,
                                                  const FreeStream<T>& stream, const T& beta,
@@ -35,10 +34,10 @@ LateralCoefficients<T> wing_lateral_coefficients(const Configuration<C>& c, cons
   const WingTables<R>& w = c.aircraft->wing;
   const R aspect = c.wing.aspect_ratio;
   const R cos_sweep = cos(w.sweep);
-  const T bc = sqrt(R(1) - square(cos_sweep) * stream.mach * stream.mach);  // compressibility
+  const T bc = sqrt(R(1) - square(cos_sweep) * stream.mach * stream.mach);  // compressibility, DATCOM
   const T cb = (aspect + R(4) * cos_sweep) / (aspect * bc + R(4) * cos_sweep);
 
-  const T roll_beta = c.wing.roll_beta * cb + c.wing.roll_beta_per_lift * k.lift;
+  const T roll_beta = c.wing.roll_beta * cb + c.wing.roll_beta_per_lift * k.lift;  // 4-VI, 4-VII
   const T roll_p = w.roll_rate * cb - R(0.125) * (k.drag - k.lift * k.lift * (R(1) / (kPi<R> * aspect)));
   const T bc2 = bc * bc;
   const T compressed = R(1) + aspect * (R(1) - bc2) / (R(2) * bc * (aspect * bc + R(2)));
@@ -59,8 +58,8 @@ LateralCoefficients<T> wing_lateral_coefficients(const Configuration<C>& c, cons
           yaw_beta * beta + half_span_over_speed * (yaw_p * p_wind + yaw_r * r_wind)};
 }
 
-// Aileron effectiveness fade: 1 up to 8 deg of wing angle, 0 beyond 25 deg. The plain |alpha| is safe because
-// the fade is constant around zero.
+// Aileron effectiveness fade: 1 up to 8 deg of wing angle, 0 beyond 25 deg (with table 4-XI). The plain
+// |alpha| is safe because the fade is constant around zero.
 template <class T, class C>
 T aileron_fade(const Configuration<C>& c, const T& alpha) {
   using R = Real<T>;
@@ -88,7 +87,8 @@ Loads<T> free_half_wing(const Configuration<C>& c, const ImmersedWing<T>& immers
 
 namespace wing_detail {
 
-// Angles and pressure, with the deflection of the free stream by the rotors (K_XRW).
+// Angles and pressure, with the deflection of the free stream by the rotors: alpha_WFS = alpha - K_XRW X_RW
+// C_RF / mu^2 (p. A-70; C_RF p. A-38, X_RW p. B-33).
 template <class T, class C>
 void free_wing_flow(const Configuration<C>& c, const AirframeInput<T>& in, FreeWing<T>& out) {
   using R = Real<T>;
@@ -113,14 +113,14 @@ void free_wing_forces(const Configuration<C>& c, const AirframeInput<T>& in, con
   const T lift_per_area = out.pressure * out.coefficients.lift;
   const T drag_per_area = out.pressure * out.coefficients.drag;
   const T half_aileron_loss = out.pressure * (R(0.5) * w.area * c.wing.aileron_lift_loss) *
-                              smooth_abs_zero(in.aileron, c.aircraft->smooth.angle);
+                              smooth_abs_zero(in.aileron, c.aircraft->smooth.angle);  // 4-XII
   const Vec3<T> per_area = wind_force(lift_per_area, drag_per_area, T(R(0)), out.alpha, T(R(0)));
   const Vec3<T> half_loss = wind_force(half_aileron_loss, T(R(0)), T(R(0)), out.alpha, T(R(0)));
   out.loads = free_half_wing(c, wake[right].immersed, per_area, half_loss, right) +
               free_half_wing(c, wake[left].immersed, per_area, half_loss, left);
 }
 
-// Moments by sideslip, rates, ailerons and camber.
+// Moments by sideslip, rates, ailerons and camber (p. A-71).
 template <class T, class C>
 void add_free_wing_moments(const Configuration<C>& c, const AirframeInput<T>& in, const FreeStream<T>& stream,
                            const WingInWake<T> (&wake)[2], FreeWing<T>& out) {
@@ -128,18 +128,19 @@ void add_free_wing_moments(const Configuration<C>& c, const AirframeInput<T>& in
   const WingTables<R>& w = c.aircraft->wing;
   const T wake_pressure = R(0.5) * (wake[right].pressure + wake[left].pressure);
   const R area_span = w.area * w.span;
-  const T aileron_slope = (w.aileron_roll_slope * c.wing.aileron_roll) * aileron_fade(c, out.alpha);
-  const T aileron_yaw = c.wing.aileron_yaw_0 + c.wing.aileron_yaw * out.coefficients.lift * aileron_slope;
+  const T aileron_slope = (w.aileron_roll_slope * c.wing.aileron_roll) * aileron_fade(c, out.alpha);  // 4-XI
+  const T aileron_yaw =
+      c.wing.aileron_yaw_0 + c.wing.aileron_yaw * out.coefficients.lift * aileron_slope;  // 4-XIII, 4-XIV
   const T roll = area_span * (out.pressure * out.lateral.roll + wake_pressure * aileron_slope * in.aileron);
   const T yaw = area_span * (out.pressure * out.lateral.yaw + wake_pressure * aileron_yaw * in.aileron);
   const T sa = sin(stream.alpha);
   const T ca = cos(stream.alpha);
   out.loads.moment.x += roll * ca - yaw * sa;
-  out.loads.moment.y += out.pressure * (w.area * w.chord * c.wing.moment);
+  out.loads.moment.y += out.pressure * (w.area * w.chord * c.wing.moment);  // 4-VIII
   out.loads.moment.z += roll * sa + yaw * ca;
 }
 
-// Downwash at the tail, compressibility-corrected.
+// Downwash at the tail, table 4-V, compressibility-corrected (p. A-74).
 template <class T, class C>
 T wing_downwash(const Configuration<C>& c, const FreeStream<T>& stream, const T& alpha) {
   using R = Real<T>;
@@ -158,7 +159,7 @@ void free_wing(const Configuration<C>& c, const AirframeInput<T>& in, const Free
   out.coefficients = wing_coefficients(c, out.alpha, stream.mach);
   const C rotor_lift = c.setup.options.rotor_lift_on_wing
                            ? C(R(2) * c.aircraft->wing.rotor_wash_lift * square(c.nacelle_axis.z))
-                           : C(R(0));  // rotor-induced lift (K_RW)
+                           : C(R(0));  // rotor-induced lift: K_RW of p. B-33, cos^2 a choice
   out.coefficients.lift = out.coefficients.lift * (R(1) + rotor_lift * out.rotor_wash);
   wing_detail::free_wing_forces(c, in, wake, out);
   out.lateral = wing_lateral_coefficients(c, in, stream, out.beta, out.coefficients);

@@ -32,8 +32,9 @@ T upright_pylon_weight(const Configuration<C>& c, const T& alpha) {
   const bool at_end = value(mast_deg) <= R(0) || value(mast_deg) >= R(90);
   if (c.setup.options.mast_drag == MastDrag::linear || (kIsPlain<C> && at_end)) return T(linear);
   const SmoothingWidths<R>& e = c.aircraft->smooth;
-  const R limit = c.aircraft->wing.crossflow_alpha_limit;
-  const T clipped = smooth_clip(T(alpha * kDegPerRad<R>), -limit, limit, e.crossflow_clip) * kRadPerDeg<R>;
+  const R limit_deg = c.aircraft->wing.crossflow_alpha_limit;
+  const T clipped =
+      smooth_clip(T(alpha * kDegPerRad<R>), -limit_deg, limit_deg, e.crossflow_clip) * kRadPerDeg<R>;
   const T a = clipped * flow_from_ahead(alpha, e);
   const auto sine_cubed = [](const T& y) {
     const T s = sin(y);
@@ -53,17 +54,17 @@ WingCoefficients<T> wing_coefficients(const Configuration<C>& c, const T& alpha,
   using R = Real<T>;
   const WingTables<R>& w = c.aircraft->wing;
   const Interpolation mode = c.setup.options.tables;
-  const T a = alpha * kDegPerRad<R>;
-  const C mast = c.setup.mast_deg / R(90);
-  const auto lift_0 = [&](int k) { return lookup(w.lift_0[k], mode, a); };
-  const auto drag_0 = [&](int k) { return lookup(w.drag_0[k], mode, a); };
-  const auto lift_90 = [&](int k) { return lookup(w.lift_90[k], mode, a, mach); };
-  const auto drag_90 = [&](int k) { return lookup(w.drag_90[k], mode, a, mach); };
+  const T alpha_deg = alpha * kDegPerRad<R>;
+  const C airplane = c.setup.mast_deg / R(90);  // 0 helicopter, 1 airplane
+  const auto lift_0 = [&](int k) { return lookup(w.lift_0[k], mode, alpha_deg); };
+  const auto drag_0 = [&](int k) { return lookup(w.drag_0[k], mode, alpha_deg); };
+  const auto lift_90 = [&](int k) { return lookup(w.lift_90[k], mode, alpha_deg, mach); };
+  const auto drag_90 = [&](int k) { return lookup(w.drag_90[k], mode, alpha_deg, mach); };
   const auto blended = [&](const auto& at) { return blend_flaps<T>(c.wing, at); };
-  if (kIsPlain<C> && value(mast) <= R(0)) return {blended(lift_0), blended(drag_0)};
-  if (kIsPlain<C> && value(mast) >= R(1)) return {blended(lift_90), blended(drag_90)};
+  if (kIsPlain<C> && value(airplane) <= R(0)) return {blended(lift_0), blended(drag_0)};
+  if (kIsPlain<C> && value(airplane) >= R(1)) return {blended(lift_90), blended(drag_90)};
   const T k0 = upright_pylon_weight(c, alpha);
-  return {(R(1) - mast) * blended(lift_0) + mast * blended(lift_90),
+  return {(R(1) - airplane) * blended(lift_0) + airplane * blended(lift_90),
           k0 * blended(drag_0) + (R(1) - k0) * blended(drag_90)};
 }
 

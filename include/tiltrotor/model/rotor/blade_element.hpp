@@ -1,8 +1,8 @@
 // Aerodynamic load of one blade element and of one blade.
 //
-// At a given azimuth the flow along a blade is linear in radius, so five numbers describe it whatever the state
-// of the aircraft: BladeFlow. A blade is differentiated with respect to these five, an element with respect to
-// the three of ElementFlow.
+// At a given azimuth the flow along a blade is linear in radius, so five numbers describe it whatever the
+// state of the aircraft: BladeFlow. A blade is differentiated with respect to these five, an element with
+// respect to the three of ElementFlow.
 #pragma once
 
 #include "tiltrotor/math/differentiation/batch.hpp"
@@ -11,9 +11,8 @@
 
 namespace tiltrotor {
 
-// Flow seen by one blade: U_T = tangential_0 + r tangential_r (positive onto
-// the leading edge), U_P = normal_0 + r normal_r (positive from above), and its
-// pitch at the collective's reference radius.
+// Flow seen by one blade: U_T = tangential_0 + r tangential_r (positive onto the leading edge),
+// U_P = normal_0 + r normal_r (positive from above), and its pitch at the collective's reference radius.
 template <class T>
 struct BladeFlow {
   T tangential_0, tangential_r;  // m/s, 1/s
@@ -31,8 +30,8 @@ struct BladeFlow {
   }
 };
 
-// Loads of one blade: along the blade normal (up) and the direction of
-// rotation, and their first radial moments.
+// Loads of one blade: along the blade normal (up) and the direction of rotation, and their first radial
+// moments.
 template <class T>
 struct BladeLoads {
   T normal, tangential;                // N
@@ -53,11 +52,9 @@ struct SectionCoefficients {
   T lift, drag;
 };
 
-// Section coefficients at angle of attack `alpha` (rad, -pi..pi) and Mach
-// number: the table of the spanwise region inside its range of alpha, blended
-// over `stall_blend` degrees to a flat plate outside. Beyond the last Mach
-// column the column holds. Lift and drag share the search along the axes they
-// have in common.
+// Section coefficients at angle of attack `alpha` (rad, -pi..pi) and Mach number: the table of the spanwise
+// region inside its range of alpha, blended over `stall_blend` degrees to a flat plate outside. Beyond the
+// last Mach column the column holds. Lift and drag share the search along the axes they have in common.
 template <class T>
 TILTROTOR_INLINE SectionCoefficients<T> section_coefficients(const RotorTables<Real<T>>& rotor,
                                                              Interpolation mode, int region, const T& alpha,
@@ -82,11 +79,11 @@ TILTROTOR_INLINE SectionCoefficients<T> section_coefficients(const RotorTables<R
   c.drag = lookup(drag, drag_alpha, drag_mach);
 
   const Axis<R>& range = lift.smooth[0];
-  const R low = range.knot[0];
-  const R high = range.knot[range.count - 1];
+  const R low_deg = range.knot[0];
+  const R high_deg = range.knot[range.count - 1];
   const auto a = value(alpha_deg);
   if (!outside) return c;  // the blend starts with zero slope and curvature at the ends
-  const T beyond = select(a >= high, T(alpha_deg - high), T(low - alpha_deg));
+  const T beyond = select(a >= high_deg, T(alpha_deg - high_deg), T(low_deg - alpha_deg));
   const T plate = smooth_step(T(beyond * (R(1) / rotor.stall_blend)));
   const T sine = sin(alpha);
   const T plate_lift = R(2) * rotor.plate_lift * sine * cos(alpha);
@@ -126,8 +123,8 @@ TILTROTOR_INLINE ElementLoads<T> element_loads(const Configuration<C>& c, int re
   return {scale * (lift * ut - k.drag * up), -(scale * (lift * up + k.drag * ut))};
 }
 
-// Calls see(radius, loads) for every element of one blade, from the root to the
-// tip. `flow_at(station)`: its flow.
+// Calls see(radius, loads) for every element of one blade, from the root to the tip. `flow_at(station)`: its
+// flow.
 template <class T, class C, class FlowAt, class See>
 TILTROTOR_INLINE void each_element(const Configuration<C>& c, FlowAt&& flow_at, See&& see) {
   int i = 0;
@@ -161,9 +158,8 @@ BladeLoads<T> blade_loads(const Configuration<C>& c, const BladeFlow<T>& flow) {
   return sum;
 }
 
-// The same with its slopes along the five numbers of the flow. U_T and U_P are
-// linear in the radius, so the slopes of the sums are radial moments of the
-// slopes of the elements, which have three.
+// The same with its slopes along the five numbers of the flow. U_T and U_P are linear in the radius, so the
+// slopes of the sums are radial moments of the slopes of the elements, which have three.
 template <class V, class C>
 BladeLoads<Dual<V, BladeFlow<V>::kCount>> blade_loads_and_slopes(const Configuration<C>& c,
                                                                  const BladeFlow<V>& flow) {

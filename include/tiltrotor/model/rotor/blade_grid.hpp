@@ -4,6 +4,7 @@
 #include "tiltrotor/model/aircraft.hpp"
 #include "tiltrotor/model/options.hpp"
 #include "tiltrotor/model/rotor/azimuth_stations.hpp"
+#include "tiltrotor/model/rotor/quadrature.hpp"
 
 namespace tiltrotor {
 
@@ -40,63 +41,15 @@ R blade_chord(const RotorTables<R>& rotor, ChordSource source, R x) {
   return lookup(table, Interpolation::linear, x);
 }
 
-// The blade is integrated interval by interval: their ends are the end of the root's taper, the section
-// regions and the tip-loss radius, so that no station straddles a step and no interval a kink of the chord.
-inline constexpr int kBladeIntervals = 6;
-
-enum class RadialRule : unsigned char {
-  midpoint,
-  gauss
-};  // equal segments, or Gauss-Legendre points of the interval
-
-// How to sum over blade and azimuth. `radial`: stations in each interval, at most kMaxGaussPoints with the
-// Gauss rule; 0 in the first joins it to the second.
-struct Quadrature {
-  RadialRule rule;
-  int radial[kBladeIntervals];
-  int azimuth;
-};
-
-// Specification grid: 20 radial by 24 azimuth stations. Real-time grid: 16 by 8, which keeps thrust within
-// 0.1 % of half the weight; the errors of both are found by bench/grid_convergence.cpp.
-inline constexpr Quadrature kSpecificationQuadrature = {RadialRule::midpoint, {0, 9, 5, 4, 1, 1}, 24};
-inline constexpr Quadrature kRealtimeQuadrature = {RadialRule::gauss, {3, 4, 4, 3, 1, 1}, 8};
-
-inline const Quadrature& quadrature(BladeGrid grid) {
-  return grid == BladeGrid::realtime ? kRealtimeQuadrature : kSpecificationQuadrature;
-}
-
-namespace blade_grid_detail {
-
-inline constexpr int kMaxGaussPoints = 5;
-
-// Points and weights of the Gauss-Legendre rules on 0..1, by number of points: NIST Digital Library 3.5(v).
-struct GaussRule {
-  double x[kMaxGaussPoints];
-  double weight[kMaxGaussPoints];
-};
-inline constexpr GaussRule kGauss[kMaxGaussPoints] = {
-    {{0.5}, {1.0}},
-    {{0.21132486540518712, 0.78867513459481288}, {0.5, 0.5}},
-    {{0.11270166537925831, 0.5, 0.88729833462074169},
-     {0.27777777777777778, 0.44444444444444444, 0.27777777777777778}},
-    {{0.069431844202973712, 0.33000947820757187, 0.66999052179242813, 0.93056815579702629},
-     {0.17392742256872693, 0.32607257743127307, 0.32607257743127307, 0.17392742256872693}},
-    {{0.046910077030668004, 0.23076534494715845, 0.5, 0.76923465505284155, 0.95308992296933200},
-     {0.11846344252809454, 0.23931433524968324, 0.28444444444444444, 0.23931433524968324,
-      0.11846344252809454}}};
-
-}  // namespace blade_grid_detail
-
 // Twist that the stations of one part of an interval see. The table has steps of rounding between its close
 // knots, which few stations would meet at random. They see instead the polynomial that, weighed with the
 // square of the radius, differs least from the table (degree one less than the points): the lift of the part
 // is then that of the table.
 template <class R>
-void smoothed_twist(const RotorTables<R>& rotor, TwistSource source, R inner, R outer,
-                    const blade_grid_detail::GaussRule& rule, int points, R* twist) {
+void smoothed_twist(const RotorTables<R>& rotor, TwistSource source, R inner, R outer, const GaussRule& rule,
+                    int points, R* twist) {
   constexpr int samples = 64;
-  constexpr int most = blade_grid_detail::kMaxGaussPoints;
+  constexpr int most = kMaxGaussPoints;
   R basis[samples][most];  // polynomials made orthogonal under the weight, one after the other
   R at_point[most][most];
   for (int i = 0; i < points; ++i) twist[i] = R(0);
@@ -150,11 +103,11 @@ BladeStations<R> blade_stations(const RotorTables<R>& rotor, const Options& opti
   for (int k = joined ? 1 : 0; k < kBladeIntervals; ++k) {
     const int parts = gauss ? refinement : refinement * quadrature.radial[k];
     const int points = gauss ? quadrature.radial[k] : 1;
-    const blade_grid_detail::GaussRule& rule = blade_grid_detail::kGauss[points - 1];
+    const GaussRule& rule = kGauss[points - 1];
     const R width = (edge[k + 1] - edge[k]) / static_cast<R>(parts);
     for (int part = 0; part < parts; ++part) {
       const R inner = edge[k] + width * static_cast<R>(part);
-      R twist[blade_grid_detail::kMaxGaussPoints];
+      R twist[kMaxGaussPoints];
       if (gauss) smoothed_twist(rotor, options.twist, inner, inner + width, rule, points, twist);
       for (int i = 0; i < points; ++i) {
         const R x = inner + width * static_cast<R>(rule.x[i]);

@@ -1,6 +1,6 @@
 // Blades at several azimuths, computed together: one in each lane of the target's vectors.
 //
-// The elements of these blades are nearly all the work of a rotor. They are computed on packs of plain
+// The elements of these blades are nearly all the work of a rotor. They are computed on batches of plain
 // numbers, with slopes along the five numbers of BladeFlow when the rotor's scalar carries partials; the
 // slopes are then chained. Where the configuration carries partials as well, every blade is computed on the
 // rotor's own scalar.
@@ -26,12 +26,12 @@ Batch<R> load_batch(const R* from) {
 // The same plain numbers of the rotor's input in every lane.
 template <class T>
 RotorInput<Batch<Real<T>>> in_every_lane(const RotorInput<T>& in) {
-  RotorInput<Batch<Real<T>>> packs;
+  RotorInput<Batch<Real<T>>> batches;
   Real<T> plain[RotorInput<T>::kCount];
   Real<T>* at = plain;
   RotorInput<T>::each(in, [&at](const T& x) { *at++ = value(x); });
-  unflatten(plain, packs);
-  return packs;
+  unflatten(plain, batches);
+  return batches;
 }
 
 }  // namespace blade_group_detail

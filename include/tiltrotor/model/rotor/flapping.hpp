@@ -19,7 +19,7 @@ struct FlapRates {
 // b1s'' = +2 Omega b1c' - (K b1s + C b1s' - Ms)/J - 2 Omega wy          J = N_b I_b / 2
 // The terms wy', -wx' of the hub's angular acceleration are added by the complete model when switched on.
 template <class T, class C>
-FlapRates<T> flap_rates(const Configuration<C>& c, const RotorState<T>& x, const Vec3<T>& hub_rates,
+FlapRates<T> flap_rates(const Configuration<C>& c, const RotorState<T>& x, const Vec3<T>& hub_rates_a,
                         const T& mc, const T& ms) {
   using R = Real<T>;
   const RotorTables<R>& rotor = c.aircraft->rotor;
@@ -29,9 +29,9 @@ FlapRates<T> flap_rates(const Configuration<C>& c, const RotorState<T>& x, const
   const R damping = rotor.hub_damping * inverse_j;
   return {x.b1c_rate, x.b1s_rate,
           mc * inverse_j - two_omega * x.b1s_rate - spring * x.b1c - damping * x.b1c_rate -
-              two_omega * hub_rates.x,
+              two_omega * hub_rates_a.x,
           ms * inverse_j + two_omega * x.b1c_rate - spring * x.b1s - damping * x.b1s_rate -
-              two_omega * hub_rates.y};
+              two_omega * hub_rates_a.y};
 }
 
 // First-order gimbal: tilt rates that balance the equations above without the acceleration, given the moments
@@ -39,13 +39,13 @@ FlapRates<T> flap_rates(const Configuration<C>& c, const RotorState<T>& x, const
 // mean lift slope.
 template <class T, class C>
 FlapRates<T> quasi_static_flap_rates(const Configuration<C>& c, const RotorState<T>& x,
-                                     const Vec3<T>& hub_rates, const T& mc_still, const T& ms_still) {
+                                     const Vec3<T>& hub_rates_a, const T& mc_still, const T& ms_still) {
   using R = Real<T>;
   const RotorTables<R>& rotor = c.aircraft->rotor;
   RotorState<T> still = x;
   still.b1c_rate = T(R(0));
   still.b1s_rate = T(R(0));
-  const FlapRates<T> forcing = flap_rates(c, still, hub_rates, mc_still, ms_still);
+  const FlapRates<T> forcing = flap_rates(c, still, hub_rates_a, mc_still, ms_still);
   const R inverse_j = R(2) / (static_cast<R>(rotor.blades) * rotor.flap_inertia);
   const R chord = blade_chord(rotor, c.setup.options.chord, rotor.twist_reference);
   const C lock = c.air.density * rotor.lift_slope * chord * square(square(rotor.radius)) / rotor.flap_inertia;

@@ -50,7 +50,7 @@ InflowGainInverse<T> inflow_gain_inverse(const T& xc, const T& xs, Real<T> kappa
   return m;
 }
 
-// n' = Omega M^-1 [ C - diag(V_T, V_m, V_m) L^-1 n ]
+// lambda' = Omega M^-1 [ C - diag(V_T, V_m, V_m) L^-1 lambda ]
 template <class T, class C>
 InflowRates<T> inflow_rates(const Configuration<C>& c, const RotorState<T>& x, const InflowForcing<T>& f) {
   using R = Real<T>;

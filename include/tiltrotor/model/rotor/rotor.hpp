@@ -45,17 +45,17 @@ InflowForcing<T> inflow_forcing(const Configuration<C>& c, const RotorInput<T>& 
   const C inverse_force = R(1) / (c.air.density * kPi<R> * square(rotor.radius) * square(c.tip_speed));
   const C inverse_moment = inverse_force / rotor.radius;
   InflowForcing<T> f;
-  f.mu_x = -(in.velocity.x * inverse_tip);
-  f.mu_y = -(in.velocity.y * inverse_tip);
-  f.mu_z = in.velocity.z * inverse_tip;
-  f.c0 = loads.force.z * inverse_force;
+  f.mu_x = -(in.velocity_a.x * inverse_tip);
+  f.mu_y = -(in.velocity_a.y * inverse_tip);
+  f.mu_z = in.velocity_a.z * inverse_tip;
+  f.c0 = loads.force_a.z * inverse_force;
   f.cc = loads.mc * inverse_moment;
   f.cs = loads.ms * inverse_moment;
-  if (o.side_by_side) {
+  if (o.side_by_side) {  // X_SS: NASA CR-166536 table 1-III, p. B-20
     const T mu = sqrt(f.mu_x * f.mu_x + f.mu_y * f.mu_y + square(c.aircraft->smooth.advance_ratio));
     f.c0 = f.c0 * (R(1) + lookup(rotor.side_by_side, o.tables, mu));
   }
-  if (o.sideward_flight) {
+  if (o.sideward_flight) {  // X_SF: table 1-II, p. B-19
     const T sideward = smooth_abs(f.mu_y, c.aircraft->smooth.advance_ratio);
     f.c0 = f.c0 * (R(1) + lookup(rotor.sideward, o.tables, sideward));
   }
@@ -63,7 +63,8 @@ InflowForcing<T> inflow_forcing(const Configuration<C>& c, const RotorInput<T>& 
   return f;
 }
 
-// First-order flapping: tilt rates in balance with the loads of a gimbal at rest, then the loads at those rates.
+// First-order flapping: tilt rates in balance with the loads of a gimbal at rest, then the loads at those
+// rates.
 template <class T, class C>
 void quasi_static_rotor(const Configuration<C>& c, const RotorInput<T>& in,
                         const AzimuthStations<Real<T>>& azimuth, RotorWorkspace<T>& work,
@@ -75,7 +76,8 @@ void quasi_static_rotor(const Configuration<C>& c, const RotorInput<T>& in,
   at.state.b1s_rate = T(R(0));
   rotor_loads(c, at, azimuth, work.blades, work.loads_at_rest);
   const RotorLoads<T>& at_rest = work.loads_at_rest;
-  out_of_line([&] { out.flapping = quasi_static_flap_rates(c, in.state, in.rates, at_rest.mc, at_rest.ms); });
+  out_of_line(
+      [&] { out.flapping = quasi_static_flap_rates(c, in.state, in.rates_a, at_rest.mc, at_rest.ms); });
   at.state.b1c_rate = out.flapping.b1c_rate;
   at.state.b1s_rate = out.flapping.b1s_rate;
   rotor_loads(c, at, azimuth, work.blades, out.loads);
@@ -93,7 +95,7 @@ void rotor_response(const Configuration<C>& c, const RotorInput<T>& in,
     quasi_static_rotor(c, in, azimuth, work, out);
   }
   out_of_line([&] {
-    if (second_order) out.flapping = flap_rates(c, in.state, in.rates, out.loads.mc, out.loads.ms);
+    if (second_order) out.flapping = flap_rates(c, in.state, in.rates_a, out.loads.mc, out.loads.ms);
     out.coning_acceleration = coning_acceleration(c, in.coning, out.loads.m0);
     out.inflow = inflow_rates(c, in.state, inflow_forcing(c, in, out.loads));
   });
@@ -105,9 +107,9 @@ template <class T, class C>
 Loads<T> hub_loads(const Configuration<C>& c, int side, const RotorState<T>& x, const RotorLoads<T>& loads) {
   const HubFrame<C>& hub = c.hub[side];
   const Vec3<T> moment_a = {c.hub_spring * x.b1s, -(c.hub_spring * x.b1c), -loads.torque};
-  Loads<T> b = force_at(hub.arm, hub.from_body.apply_inverse(mirror_polar(loads.force, side)));
-  b.moment = b.moment + hub.from_body.apply_inverse(mirror_axial(moment_a, side));
-  return b;
+  Loads<T> loads_b = force_at(hub.arm_b, hub.from_body.apply_inverse(mirror_polar(loads.force_a, side)));
+  loads_b.moment = loads_b.moment + hub.from_body.apply_inverse(mirror_axial(moment_a, side));
+  return loads_b;
 }
 
 }  // namespace tiltrotor

@@ -9,8 +9,8 @@ namespace tiltrotor {
 
 template <class T>
 struct RotorInput {
-  Vec3<T> velocity;  // hub relative to the air, m/s
-  Vec3<T> rates;     // of the hub frame, rad/s
+  Vec3<T> velocity_a;  // hub relative to the air, m/s
+  Vec3<T> rates_a;     // of the hub frame, rad/s
   RotorState<T> state;
   ConingState<T> coning;
   T collective;      // blade pitch at the reference radius, rad
@@ -20,8 +20,8 @@ struct RotorInput {
   static constexpr int kCount = 18;
   template <class Self, class Visit>
   static void each(Self& s, Visit&& visit) {
-    Vec3<T>::each(s.velocity, visit);
-    Vec3<T>::each(s.rates, visit);
+    Vec3<T>::each(s.velocity_a, visit);
+    Vec3<T>::each(s.rates_a, visit);
     visit(s.state.b1c);
     visit(s.state.b1s);
     visit(s.state.b1c_rate);
@@ -44,7 +44,7 @@ T flap_angle(const RotorInput<T>& in, const Plain& cosine, const Plain& sine) {
 }
 
 // Flow seen by the blade at one azimuth, no small angles.
-// `cosine`, `sine`: of the azimuth, a plain number or a pack of blades.
+// `cosine`, `sine`: of the azimuth, a plain number or a batch of blades.
 template <class T, class C, class Plain>
 BladeFlow<T> blade_flow(const Configuration<C>& c, const RotorInput<T>& in, const T& sin_flap,
                         const T& cos_flap, const Plain& cosine, const Plain& sine) {
@@ -54,11 +54,12 @@ BladeFlow<T> blade_flow(const Configuration<C>& c, const RotorInput<T>& in, cons
   const T flap_rate =
       in.coning.rate + x.b1c_rate * cosine + x.b1s_rate * sine + omega * (x.b1s * cosine - x.b1c * sine);
   BladeFlow<T> flow;
-  flow.tangential_0 = in.velocity.y * cosine - in.velocity.x * sine;
-  flow.tangential_r = cos_flap * (omega + in.rates.z) - sin_flap * (in.rates.x * cosine + in.rates.y * sine);
-  flow.normal_0 = cos_flap * (in.velocity.z + c.tip_speed * x.lambda_0) -
-                  sin_flap * (in.velocity.x * cosine + in.velocity.y * sine);
-  flow.normal_r = flap_rate + in.rates.x * sine - in.rates.y * cosine +
+  flow.tangential_0 = in.velocity_a.y * cosine - in.velocity_a.x * sine;
+  flow.tangential_r =
+      cos_flap * (omega + in.rates_a.z) - sin_flap * (in.rates_a.x * cosine + in.rates_a.y * sine);
+  flow.normal_0 = cos_flap * (in.velocity_a.z + c.tip_speed * x.lambda_0) -
+                  sin_flap * (in.velocity_a.x * cosine + in.velocity_a.y * sine);
+  flow.normal_r = flap_rate + in.rates_a.x * sine - in.rates_a.y * cosine +
                   cos_flap * (omega * (x.lambda_c * cosine + x.lambda_s * sine));
   flow.pitch = in.collective - in.lateral_cyclic * cosine - in.long_cyclic * sine - c.pitch_flap * gimbal;
   return flow;

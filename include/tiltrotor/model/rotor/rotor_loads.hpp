@@ -9,13 +9,13 @@ namespace tiltrotor {
 // Sums over the blades.
 template <class T>
 struct RotorLoads {
-  Vec3<T> force;  // on the hub, N
-  T torque;       // about the shaft, absorbed, N m
-  T mc, ms, m0;   // sums of r dF_n times cos psi, sin psi, 1, N m
+  Vec3<T> force_a;  // on the hub, N
+  T torque;         // about the shaft, absorbed, N m
+  T mc, ms, m0;     // sums of r dF_n times cos psi, sin psi, 1, N m
 
   template <class Self, class Visit>
   static void each(Self& s, Visit&& visit) {
-    Vec3<T>::each(s.force, visit);
+    Vec3<T>::each(s.force_a, visit);
     visit(s.torque);
     visit(s.mc);
     visit(s.ms);
@@ -32,9 +32,9 @@ void add_blade(const Configuration<C>& c, const RotorInput<T>& in, Real<T> cosin
   const T cos_flap = cos(flap);
   const BladeLoads<T> blade = group.loads(c, lane, blade_flow(c, in, sin_flap, cos_flap, cosine, sine));
   const T radial = sin_flap * blade.normal;  // inward along the blade's projection on the disk
-  sum.force.x -= cosine * radial + sine * blade.tangential;
-  sum.force.y += cosine * blade.tangential - sine * radial;
-  sum.force.z += cos_flap * blade.normal;
+  sum.force_a.x -= cosine * radial + sine * blade.tangential;
+  sum.force_a.y += cosine * blade.tangential - sine * radial;
+  sum.force_a.z += cos_flap * blade.normal;
   sum.torque -= cos_flap * blade.tangential_moment;
   sum.mc += cosine * blade.normal_moment;
   sum.ms += sine * blade.normal_moment;

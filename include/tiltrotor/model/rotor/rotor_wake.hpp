@@ -53,29 +53,29 @@ ImmersedWing<T> geometric_immersed_wing(const Configuration<C>& c, const Airfram
   const SmoothingWidths<R>& e = c.aircraft->smooth;
   const R sigma = side_sign<R>(side);
   const R radius = c.aircraft->rotor.radius;
-  const Vec3<C>& axis = c.nacelle_axis;
+  const Vec3<C>& axis_b = c.nacelle_axis;
   const T& v0 = in.mean_wash[side];
 
   // Direction of the wake axis: wind relative to the aircraft plus the wash between disk and far wake.
-  const Vec3<C>& hub = c.hub[side].arm;
-  const Vec3<T> hub_velocity = in.velocity + rate_cross_arm(in.rates, hub);
-  const Vec3<T> wind = T(R(-1)) * hub_velocity - along(T(w.axis_speed_factor * v0), axis);
-  const T inverse = R(1) / sqrt(dot(wind, wind) + square(e.wake_axis));
-  const Vec3<T> d = inverse * wind;
-  const T inverse_plane = R(1) / sqrt(d.x * d.x + d.z * d.z + square(e.wake_plane));
+  const Vec3<C>& hub_b = c.hub[side].arm_b;
+  const Vec3<T> hub_velocity_b = in.velocity + rate_cross_arm(in.rates, hub_b);
+  const Vec3<T> wind_b = T(R(-1)) * hub_velocity_b - along(T(w.axis_speed_factor * v0), axis_b);
+  const T inverse = R(1) / sqrt(dot(wind_b, wind_b) + square(e.wake_axis));
+  const Vec3<T> d_b = inverse * wind_b;
+  const T inverse_plane = R(1) / sqrt(d_b.x * d_b.x + d_b.z * d_b.z + square(e.wake_plane));
 
   // Closest approach to the quarter-chord line of the half wing, seen in the plane of symmetry.
-  const Vec3<C> line = station_arm(c.mass, wing.sl, R(0), wing.wl);
-  const C dx = line.x - hub.x;
-  const C dz = line.z - hub.z;
-  const T downstream = (dx * d.x + dz * d.z) * inverse_plane;
-  const T miss = (dx * d.z - dz * d.x) * inverse_plane;
-  const T centre = sigma * hub.y + sigma * (downstream * d.y * inverse_plane);
+  const Vec3<C> line_b = station_arm(c.mass, wing.sl, R(0), wing.wl);
+  const C dx = line_b.x - hub_b.x;
+  const C dz = line_b.z - hub_b.z;
+  const T downstream = (dx * d_b.x + dz * d_b.z) * inverse_plane;
+  const T miss = (dx * d_b.z - dz * d_b.x) * inverse_plane;
+  const T centre = sigma * hub_b.y + sigma * (downstream * d_b.y * inverse_plane);
 
   // Contraction: K(s) v0 on the axis, radius by continuity.
   const T s = smooth_positive(downstream, e.wake_distance * radius) * (R(1) / radius);
   const T k = R(1) + s / sqrt(R(1) + s * s);
-  const T axial = component(hub_velocity, axis);
+  const T axial = component(hub_velocity_b, axis_b);
   const T flow_ratio =
       smooth_positive(T(axial + v0), e.wake_radius) / smooth_positive(T(axial + k * v0), e.wake_radius);
   const T wake_radius2 = square(radius) * flow_ratio;
