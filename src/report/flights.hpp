@@ -27,7 +27,7 @@ Setup default_setup(double mast_deg);
 // Level flight from a cold start, without continuation: a point without trim costs little.
 Trimmed trimmed(const Configured& c, double speed_mps);
 // The same with everything tried.
-Trimmed trimmed_persistently(const Configured& c, double speed_mps);
+Trimmed trimmed_persistently(const Configured& c, double speed_mps, double climb_rad = 0);
 // From a neighbouring solution.
 Trimmed trimmed_near(const Configured& c, double speed_mps, const Trimmed& neighbour);
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "report/flights.hpp"
+#include "report/compared_aircraft.hpp"
 #include "report/missing.hpp"
 #include "report/reference_points.hpp"
 #include "report/validation_rules.hpp"
@@ -45,15 +45,22 @@ double value_there(const Table& set, std::size_t row, const std::string& quantit
 
 Table trim_comparison() {
   Table table(
-      {"set", "mast_deg", "speed_mps", "quantity", "here", "reference", "difference", "tolerance", "within"});
+      {"set", "mast_deg", "speed_mps", "quantity", "here", "reference", "difference", "tolerance", "within",
+       "other"});
   table.comment(
       "Sources of the sets: tests/validation, comments of the file of that name; trim_other_*: information.");
+  table.comment("other: by the other of the simulated and the flown aircraft; elsewhere the same number.");
   for (const char* name : kSets) {
     const Table set = reference_points(name);
     for (std::size_t i = 0; i < set.rows(); ++i) {
       const double mast = set.number(i, "mast_deg");
       const double speed = set.number(i, "speed_mps");
-      const Trimmed t = trimmed_persistently(configured(mast), speed);
+      const ComparedAircraft aircraft = compared_aircraft(name);
+      const auto trim_of = [&](ComparedAircraft which) {
+        return trimmed_persistently(configured(setup_of(which, mast)), speed);
+      };
+      const Trimmed t = trim_of(aircraft);
+      const Trimmed other = trim_of(other_aircraft(aircraft));
       for (const std::string quantity : kQuantities) {
         const double there = value_there(set, i, quantity);
         if (!std::isfinite(there)) continue;
@@ -65,7 +72,8 @@ Table trim_comparison() {
                    std::string(!has_trim              ? trim_status_word(t.status)
                                : !std::isfinite(most) ? "information"
                                : within               ? "yes"
-                                                      : "no")});
+                                                      : "no"),
+                   is_trimmed(other.status) ? value_here(other, quantity) : kMissing});
       }
     }
   }
