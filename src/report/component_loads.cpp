@@ -148,9 +148,8 @@ std::vector<Comparison> compared(const std::string& set, const Table& trims, Com
 }  // namespace
 
 void compare_component_loads(std::vector<Comparison>& out) {
-  for (const auto& [set, trims] :
-       {std::pair("component_loads_gtrs", "component_states_gtrs"),
-        std::pair("component_loads_gtrs_conversion", "trim_gtrs_conversion")}) {
+  for (const auto& [set, trims] : {std::pair("component_loads_gtrs", "component_states_gtrs"),
+                                   std::pair("component_loads_gtrs_conversion", "trim_gtrs_conversion")}) {
     const Table states = reference_points(trims);
     add_compared(
         set, [&, name = set](ComparedAircraft aircraft) { return compared(name, states, aircraft); }, out);

@@ -148,7 +148,8 @@ Section control_response(const Sweeps& sweeps) {
     const int held =
         close("sensitivity_rad_s2_per_in") + close("control_power_rad_s2") + close("damping_1_per_s");
     section.findings.push_back(
-        {verdict_of(held, 3), "Hover, " + estimate.text(i, "axis") + ": the 1975 design estimate (30 %, yaw damping 50 %).",
+        {verdict_of(held, 3),
+         "Hover, " + estimate.text(i, "axis") + ": the 1975 design estimate (30 %, yaw damping 50 %).",
          "Sensitivity " + compare("sensitivity_rad_s2_per_in") + " rad/s² per inch, control power " +
              compare("control_power_rad_s2") + " rad/s², damping " + compare("damping_1_per_s") + " 1/s." +
              (close("damping_1_per_s") || estimate.text(i, "axis") != "pitch" ? "" : kPitchDamping)});

@@ -14,11 +14,13 @@ namespace {
 // Conditions of an identified response of flight, and what flight had there.
 constexpr double kCruiseSpeed = 104.4;  // m/s
 constexpr double kCruiseAltitude = 2438;
-constexpr double kFlownYaw = 5.45;  // deg/s^2 an inch: transfer_functions_lateral.csv
+constexpr double kStallMass = 12500 * 0.45359237;  // kg, of 12,000 to 13,000 lb
+constexpr double kFlownYaw = 5.45;                 // deg/s^2 an inch: transfer_functions_lateral.csv
 
 // Leading coefficient of the identified pitch rate to elevator, 1/s^2.
 double flown_elevator() {
-  const Table function = reference_points("transfer_functions").where("name", std::string("cruise_q_elevator"));
+  const Table function =
+      reference_points("transfer_functions").where("name", std::string("cruise_q_elevator"));
   const std::string& numerator = function.text(0, "numerator");
   return polynomial(numerator.substr(0, numerator.find(' ')), 0).real();
 }
@@ -32,8 +34,8 @@ double flown_short_period() {
 double ratio_of(const std::string& quantity, ComparedAircraft aircraft, double mast_deg) {
   Setup setup = setup_of(aircraft, mast_deg);
   if (quantity == "ratio_yaw") {
-    return degrees(control_derivative(quasi_steady(linear_model_at(setup, 0, kAllControls)), kStateIndex.rates.z,
-                                      kControlIndex.pedal)) /
+    return degrees(control_derivative(quasi_steady(linear_model_at(setup, 0, kAllControls)),
+                                      kStateIndex.rates.z, kControlIndex.pedal)) /
            kFlownYaw;
   }
   setup.altitude = kCruiseAltitude;
@@ -90,9 +92,12 @@ double value_of(const Table& facts, std::size_t i, ComparedAircraft aircraft) {
   const std::string& quantity = facts.text(i, "quantity");
   const double mast = facts.number(i, "mast_deg");
   if (quantity.find("ratio_") == 0) return ratio_of(quantity, aircraft, mast);
-  const Setup setup = setup_of(aircraft, mast);
+  Setup setup = setup_of(aircraft, mast);
   const double speed = kKnot * facts.number(i, "speed_kt");
-  if (quantity == "stall_speed_mps") return stall_speed(setup);
+  if (quantity == "stall_speed_mps") {
+    setup.mass = kStallMass;
+    return stall_speed(setup);
+  }
   if (quantity == "descent_mps") return idle_descent(setup, speed);
   return travel_used(configured(setup), speed);
 }
@@ -111,7 +116,8 @@ std::vector<Comparison> compared(const std::string& set, ComparedAircraft aircra
 
 void compare_flight_facts(std::vector<Comparison>& out) {
   for (const std::string set : {"ratios_gtrs_over_flight", "flight_facts"})
-    add_compared(set, [&](ComparedAircraft aircraft) { return compared(set, aircraft); }, out);
+    add_compared(
+        set, [&](ComparedAircraft aircraft) { return compared(set, aircraft); }, out);
 }
 
 }  // namespace tiltrotor::report

@@ -57,8 +57,8 @@ Table frequency_table(const Case& which, const Linear& model) {
     const Complex value = factor * here(omega);
     const double phase_there = nearest_turn(phase_deg(there), previous);
     previous = phase_there;
-    table.add({omega, decibel(value), nearest_turn(phase_deg(value), phase_there),
-               decibel(there), phase_there});
+    table.add(
+        {omega, decibel(value), nearest_turn(phase_deg(value), phase_there), decibel(there), phase_there});
   }
   return table;
 }

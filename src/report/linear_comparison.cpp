@@ -14,7 +14,7 @@ namespace {
 // The printed model has no states of the rotors.
 Linear printed_conditions(ComparedAircraft aircraft, const Table& printed, std::size_t row) {
   return quasi_steady(linear_model_at(printed_setup(aircraft, printed, row),
-                                   kKnot * printed.number(row, "speed_kt"), kInceptors));
+                                      kKnot * printed.number(row, "speed_kt"), kInceptors));
 }
 
 struct Named {
@@ -45,7 +45,8 @@ std::vector<Comparison> compared_terms(ComparedAircraft aircraft) {
   const Table printed = reference_points(set);
   const Linear model = printed_conditions(aircraft, reference_points("modes_gtrs"), 0);
   std::vector<Comparison> rows;
-  double per_lever = kMissing;  // this program has the collective, the lever works through engine and governor
+  double per_lever =
+      kMissing;  // this program has the collective, the lever works through engine and governor
   for (std::size_t i = 0; i < printed.rows(); ++i) {
     const bool is_a = printed.text(i, "matrix") == "A";
     const std::string column = printed.text(i, "column");
@@ -141,8 +142,8 @@ std::vector<Comparison> compared_other_modes(ComparedAircraft aircraft) {
   std::vector<Comparison> rows;
   const Table there = reference_points(set);
   for (std::size_t i = 0; i < there.rows(); ++i) {
-    const Modes modes = modes_of(linear_model_at(printed_setup(aircraft, there, i),
-                                              kKnot * there.number(i, "speed_kt"), kInceptors));
+    const Modes modes = modes_of(
+        linear_model_at(printed_setup(aircraft, there, i), kKnot * there.number(i, "speed_kt"), kInceptors));
     const Complex root = {there.number(i, "real_1_per_s"), there.number(i, "imag_rad_per_s")};
     Complex nearest = {kMissing, kMissing};
     for (int k = 0; k < modes.count; ++k) {
@@ -151,7 +152,8 @@ std::vector<Comparison> compared_other_modes(ComparedAircraft aircraft) {
       const Complex here = {m.real, m.imag};
       if (!(std::abs(here - root) >= std::abs(nearest - root))) nearest = here;
     }
-    const std::string point = point_of(there, i) + " " + there.text(i, "axis") + " " + there.text(i, "number");
+    const std::string point =
+        point_of(there, i) + " " + there.text(i, "axis") + " " + there.text(i, "number");
     rows.push_back({set, point, "real_1_per_s", nearest.real(), root.real(), there.number(i, "mast_deg")});
     rows.push_back({set, point, "imag_rad_per_s", nearest.imag(), root.imag(), there.number(i, "mast_deg")});
   }
@@ -176,8 +178,8 @@ std::vector<Comparison> compared_frequencies(ComparedAircraft aircraft) {
   for (const std::string& name : points.different("name")) {
     const Table function = functions.where("name", name);
     const double mast = function.number(0, "mast_deg");
-    const Linear model = linear_model_at(setup_at(aircraft, function, 0), function.number(0, "speed_mps"),
-                                      kAllControls);
+    const Linear model =
+        linear_model_at(setup_at(aircraft, function, 0), function.number(0, "speed_mps"), kAllControls);
     const Table there = points.where("name", name);
     for (std::size_t i = 0; i < there.rows(); ++i) {
       const std::string point = name + " omega=" + there.text(i, "omega_rad_s");

@@ -96,7 +96,8 @@ std::string point_of(const Table& printed, std::size_t row) {
 
 void compare_printed_trims(std::vector<Comparison>& out) {
   for (const std::string set : {"trim_gtrs_conversion", "rotor_power_gtrs", "flapping_gtrs"})
-    add_compared(set, [&](ComparedAircraft aircraft) { return compared(set, aircraft); }, out);
+    add_compared(
+        set, [&](ComparedAircraft aircraft) { return compared(set, aircraft); }, out);
 }
 
 }  // namespace tiltrotor::report

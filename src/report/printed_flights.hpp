@@ -9,7 +9,7 @@ namespace tiltrotor::report {
 inline constexpr double kFoot = 0.3048;                 // m
 inline constexpr double kPoundForce = 4.4482216152605;  // N
 inline constexpr double kPoundFoot = kFoot * kPoundForce;
-inline constexpr double kKnot = 1852.0 / 3600;          // m/s
+inline constexpr double kKnot = 1852.0 / 3600;  // m/s
 
 // Setup of a row with the columns mast_deg and, if it has them, flap_deg and rotor_rpm.
 Setup printed_setup(ComparedAircraft aircraft, const Table& printed, std::size_t row);

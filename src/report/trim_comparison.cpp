@@ -44,9 +44,8 @@ double value_there(const Table& set, std::size_t row, const std::string& quantit
 }  // namespace
 
 Table trim_comparison() {
-  Table table(
-      {"set", "mast_deg", "speed_mps", "quantity", "here", "reference", "difference", "tolerance", "within",
-       "other"});
+  Table table({"set", "mast_deg", "speed_mps", "quantity", "here", "reference", "difference", "tolerance",
+               "within", "other"});
   table.comment(
       "Sources of the sets: tests/validation, comments of the file of that name; trim_other_*: information.");
   table.comment("other: by the other of the simulated and the flown aircraft; elsewhere the same number.");

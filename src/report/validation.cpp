@@ -121,7 +121,7 @@ void read_hover(const Table& table, std::vector<Comparison>& out) {
     const std::string point = point_text(table, i, {"run", "point", "ct"});
     out.push_back({set, point, "cp", table.number(i, "cp_here"), table.number(i, "cp_measured")});
     out.push_back({set, point, "figure_of_merit", table.number(i, "figure_of_merit_here"),
-                             table.number(i, "figure_of_merit_measured")});
+                   table.number(i, "figure_of_merit_measured")});
   }
 }
 
@@ -134,7 +134,7 @@ void read_frequencies(const Table& table, const std::string& name, double mast_d
     const std::string point = name + " omega=" + fixed(table.number(i, "omega_rad_s"), 4);
     for (const std::string column : {"gain_db", "phase_deg"}) {
       out.push_back({"transfer_functions", point, column, table.number(i, column),
-                               table.number(i, "identified_" + column), mast_deg});
+                     table.number(i, "identified_" + column), mast_deg});
     }
   }
 }
@@ -149,10 +149,9 @@ void read_other_modes(const Table& modes, std::vector<Comparison>& out) {
     const auto value = [&](const char* column) {
       return here.rows() > 0 ? here.number(0, column) : kMissing;
     };
+    out.push_back({"modes_other_sheng", point, "real_1_per_s", value("real"), set.number(i, "real_1_per_s")});
     out.push_back(
-        {"modes_other_sheng", point, "real_1_per_s", value("real"), set.number(i, "real_1_per_s")});
-    out.push_back({"modes_other_sheng", point, "imag_rad_per_s", value("imag"),
-                             set.number(i, "imag_rad_per_s")});
+        {"modes_other_sheng", point, "imag_rad_per_s", value("imag"), set.number(i, "imag_rad_per_s")});
   }
 }
 
@@ -168,8 +167,7 @@ std::vector<Comparison> comparisons(const std::vector<Section>& sections) {
                                        table_of(sections, "response_modes"));
   for (std::size_t i = 0; i < claims.rows(); ++i) {
     all.push_back({"paper_claims", claims.text(i, "point"), claims.text(i, "quantity"),
-                             claims.number(i, "here"), claims.number(i, "reference"),
-                             claims.number(i, "mast_deg")});
+                   claims.number(i, "here"), claims.number(i, "reference"), claims.number(i, "mast_deg")});
   }
   compare_component_loads(all);
   compare_printed_trims(all);
@@ -241,6 +239,16 @@ std::vector<std::string> compare_with_list(std::vector<Judged>& judged, const Ta
   return faults;
 }
 
+// In the order of the comparisons; a reason once given is kept, a new one is the cause of the rules.
+Table true_list(const std::vector<Judged>& judged, const Table& known) {
+  Table list({"set", "point", "quantity", "reason"});
+  for (const std::string& line : known.comments()) list.comment(line);
+  for (const Judged& j : judged) {
+    if (j.ratio > 1) list.add({j.what.set, j.what.point, j.what.quantity, j.cause});
+  }
+  return list;
+}
+
 Table sets_table(const std::vector<Judged>& judged) {
   Table table({"set", "kind", "numbers", "judged", "within", "known", "worst_ratio", "source"});
   table.comment("worst_ratio: largest difference over its tolerance; empty where nothing is judged.");
@@ -276,12 +284,15 @@ Validation validate(const std::vector<Section>& sections, const Table& known) {
   Validation v{Table({"set", "point", "quantity", "here", "reference", "difference", "tolerance", "ratio",
                       "status", "kind", "aircraft", "other", "source", "cause"}),
                Table({}),
+               Table({}),
                {}};
   v.faults = compare_with_list(judged, known);
+  v.known = true_list(judged, known);
   std::stable_sort(judged.begin(), judged.end(), comes_before);
   v.rows.comment("ratio: difference over tolerance; of a bound, only what lies beyond it. Empty: no number");
   v.rows.comment("here, or not judged. status: within, known (see known_exceedances), exceeds, better,");
-  v.rows.comment("information (not judged). aircraft: which one is compared, by the kind of evidence; other: the number");
+  v.rows.comment(
+      "information (not judged). aircraft: which one is compared, by the kind of evidence; other: the number");
   v.rows.comment("of the other of simulated and flown aircraft, where it differs.");
   const Table sets = reference_points("validation_sets");
   for (const Judged& j : judged) {
@@ -289,8 +300,9 @@ Validation validate(const std::vector<Section>& sections, const Table& known) {
     const Table set = sets.where("set", c.set);
     if (set.rows() != 1) throw std::runtime_error("validation_sets.csv: no single row for " + c.set);
     v.rows.add({c.set, c.point, c.quantity, c.here, c.reference, c.here - c.reference, j.tolerance,
-                ratio_text(j.ratio), j.status, set.text(0, "kind"), std::string(word(compared_aircraft(c.set))),
-                c.other == c.here ? kMissing : c.other, set.text(0, "source"), j.cause});
+                ratio_text(j.ratio), j.status, set.text(0, "kind"),
+                std::string(word(compared_aircraft(c.set))), c.other == c.here ? kMissing : c.other,
+                set.text(0, "source"), j.cause});
   }
   v.sets = sets_table(judged);
   return v;
@@ -322,9 +334,11 @@ Section validation_section(const Validation& v) {
        "model; the 1975 "
        "design speeds Vc and Vd and the blade life of 1980, which are structural; roots of other models that "
        "follow from sign "
-       "errors; the attitude after one second in hover, whose axis is printed ambiguously."});
+       "errors; the attitude after one second in hover, whose axis is printed ambiguously; sideward and "
+       "rearward flight, take-off and the course of a conversion, which are no trim."});
   section.tables.push_back({"validation_sets", "the sets", v.sets, true});
   section.tables.push_back({"validation", "every number, the worst first", v.rows, true});
+  section.tables.push_back({"known_exceedances", "what lies outside, as this run would list it", v.known});
   return section;
 }
 
