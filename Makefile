@@ -97,11 +97,11 @@ DEPENDENCIES := -MMD -MP
 find = $(sort $(shell find $(1) -name '$(2)' 2>/dev/null))
 
 HEADERS         := $(call find,include,*.h) $(call find,include,*.hpp)
-TABLES          := $(call find,tables/$(AIRCRAFT),*.csv)
-PUBLISHED       := $(call find,tests/validation,*.csv)
+PUBLISHED       := $(call find,tables/$(AIRCRAFT)/published,*.csv)
+TABLES          := $(filter-out $(PUBLISHED),$(call find,tables/$(AIRCRAFT),*.csv))
 TABLEGEN_SOURCE := $(call find,src/tablegen,*.cpp)
 LIBRARY_SOURCE  := $(call find,src/library,*.cpp)
-PROGRAM_SOURCE  := $(call find,src/cli,*.cpp) $(call find,src/report,*.cpp)
+PROGRAM_SOURCE  := $(call find,src/text src/plot src/study src/cli,*.cpp)
 TEST_SOURCE     := $(wildcard tests/check.cpp) $(call find,tests,test_*.cpp)
 BENCH_SOURCE    := $(wildcard bench/*.cpp)
 
@@ -251,7 +251,7 @@ $(BUILD)/generated/aircraft_tables.inc: $(BUILD)/tablegen $(TABLES) $(BUILD)/tab
 
 # Published numbers that the report lays over its curves, as text inside the program: it runs without the source tree.
 $(BUILD)/generated/reference_points.inc: $(PUBLISHED) $(BUILD)/tables.stamp
-	@echo "  points  tests/validation"; mkdir -p $(@D)
+	@echo "  points  tables/$(AIRCRAFT)/published"; mkdir -p $(@D)
 	$(Q)for set in $(PUBLISHED); do \
 	  printf '{"%s", R"csv(' "$$(basename "$$set" .csv)" && cat "$$set" && printf ')csv"},\n' || exit 1; \
 	done > $@.part && mv $@.part $@

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "cli/errors.hpp"
-#include "cli/nearest.hpp"
+#include "text/nearest.hpp"
 
 namespace tiltrotor::cli {
 

@@ -2,7 +2,7 @@
 
 #include "cli/command.hpp"
 #include "cli/errors.hpp"
-#include "cli/sink.hpp"
+#include "text/sink.hpp"
 
 namespace tiltrotor::cli {
 

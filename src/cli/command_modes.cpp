@@ -8,9 +8,9 @@
 #include "cli/command.hpp"
 #include "cli/errors.hpp"
 #include "cli/linear_options.hpp"
-#include "cli/mode_tracker.hpp"
 #include "cli/output.hpp"
 #include "cli/trimmed_flights.hpp"
+#include "tiltrotor/analysis/linear/mode_tracker.hpp"
 
 namespace tiltrotor::cli {
 
@@ -64,7 +64,7 @@ int run(const Arguments& arguments) {
   Records records = output.records(columns, Output::to_read);
   const AnalysesRoom room;
   const auto model = std::make_unique<LinearModel<double>>();
-  ModeTracker tracker;
+  ModeTracker<double> tracker;
   double mast_before = 0;
   double speed_before = 0;
   const auto visit = [&](const TrimmedFlight& flight) -> int {

@@ -1,18 +1,24 @@
 // `tiltrotor report`: the whole study.
 
 #include "cli/command.hpp"
-#include "cli/sink.hpp"
-#include "report/report.hpp"
+#include "cli/errors.hpp"
+#include "study/reference_points.hpp"
+#include "study/report.hpp"
+#include "text/sink.hpp"
 
 namespace tiltrotor::cli {
 
 namespace {
 
 int run(const Arguments& arguments) {
+  if (!study::has_reference_points())
+    throw UsageError(
+        "report: no published numbers of this aircraft; give tables/<aircraft>/published and build again");
   const std::string folder = arguments.text("--output", "build/report");
   require_writable_folder(folder, arguments.where("--output"));
-  return report::run_report(folder, arguments.given("--validate") ? report::ReportSummary::validation
-                                                                  : report::ReportSummary::statements);
+  const study::ReportSummary summary =
+      arguments.given("--validate") ? study::ReportSummary::validation : study::ReportSummary::statements;
+  return study::run_report(folder, summary) ? exit_success : exit_case_failed;
 }
 
 }  // namespace

@@ -12,11 +12,11 @@
 #include "cli/input_text.hpp"
 #include "cli/linear_options.hpp"
 #include "cli/matrix_log.hpp"
-#include "cli/mode_tracker.hpp"
 #include "cli/output.hpp"
-#include "cli/progress.hpp"
 #include "cli/response_columns.hpp"
 #include "cli/trimmed_flights.hpp"
+#include "text/progress.hpp"
+#include "tiltrotor/analysis/linear/mode_tracker.hpp"
 
 namespace tiltrotor::cli {
 
@@ -115,7 +115,7 @@ class Companions {
   std::size_t modes_every_;
   std::optional<MatrixLog> matrices_;
   std::unique_ptr<LinearModel<double>> model_ = std::make_unique<LinearModel<double>>();
-  ModeTracker modes_;
+  ModeTracker<double> modes_;
 };
 
 int fly(const Configuration<double>& c, const Plan& plan, Simulation<double>& simulation, Analyses& analyses,

@@ -6,7 +6,7 @@
 #include "cli/errors.hpp"
 #include "cli/flight_options.hpp"
 #include "cli/output.hpp"
-#include "cli/progress.hpp"
+#include "text/progress.hpp"
 #include "tiltrotor/analysis/isolated_rotor.hpp"
 
 namespace tiltrotor::cli {

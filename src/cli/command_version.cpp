@@ -2,8 +2,8 @@
 
 #include "cli/command.hpp"
 #include "cli/errors.hpp"
-#include "cli/identity.hpp"
-#include "cli/sink.hpp"
+#include "text/identity.hpp"
+#include "text/sink.hpp"
 
 namespace tiltrotor::cli {
 

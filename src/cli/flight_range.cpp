@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "cli/errors.hpp"
-#include "cli/number.hpp"
+#include "text/number.hpp"
 #include "tiltrotor/math/differentiation/preaccumulate.hpp"
 #include "tiltrotor/model/variables/control_range.hpp"
 

@@ -6,7 +6,7 @@
 #include "cli/arguments.hpp"
 #include "cli/errors.hpp"
 #include "cli/flight_range.hpp"
-#include "cli/nearest.hpp"
+#include "text/nearest.hpp"
 #include "tiltrotor/model/aircraft.hpp"
 
 namespace tiltrotor::cli {

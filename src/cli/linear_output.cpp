@@ -3,10 +3,10 @@
 #include <functional>
 
 #include "cli/errors.hpp"
-#include "cli/identity.hpp"
-#include "cli/json.hpp"
-#include "cli/number.hpp"
 #include "cli/output.hpp"
+#include "text/identity.hpp"
+#include "text/json.hpp"
+#include "text/number.hpp"
 
 namespace tiltrotor::cli {
 

@@ -5,7 +5,7 @@
 
 #include "cli/arguments.hpp"
 #include "cli/shard.hpp"
-#include "cli/sink.hpp"
+#include "text/sink.hpp"
 #include "tiltrotor/analysis/linear/linear_model.hpp"
 
 namespace tiltrotor::cli {

@@ -9,9 +9,9 @@
 #include "cli/command.hpp"
 #include "cli/errors.hpp"
 #include "cli/help.hpp"
-#include "cli/nearest.hpp"
-#include "cli/sink.hpp"
 #include "library/processor.hpp"
+#include "text/nearest.hpp"
+#include "text/sink.hpp"
 
 namespace tiltrotor::cli {
 

@@ -1,6 +1,6 @@
 #include "cli/matrix_log.hpp"
 
-#include "cli/number.hpp"
+#include "text/number.hpp"
 
 namespace tiltrotor::cli {
 

@@ -4,7 +4,8 @@
 #include <memory>
 #include <string>
 
-#include "cli/sink.hpp"
+#include "cli/errors.hpp"
+#include "text/sink.hpp"
 #include "tiltrotor/analysis/linear/linear_model.hpp"
 
 namespace tiltrotor::cli {

@@ -6,7 +6,7 @@
 
 #include "cli/arguments.hpp"
 #include "cli/errors.hpp"
-#include "cli/nearest.hpp"
+#include "text/nearest.hpp"
 #include "tiltrotor/model/rotor/blade_grid.hpp"
 
 namespace tiltrotor::cli {

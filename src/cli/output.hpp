@@ -2,8 +2,8 @@
 #pragma once
 
 #include "cli/arguments.hpp"
-#include "cli/records.hpp"
 #include "cli/shard.hpp"
+#include "text/records.hpp"
 
 namespace tiltrotor::cli {
 

@@ -4,8 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "cli/records.hpp"
+#include "cli/errors.hpp"
 #include "library/analyses.hpp"
+#include "text/records.hpp"
 
 namespace tiltrotor::cli {
 

@@ -3,9 +3,9 @@
 #include <algorithm>
 
 #include "cli/flight_options.hpp"
-#include "cli/number.hpp"
 #include "cli/response_columns.hpp"
 #include "cli/trim_columns.hpp"
+#include "text/number.hpp"
 #include "tiltrotor/math/differentiation/preaccumulate.hpp"
 #include "tiltrotor/model/aircraft_data.hpp"
 

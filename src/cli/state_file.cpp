@@ -5,8 +5,8 @@
 
 #include "cli/errors.hpp"
 #include "cli/flight_options.hpp"
-#include "cli/nearest.hpp"
 #include "text/csv_line.hpp"
+#include "text/nearest.hpp"
 #include "tiltrotor/analysis/flight/response.hpp"
 #include "tiltrotor/math/differentiation/preaccumulate.hpp"
 #include "tiltrotor/model/variables/control_range.hpp"

@@ -10,9 +10,10 @@
 #include <string>
 #include <vector>
 
+#include "cli/errors.hpp"
 #include "cli/line_reader.hpp"
-#include "cli/records.hpp"
 #include "cli/state_columns.hpp"
+#include "text/records.hpp"
 
 namespace tiltrotor::cli {
 

@@ -59,18 +59,6 @@ void append_range(const std::vector<std::string>& parts, const std::string& text
 
 }  // namespace
 
-std::vector<std::string> split(std::string_view text, char separator) {
-  std::vector<std::string> parts(1);
-  for (const char c : text) {
-    if (c == separator) {
-      parts.emplace_back();
-    } else {
-      parts.back() += c;
-    }
-  }
-  return parts;
-}
-
 std::vector<double> parse_sweep(std::string_view text, const std::string& where, const Range& range) {
   std::vector<double> values;
   for (const std::string& item : split(text, ',')) {

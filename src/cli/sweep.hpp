@@ -3,12 +3,11 @@
 
 #include <vector>
 
-#include "cli/number.hpp"
+#include "cli/errors.hpp"
+#include "text/number.hpp"
+#include "text/split.hpp"
 
 namespace tiltrotor::cli {
-
-// Parts of `text` between the separators; an empty text is one empty part.
-std::vector<std::string> split(std::string_view text, char separator);
 
 // A number, a list `a,b,c`, or a range `from:step:to` with both ends; items of a list may be ranges.
 // Throws UsageError "<where>: ..." for an empty range and for values outside `range`.

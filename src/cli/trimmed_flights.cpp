@@ -1,7 +1,7 @@
 #include "cli/trimmed_flights.hpp"
 
 #include "cli/errors.hpp"
-#include "cli/progress.hpp"
+#include "text/progress.hpp"
 
 namespace tiltrotor::cli {
 

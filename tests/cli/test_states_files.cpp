@@ -5,7 +5,7 @@
 
 #include "check.hpp"
 #include "cli/csv_text.hpp"
-#include "cli/json.hpp"
+#include "text/json.hpp"
 #include "cli/scratch_folder.hpp"
 #include "run_program.hpp"
 #include "text/csv_line.hpp"

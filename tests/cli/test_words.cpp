@@ -4,7 +4,7 @@
 
 #include "check.hpp"
 #include "cli/csv_text.hpp"
-#include "cli/number.hpp"
+#include "text/number.hpp"
 #include "cli/sweep.hpp"
 #include "run_program.hpp"
 #include "tiltrotor/math/scalar.hpp"

@@ -1,0 +1,149 @@
+// What acts on what in the model: one quantity is moved at a time, and every load and rate that changes is marked.
+
+#include "plot/colors.hpp"
+#include "plot/drawing.hpp"
+#include "plot/svg.hpp"
+#include "study/missing.hpp"
+#include "study/sections.hpp"
+
+namespace tiltrotor::study {
+
+using namespace plot;
+
+namespace {
+
+constexpr double kMasts[] = {0, 30, 90};  // deg: a mark is there when it is at one of them
+constexpr double kMove = 0.01;            // of the distance over which the model bends
+
+// The model at one point: what may be moved, what may change.
+struct Point {
+  Configured c;
+  State<double> x;
+  Controls<double> u;
+};
+
+template <class Visit>
+void each_moved(Point& at, Visit&& visit) {
+  State<double>::describe(at.x, [&](double& value, const Variable& variable) {
+    if (is_active(variable, at.c.setup.options)) visit(value, variable);
+  });
+  Controls<double>::describe(at.u, visit);
+}
+
+struct Effect {
+  std::string name;
+  std::vector<double> numbers;
+};
+
+std::vector<Effect> effects(const Point& at) {
+  const Evaluation<double> e = evaluated(at.c, at.x, at.u);
+  std::vector<Effect> all;
+  for (int k = 0; k < component_count; ++k) {
+    all.push_back({kComponentNames[k], {}});
+    Loads<double>::each(e.loads.component[k],
+                        [&](const double& number) { all.back().numbers.push_back(number); });
+  }
+  State<double>::describe(e.rates, [&](const double& rate, const Variable& variable) {
+    if (is_active(variable, at.c.setup.options))
+      all.push_back({std::string("rate_") + variable.name, {rate}});
+  });
+  return all;
+}
+
+// A flight with everything in motion and nothing alike left and right, so that nothing is zero by chance.
+Point point(double mast_deg) {
+  Point at{configured(mast_deg), {}, {}};
+  const Trimmed trim = trimmed_persistently(at.c, middle_speed(mast_deg));
+  at.x = trim.state;
+  at.u = trim.controls;
+  double share = kMove;
+  each_moved(at, [&](double& value, const Variable& variable) {
+    value += share * variable.facts().bend;
+    share = -0.97 * share;
+  });
+  return at;
+}
+
+Table effects_table() {
+  std::vector<std::string> columns = {"moved"};
+  std::vector<std::string> moved;
+  Point any = point(kMasts[0]);
+  for (const Effect& effect : effects(any)) columns.push_back(effect.name);
+  each_moved(any, [&](double&, const Variable& variable) { moved.push_back(variable.name); });
+
+  const std::size_t width = columns.size() - 1;
+  std::vector<std::vector<bool>> acts(moved.size(), std::vector<bool>(width, false));
+  for (const double mast : kMasts) {
+    Point at = point(mast);
+    const std::vector<Effect> before = effects(at);
+    std::size_t row = 0;
+    each_moved(at, [&](double& value, const Variable& variable) {
+      const double kept = value;
+      value += kMove * variable.facts().bend;
+      const std::vector<Effect> after = effects(at);
+      value = kept;
+      for (std::size_t k = 0; k < width; ++k)
+        if (after[k].numbers != before[k].numbers) acts[row][k] = true;
+      ++row;
+    });
+  }
+
+  Table table(columns);
+  table.comment(
+      "1: moving this state or input changes that load, or that rate of a state, at one flight at least.");
+  for (std::size_t i = 0; i < moved.size(); ++i) {
+    std::vector<Table::Cell> cells = {moved[i]};
+    for (std::size_t k = 0; k < width; ++k) cells.emplace_back(acts[i][k] ? 1.0 : kMissing);
+    table.add(cells);
+  }
+  return table;
+}
+
+Picture picture(const Table& table) {
+  constexpr double left = 96;
+  constexpr double top = 132;
+  constexpr double cell = 12;
+  const std::string title = "What acts on what";
+  const std::string small = " font-size=\"11\"";
+  const double right = left + cell * static_cast<double>(table.columns().size() - 1);
+  const double bottom = top + cell * static_cast<double>(table.rows());
+  std::string out = open_svg(right + 12, bottom + 12, title);
+  out += "<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n";
+  out += text_at(kMargin, 24, title, "start", kInk, " font-size=\"14\" font-weight=\"600\"");
+  for (std::size_t k = 1; k < table.columns().size(); ++k) {
+    const double x = left + cell * (static_cast<double>(k) - 0.5);
+    const std::string turned = "rotate(-90 " + coordinate(x + 4) + " " + coordinate(top - 5) + ")";
+    out += text_at(x + 4, top - 5, table.columns()[k], "start", kInk, small + attribute("transform", turned));
+  }
+  for (std::size_t i = 0; i < table.rows(); ++i) {
+    const double y = top + cell * (static_cast<double>(i) + 0.5);
+    if (i % 2 == 0)
+      out += "<rect" + attribute("x", left) + attribute("y", y - cell / 2) +
+             attribute("width", right - left) + attribute("height", cell) + " fill=\"#f2f2f2\"/>\n";
+    out += text_at(left - 6, y + 4, table.text(i, 0), "end", kInk, small);
+    for (std::size_t k = 1; k < table.columns().size(); ++k) {
+      if (table.text(i, k).empty()) continue;
+      const bool load = k <= component_count;
+      out += "<circle" + attribute("cx", left + cell * (static_cast<double>(k) - 0.5)) + attribute("cy", y) +
+             attribute("r", 3.5) + attribute("fill", std::string(load ? kOrange : kBlue)) + "/>\n";
+    }
+  }
+  return {"data_flow", out + "</svg>\n"};
+}
+
+}  // namespace
+
+Section data_flow() {
+  Section section{"flow", "What acts on what in the model", "", {}, {}, {}};
+  section.reading =
+      "One evaluation takes the states and inputs at the left to the loads of the components (orange) and from "
+      "there to the rates of the states (blue); nothing is iterated, because flapping, inflow and the wing's "
+      "downwash are states. A mark: moving the one changes the other, in this run. The same code runs on plain "
+      "numbers and on numbers that carry their derivatives, which makes trim, linear models and responses exact.";
+  const Table table = effects_table();
+  section.pictures = {picture(table)};
+  section.tables.push_back({"data_flow", "what changes when one quantity moves", table});
+  return section;
+}
+
+}  // namespace tiltrotor::study

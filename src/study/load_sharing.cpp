@@ -1,0 +1,189 @@
+// Who carries the weight: vertical force of rotors, wing, tail and fuselage through conversion.
+
+#include <array>
+#include <cmath>
+
+#include "plot/plot.hpp"
+#include "study/missing.hpp"
+#include "study/sections.hpp"
+#include "study/wording.hpp"
+
+namespace tiltrotor::study {
+
+using namespace plot;
+
+namespace {
+
+// What carries: columns of the tables and curves of the pictures.
+enum Carrier { rotors, wing, wake_on_wing, tail, rest, carrier_count };
+constexpr struct {
+  const char *column, *curve, *color;
+} kCarriers[carrier_count] = {{"rotors", "rotors", kBlue},
+                              {"wing", "free wing", kGreen},
+                              {"wake_on_wing", "wing in the wake", kPurple},
+                              {"tail", "tail", kOrange},
+                              {"rest", "rest", kGrey}};
+
+constexpr Carrier carrier_of(Component component) {
+  switch (component) {
+    case rotor_right:
+    case rotor_left:
+      return rotors;
+    case wing_free:
+      return wing;
+    case wing_wake_right:
+    case wing_wake_left:
+      return wake_on_wing;
+    case htail:
+      return tail;
+    case pylon:
+    case spinners:
+    case pylon_side:
+    case fuselage:
+    case fin_right:
+    case fin_left:
+      return rest;
+    case component_count:
+      break;
+  }
+  throw "a component without a carrier";  // reached by the compiler alone
+}
+
+struct CarrierTable {
+  Carrier of[component_count];
+};
+constexpr CarrierTable carrier_table() {
+  CarrierTable table{};
+  for (int k = 0; k < component_count; ++k) table.of[k] = carrier_of(static_cast<Component>(k));
+  return table;
+}
+constexpr CarrierTable kCarrier = carrier_table();
+
+// Upward force over weight, for each carrier.
+using Shares = std::array<double, carrier_count>;
+
+Shares shares_of(const Configured& c, const Trimmed& t) {
+  const Evaluation<double> e = evaluated(c, t.state, t.controls);
+  const double weight = c.mass.mass * kGravity<double>;
+  const double sp = std::sin(t.state.pitch);
+  const double cp = std::cos(t.state.pitch);
+  Shares shares{};
+  for (int k = 0; k < component_count; ++k) {
+    const Vec3<double>& f = e.loads.component[k].force;
+    shares[kCarrier.of[k]] += (f.x * sp - f.z * cp) / weight;  // level wings
+  }
+  return shares;
+}
+
+std::vector<std::string> table_columns() {
+  std::vector<std::string> columns = {"mast_deg", "speed_mps"};
+  for (const auto& carrier : kCarriers) columns.emplace_back(carrier.column);
+  return columns;
+}
+
+std::vector<Table::Cell> table_row(double mast, double speed, const Shares& shares) {
+  std::vector<Table::Cell> row = {mast, speed};
+  for (const double share : shares) row.emplace_back(share);
+  return row;
+}
+
+std::vector<Series> curves(const Table& rows, const char* x) {
+  std::vector<Series> all;
+  for (const auto& carrier : kCarriers) {
+    Series s;
+    s.name = carrier.curve;
+    s.color = carrier.color;
+    s.x = rows.numbers(x);
+    s.y = rows.numbers(carrier.column);
+    all.push_back(s);
+  }
+  return all;
+}
+
+Picture shares_picture(const Table& table, double mast) {
+  Plot plot;
+  plot.id = "load_sharing_" + fixed(mast, 0);
+  plot.title = "Share of the weight, " + mast_text(mast);
+  plot.x.label = "Speed, m/s";
+  plot.y.label = "Upward force over weight";
+  plot.y.zero_line = true;
+  plot.axes_height = 200;
+  plot.series = curves(table.where("mast_deg", mast), "speed_mps");
+  return {plot.id, svg(plot)};
+}
+
+// One way through conversion: mast angle and speed together, along the middle of the corridor.
+Table conversion_table() {
+  std::vector<std::string> columns = table_columns();
+  columns.emplace_back("power_kw");
+  Table table(columns);
+  table.comment(
+      "Steady flights along the middle of the conversion corridor; flap 20/12.5 and 589 rpm between.");
+  constexpr double step = 5;
+  for (double mast = 0; mast <= 90; mast += step) {
+    const Configured c = configured(mast);
+    const double speed = middle_speed(mast);
+    const Trimmed t = trimmed_persistently(c, speed);
+    if (!is_trimmed(t.status)) continue;
+    std::vector<Table::Cell> row = table_row(mast, speed, shares_of(c, t));
+    row.emplace_back(total_power_kw(t));
+    table.add(row);
+  }
+  return table;
+}
+
+Picture conversion_picture(const Table& table) {
+  Plot plot;
+  plot.id = "load_sharing_conversion";
+  plot.title = "Share of the weight through conversion";
+  plot.x.label = "Mast angle, deg (speed " + fixed(table.number(0, "speed_mps"), 0) + " to " +
+                 fixed(table.number(table.rows() - 1, "speed_mps"), 0) + " m/s)";
+  plot.y.label = "Upward force over weight";
+  plot.x.low = 0;
+  plot.x.high = 90;
+  plot.y.zero_line = true;
+  plot.series = curves(table, "mast_deg");
+  return {plot.id, svg(plot)};
+}
+
+}  // namespace
+
+Section load_sharing(const Sweeps& sweeps) {
+  Section section{"sharing", "Load sharing between rotors and wing", "", {}, {}, {}};
+  section.reading =
+      "In hover the rotors carry the weight and the download of their wake on the wing; through conversion "
+      "the wing takes "
+      "over until the rotors only pull.";
+  Table table(table_columns());
+  table.comment(
+      "Upward forces over weight. wing: outside the rotor wake; wake_on_wing: the part in the wake.");
+  for (const SpeedSweep& sweep : sweeps) {
+    for (const LevelFlight& f : sweep.flights)
+      table.add(table_row(sweep.mast_deg, f.speed_mps, shares_of(sweep.c, f.trim)));
+  }
+  const Table conversion = conversion_table();
+  section.pictures = {conversion_picture(conversion), shares_picture(table, 0), shares_picture(table, 30),
+                      shares_picture(table, 60)};
+  double handover = kMissing;
+  for (std::size_t i = 1; i < conversion.rows() && !std::isfinite(handover); ++i) {
+    const double before = conversion.number(i - 1, "rotors") - conversion.number(i - 1, "wing");
+    const double after = conversion.number(i, "rotors") - conversion.number(i, "wing");
+    if (before > 0 && after <= 0) {
+      const double a = conversion.number(i - 1, "mast_deg");
+      handover = a + (conversion.number(i, "mast_deg") - a) * before / (before - after);
+    }
+  }
+  section.findings.push_back({Finding::remark,
+                              "Along the middle of the corridor rotors and wing carry equal parts at mast " +
+                                  fixed(handover, 0) + " deg.",
+                              "The rotors lift " + fixed(conversion.number(0, "rotors"), 2) +
+                                  " of the weight at mast 0, " + fixed(conversion.number(0, "speed_mps"), 0) +
+                                  " m/s and " + fixed(table.number(0, "rotors"), 3) +
+                                  " in hover, where the wing in the wake takes " +
+                                  fixed(-table.number(0, "wake_on_wing"), 3) + "."});
+  section.tables.push_back({"load_sharing", "along speed at each mast angle", table});
+  section.tables.push_back({"load_sharing_conversion", "through conversion", conversion});
+  return section;
+}
+
+}  // namespace tiltrotor::study

@@ -1,0 +1,182 @@
+// Eigenvalues in the complex plane at four mast angles, with the speed along each branch.
+
+#include <algorithm>
+#include <cmath>
+
+#include "plot/plot.hpp"
+#include "study/linear_models.hpp"
+#include "study/mode_table.hpp"
+#include "study/sections.hpp"
+#include "study/wording.hpp"
+
+namespace tiltrotor::study {
+
+using namespace plot;
+
+namespace {
+
+constexpr double kShownMasts[] = {0, 30, 60, 90};
+
+Table sweep_table(const Sweeps& sweeps) {
+  Table table = mode_table({"mast_deg", "speed_mps"});
+  for (const SpeedSweep& sweep : sweeps) {
+    if (std::find(std::begin(kShownMasts), std::end(kShownMasts), sweep.mast_deg) == std::end(kShownMasts))
+      continue;
+    Tracker tracker;
+    for (const LevelFlight& f : sweep.flights)
+      add_modes(table, {sweep.mast_deg, f.speed_mps}, modes_of(linear_model(sweep.c, f.trim), tracker, true));
+  }
+  return table;
+}
+
+constexpr double kLowSpeed = 30;  // m/s
+
+// The fastest growth from a speed on, 1/s.
+double fastest_growth(const Table& table, double from_speed) {
+  double worst = -1e9;
+  for (std::size_t i = 0; i < table.rows(); ++i) {
+    if (table.number(i, "speed_mps") >= from_speed) worst = std::max(worst, table.number(i, "real"));
+  }
+  return worst;
+}
+
+bool has_mode(const Table& rows, const char* mode) {
+  return rows.where("mode", std::string(mode)).rows() > 0;
+}
+
+// Where each mode grows from a speed on.
+std::string unstable_ranges(const Table& table, double from_speed) {
+  std::string text;
+  for (const double mast : kShownMasts) {
+    const Table rows = table.where("mast_deg", mast);
+    for (const std::string& mode : rows.different("mode")) {
+      const Table branch = rows.where("mode", mode);
+      double low = 1e9;
+      double high = -1e9;
+      double worst = 0;
+      for (std::size_t i = 0; i < branch.rows(); ++i) {
+        if (branch.number(i, "real") <= 0 || branch.number(i, "speed_mps") < from_speed) continue;
+        low = std::min(low, branch.number(i, "speed_mps"));
+        high = std::max(high, branch.number(i, "speed_mps"));
+        worst = std::max(worst, branch.number(i, "real"));
+      }
+      if (worst > 0) {
+        text += (text.empty() ? "" : "; ") + mast_text(mast) + " " + mode + " " + fixed(low, 0) + ".." +
+                fixed(high, 0) + " m/s (up to " + with_sign(worst, 3) + "/s)";
+      }
+    }
+  }
+  return text.empty() ? "none" : text;
+}
+
+// Speeds of a mast angle, and those at which something grows, from a speed on.
+struct Unstable {
+  int speeds, growing;
+};
+Unstable count_unstable(const Table& table, double mast, double from_speed) {
+  const Table rows = table.where("mast_deg", mast);
+  Unstable count{0, 0};
+  for (const std::string& speed : rows.different("speed_mps")) {
+    const std::vector<double> real = rows.where("speed_mps", speed).numbers("real");
+    if (rows.where("speed_mps", speed).number(0, "speed_mps") < from_speed) continue;
+    ++count.speeds;
+    count.growing += *std::max_element(real.begin(), real.end()) > 0;
+  }
+  return count;
+}
+
+std::string counts_of_unstable(const Table& table) {
+  std::string text;
+  for (const double mast : kShownMasts) {
+    const Unstable all = count_unstable(table, mast, 0);
+    const Unstable fast = count_unstable(table, mast, kLowSpeed);
+    text += (text.empty() ? "" : ", ") + mast_text(mast) + " " + std::to_string(all.growing) + " of " +
+            std::to_string(all.speeds) + " (from " + fixed(kLowSpeed, 0) + " m/s on " +
+            std::to_string(fast.growing) + " of " + std::to_string(fast.speeds) + ")";
+  }
+  return text;
+}
+
+// A mast angle at which most speeds beyond the low ones are unstable contradicts the statement.
+Finding::Verdict stability_verdict(const Table& table) {
+  Finding::Verdict verdict = Finding::holds;
+  for (const double mast : kShownMasts) {
+    const Unstable fast = count_unstable(table, mast, kLowSpeed);
+    if (2 * fast.growing > fast.speeds) return Finding::differs;
+    if (fast.growing > 0) verdict = Finding::partly;
+  }
+  return verdict;
+}
+
+std::vector<Finding> statements(const Table& table) {
+  const Table hover = table.where("mast_deg", 0.0).where("speed_mps", 0.0);
+  const Table cruise = table.where("mast_deg", 90.0).where("speed_mps", 100.0);
+  std::vector<Finding> findings;
+  const bool hover_set =
+      has_mode(hover, "phugoid") && has_mode(hover, "heave") && has_mode(hover, "pitch_subsidence");
+  const bool cruise_set = has_mode(cruise, "short_period") && has_mode(cruise, "phugoid");
+  const auto list = [](const Table& rows, const char* axis) {
+    std::string text;
+    const Table part = rows.where("axis", std::string(axis));
+    for (std::size_t i = 0; i < part.rows(); ++i) {
+      text += (i ? "; " : "") + part.text(i, "mode") + " " +
+              root_text(part.number(i, "real"), part.number(i, "imag"));
+    }
+    return text;
+  };
+  findings.push_back(
+      {verdict_of(hover_set + cruise_set, 2),
+       "Longitudinal modes: phugoid-like oscillation, pitch subsidence and heave in helicopter mode, which "
+       "merge into a short period towards airplane mode.",
+       "Hover: " + list(hover, "longitudinal") + ". Mast 90, 100 m/s: " + list(cruise, "longitudinal") +
+           "."});
+  const bool lateral_set =
+      has_mode(cruise, "dutch_roll") && has_mode(cruise, "roll") && has_mode(cruise, "spiral");
+  findings.push_back(
+      {lateral_set ? Finding::holds : Finding::differs, "Lateral modes: spiral, roll subsidence, Dutch roll.",
+       "Mast 90, 100 m/s: " + list(cruise, "lateral") + ". Hover: " + list(hover, "lateral") + "."});
+  const double fast = fastest_growth(table, kLowSpeed);
+  findings.push_back(
+      {stability_verdict(table), "Unstable only in hover and at low speed.",
+       "Speeds at which a mode grows: " + counts_of_unstable(table) + ". Fastest growth over all speeds " +
+           with_sign(fastest_growth(table, 0), 2) + "/s, from " + fixed(kLowSpeed, 0) + " m/s on " +
+           with_sign(fast, 2) + "/s. Growing from there: " + unstable_ranges(table, kLowSpeed) + "." +
+           (fast <= 0 ? ""
+                      : " Cause: the lateral growth in helicopter mode comes from the rotors' sidewash "
+                        "at the fins, the growing oscillation near 50 m/s from the rotor wash at the tail, "
+                        "which takes away more tail "
+                        "lift with speed.")});
+  return findings;
+}
+
+}  // namespace
+
+Section mode_map(const Sweeps& sweeps) {
+  Section section{"modes", "Modes in the complex plane", "", {}, {}, {}};
+  section.reading =
+      "Each line is a branch followed through speed (numbers in m/s), in the colour of its mode's name, "
+      "which "
+      "depends on the flight alone; stable to the left of the grey line. Of a conjugate pair the upper root "
+      "is "
+      "drawn. Rotor modes lie far to the left and are left out. Rotor speed and collective are held: no "
+      "governor "
+      "acts.";
+  const Table table = sweep_table(sweeps);
+  for (const char* axis : {"longitudinal", "lateral"}) {
+    for (const double mast : kShownMasts) {
+      ModePlot plot;
+      plot.id = std::string("modes_") + axis + "_" + fixed(mast, 0);
+      plot.title = capitalized(axis) + " modes, " + mast_text(mast);
+      plot.parameter = "speed_mps";
+      plot.unit = "m/s";
+      plot.label_step = 10;
+      section.pictures.push_back(
+          mode_picture(plot, table.where("mast_deg", mast).where("axis", std::string(axis))));
+    }
+  }
+  section.findings = statements(table);
+  section.tables.push_back({"modes", "eigenvalues of the complete linear model along speed", table});
+  return section;
+}
+
+}  // namespace tiltrotor::study

@@ -1,0 +1,30 @@
+// Tables of modes along a parameter, and their picture in the complex plane.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "study/linear_models.hpp"
+#include "study/section.hpp"
+
+namespace tiltrotor::study {
+
+// Empty table: the given columns, then axis, mode, real, imag, frequency_rad_s, damping_ratio,
+// time_to_half_s.
+Table mode_table(std::vector<std::string> leading_columns);
+
+// One row for each body mode.
+void add_modes(Table& table, const std::vector<double>& leading, const Modes& modes);
+
+struct ModePlot {
+  std::string id, title;
+  std::string parameter;  // column that runs along each branch
+  const char* unit = "";
+  double label_step = 10;  // markers stand at multiples of it, numbers where there is room
+  double left = -3;        // roots further left are clipped
+};
+
+// Upper half of the complex plane, one line for each mode.
+Picture mode_picture(const ModePlot& what, const Table& rows);
+
+}  // namespace tiltrotor::study

@@ -1,0 +1,27 @@
+// The sections of the report, in the order of the page. Each runs its part of the study and draws it.
+#pragma once
+
+#include <vector>
+
+#include "study/flights.hpp"
+#include "study/section.hpp"
+
+namespace tiltrotor::study {
+
+// Level flights at several mast angles; trim curves, modes, power and load sharing are drawn from them.
+using Sweeps = std::vector<SpeedSweep>;
+
+Section trim_curves(const Sweeps& sweeps);  // collective, stick, pitch, power against speed
+Section mode_map(const Sweeps& sweeps);     // eigenvalues in the complex plane
+Section collective_response();              // +1 deg collective at 40 m/s
+Section data_flow();                        // what feeds what in the model
+Section jacobian_timing();                  // cost of exact derivatives
+Section conversion_corridor();
+Section mast_locus();  // roots against mast angle at constant speed
+Section power_required(const Sweeps& sweeps);
+Section load_sharing(const Sweeps& sweeps);
+Section isolated_rotor_tests();
+Section control_response(const Sweeps& sweeps);  // sensitivity, control power, damping
+Section frequency_responses();
+
+}  // namespace tiltrotor::study

@@ -1,0 +1,232 @@
+// Trim against speed at four mast angles, with published points over the curves.
+
+#include <algorithm>
+#include <cmath>
+
+#include "plot/plot.hpp"
+#include "study/reference_points.hpp"
+#include "study/sections.hpp"
+#include "study/trim_comparison.hpp"
+#include "study/wording.hpp"
+#include "text/number.hpp"
+
+namespace tiltrotor::study {
+
+using namespace plot;
+
+namespace {
+
+constexpr double kShownMasts[] = {0, 30, 60, 90};
+
+bool is_shown(double mast_deg) {
+  return std::find(std::begin(kShownMasts), std::end(kShownMasts), mast_deg) != std::end(kShownMasts);
+}
+
+Table curve_table(const Sweeps& sweeps) {
+  Table table({"mast_deg", "speed_mps", "iterations", "pitch_deg", "collective75_deg", "collective_root_deg",
+               "long_stick_in", "long_cyclic_deg", "elevator_deg", "thrust_n", "power_kw", "wing_alpha_deg",
+               "download_frac"});
+  table.comment("Level flight, sea level, 13000 lb; flap 40/25 at mast 0, 20/12.5 between, 0/0 at mast 90.");
+  table.comment("thrust_n: one rotor; power_kw: both; stick 0..9.6 in, neutral 4.8, larger = forward.");
+  for (const SpeedSweep& sweep : sweeps) {
+    if (!is_shown(sweep.mast_deg)) continue;
+    for (const LevelFlight& f : sweep.flights) {
+      const Trimmed& t = f.trim;
+      table.add({sweep.mast_deg, f.speed_mps, static_cast<double>(t.iterations), degrees(t.state.pitch),
+                 degrees(t.controls.collective), degrees(t.collective_root), stick_position(t),
+                 degrees(t.blades.long_cyclic[right]), degrees(t.blades.elevator), t.thrust[right],
+                 total_power_kw(t), degrees(t.wing_angle_of_attack), t.download_fraction});
+    }
+  }
+  return table;
+}
+
+struct Quantity {
+  const char* id;
+  const char* title;
+  const char* axis;
+  const char* column;            // of the curves
+  const char* reference_column;  // of the published points
+  double reference_factor;
+};
+
+constexpr Quantity kQuantities[] = {
+    {"trim_collective", "Collective at the root", "Root collective, deg", "collective_root_deg",
+     "collective_root_deg", 1},
+    {"trim_stick", "Longitudinal stick (forward up)", "Stick, in of 9.6", "long_stick_in", "long_stick_pct",
+     kStickTravel / 100},
+    {"trim_pitch", "Pitch attitude", "Pitch, deg", "pitch_deg", "pitch_deg", 1},
+    {"trim_power", "Shaft power of both rotors", "Power, kW", "power_kw", "power_kw", 1},
+};
+
+Series points(const Table& set, double mast_deg, const char* column, double factor) {
+  Series s;
+  s.line = Line::none;
+  const Table rows = set.where("mast_deg", mast_deg);
+  for (std::size_t i = 0; i < rows.rows(); ++i) {
+    const double y = factor * rows.number(i, column);
+    if (!std::isfinite(y)) continue;
+    s.x.push_back(rows.number(i, "speed_mps"));
+    s.y.push_back(y);
+  }
+  return s;
+}
+
+// A legend entry that stands for one kind of point at every mast angle.
+Series key(const char* name, Marker marker, bool filled) {
+  Series s;
+  s.name = name;
+  s.color = kGrey;
+  s.line = Line::none;
+  s.marker = marker;
+  s.filled = filled;
+  return s;
+}
+
+Picture picture(const Quantity& quantity, const Table& curves) {
+  Plot plot;
+  plot.id = quantity.id;
+  plot.title = quantity.title;
+  plot.x.label = "Speed, m/s";
+  plot.y.label = quantity.axis;
+  plot.x.low = 0;
+  plot.y.zero_line = true;
+  const Table figures = reference_points("trim_gtrs_figures");
+  const Table flight = reference_points("trim_flight");
+  const Table printed = reference_points("trim_gtrs_printed");
+  const std::vector<std::string>& printed_columns = printed.columns();
+  const bool is_printed =
+      std::find(printed_columns.begin(), printed_columns.end(), quantity.column) != printed_columns.end();
+
+  for (int i = 0; i < 4; ++i) {
+    const Table rows = curves.where("mast_deg", kShownMasts[i]);
+    Series curve;
+    curve.name = mast_text(kShownMasts[i]);
+    curve.color = kLineColor[i];
+    curve.x = rows.numbers("speed_mps");
+    curve.y = rows.numbers(quantity.column);
+    plot.series.push_back(curve);
+  }
+  for (int i = 0; i < 4; ++i) {
+    const auto add = [&](Series s, Marker marker, bool filled) {
+      s.color = kLineColor[i];
+      s.marker = marker;
+      s.filled = filled;
+      plot.series.push_back(s);
+    };
+    const double mast = kShownMasts[i];
+    add(points(figures, mast, quantity.reference_column, quantity.reference_factor), Marker::circle, false);
+    add(points(flight, mast, quantity.reference_column, quantity.reference_factor), Marker::triangle, true);
+    if (is_printed) add(points(printed, mast, quantity.column, 1), Marker::square, true);
+  }
+  if (is_printed) plot.series.push_back(key("GTRS, printed", Marker::square, true));
+  plot.series.push_back(key("GTRS, figure", Marker::circle, false));
+  plot.series.push_back(key("flight", Marker::triangle, true));
+  return {quantity.id, svg(plot)};
+}
+
+// Statements of the paper on trim, judged on the curves.
+std::vector<Finding> statements(const Table& curves) {
+  const Table helicopter = curves.where("mast_deg", 0.0);
+  const std::vector<double> speed = helicopter.numbers("speed_mps");
+  const std::vector<double> collective = helicopter.numbers("collective_root_deg");
+  const std::vector<double> stick = helicopter.numbers("long_stick_in");
+  const std::vector<double> pitch = helicopter.numbers("pitch_deg");
+  const std::size_t lowest =
+      static_cast<std::size_t>(std::min_element(collective.begin(), collective.end()) - collective.begin());
+  const double drop = collective.front() - collective[lowest];
+  const bool bucket =
+      lowest > 0 && lowest + 1 < speed.size() && collective.back() > collective[lowest] + 1 && drop > 1;
+
+  bool nose_falls = true;
+  bool stick_rises = true;
+  std::size_t rises_from = 0;
+  for (std::size_t i = 1; i < speed.size(); ++i) {
+    nose_falls = nose_falls && pitch[i] < pitch[i - 1];
+    if (stick[i] <= stick[i - 1]) rises_from = i;
+  }
+  stick_rises = stick.back() > stick.front() + 0.5;
+  const auto [slow_low, slow_high] =
+      std::minmax_element(stick.begin(), stick.begin() + static_cast<std::ptrdiff_t>(rises_from) + 1);
+
+  const Table airplane = curves.where("mast_deg", 90.0);
+  const std::vector<double> high = airplane.numbers("collective_root_deg");
+  const auto range_text = [](const std::vector<double>& v, int decimals) {
+    const auto [low, top] = std::minmax_element(v.begin(), v.end());
+    return fixed(*low, decimals) + ".." + fixed(*top, decimals);
+  };
+  // Stick range over all flyable speeds and over their faster half.
+  std::string spans;
+  std::string fast_spans;
+  std::vector<double> span_of_all;
+  std::vector<double> fast_span;
+  for (const double mast : kShownMasts) {
+    const Table rows = curves.where("mast_deg", mast);
+    const std::vector<double> s = rows.numbers("long_stick_in");
+    const std::vector<double> v = rows.numbers("speed_mps");
+    const auto span = [](auto first, auto last) {
+      return *std::max_element(first, last) - *std::min_element(first, last);
+    };
+    fast_span.push_back(span(s.begin() + static_cast<std::ptrdiff_t>(s.size() / 2), s.end()));
+    const std::string comma = spans.empty() ? "" : ", ";
+    span_of_all.push_back(span(s.begin(), s.end()));
+    spans += comma + fixed(span_of_all.back(), 1);
+    fast_spans += comma + fixed(fast_span.back(), 1);
+  }
+
+  std::vector<Finding> findings;
+  findings.push_back({bucket ? Finding::holds : Finding::differs,
+                      "Collective follows a bucket curve with speed in helicopter mode.",
+                      "It falls by " + fixed(drop, 1) + " deg from hover to a minimum at " +
+                          fixed(speed[lowest], 0) + " m/s and ends " +
+                          with_sign(collective.back() - collective.front(), 1) +
+                          " deg from its hover value at " + fixed(speed.back(), 0) + " m/s."});
+  findings.push_back(
+      {verdict_of(nose_falls + stick_rises + (rises_from == 0), 3),
+       "In helicopter mode the stick goes forward and the nose down with speed.",
+       "Pitch runs from " + fixed(pitch.front(), 1) + " to " + fixed(pitch.back(), 1) + " deg" +
+           (nose_falls ? " without turning" : "") + ", stick from " + fixed(stick.front(), 2) + " to " +
+           fixed(stick.back(), 2) + " in, rising steadily from " + fixed(speed[rises_from], 0) + " m/s." +
+           (rises_from == 0 ? ""
+                            : " Slower, while the wing leaves the wake, it moves between " +
+                                  fixed(*slow_low, 2) + " and " + fixed(*slow_high, 2) + " in.")});
+  findings.push_back(
+      {high.front() > collective.front() && high.back() > high.front() ? Finding::holds : Finding::differs,
+       "Airplane mode needs high collective.",
+       "Root collective " + range_text(high, 1) + " deg, " + with_sign(high.back() - high.front(), 1) +
+           " deg from the slowest to the fastest flight, against " + range_text(collective, 1) +
+           " deg in helicopter mode."});
+  const int smaller = std::is_sorted(fast_span.rbegin(), fast_span.rend()) +
+                      std::is_sorted(span_of_all.rbegin(), span_of_all.rend());
+  findings.push_back(
+      {verdict_of(smaller, 2), "Control variation with speed becomes smaller as the masts tilt forward.",
+       "Stick range over the faster half of the speeds at mast 0, 30, 60, 90 deg: " + fast_spans +
+           " in. Over all speeds: " + spans + " in" +
+           (smaller == 2 ? "."
+                         : ": with the masts tilted the slow end of the range is close to the wing's stall, "
+                           "where the stick comes far aft.")});
+  return findings;
+}
+
+}  // namespace
+
+Section trim_curves(const Sweeps& sweeps) {
+  Section section{"trim", "Trim from hover to cruise", "", {}, {}, {}};
+  section.reading =
+      "Lines: this program, every level flight inside its limits, rotor speed as scheduled (589 rpm, 517 rpm "
+      "at mast 90). Squares: the GTRS simulation as printed; "
+      "circles: "
+      "GTRS read off a figure; triangles: flight, whose weight, flap and centre of gravity are not "
+      "published.";
+  const Table curves = curve_table(sweeps);
+  for (const Quantity& quantity : kQuantities) section.pictures.push_back(picture(quantity, curves));
+  section.findings = statements(curves);
+  const Table compared = trim_comparison();
+  for (const Finding& f : trim_comparison_findings(compared)) section.findings.push_back(f);
+  section.tables.push_back({"trim_curves", "the curves", curves});
+  section.tables.push_back(
+      {"trim_compared", "every published point against this program at that speed", compared});
+  return section;
+}
+
+}  // namespace tiltrotor::study

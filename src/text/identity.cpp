@@ -1,0 +1,50 @@
+#include "text/identity.hpp"
+
+#include <cstdlib>
+#include <ctime>
+
+#include "library/analyses.hpp"
+#include "text/json.hpp"
+
+namespace tiltrotor::text {
+
+namespace {
+
+constexpr struct {
+  const char *aircraft, *commit;
+} identity = {
+#include "identity.inc"
+};
+
+}  // namespace
+
+std::string program_text() {
+  return std::string("tiltrotor " TILTROTOR_VERSION ", aircraft ") + identity.aircraft;
+}
+
+std::string identity_text() {
+  const std::string commit = identity.commit;
+  return program_text() + (commit.empty() ? "" : ", commit " + commit) + ", " + differentiation_name() +
+         " derivatives";
+}
+
+const std::string& program_json() {
+  static const std::string text = json_object({{"name", json_text("tiltrotor")},
+                                               {"version", json_text(TILTROTOR_VERSION)},
+                                               {"aircraft", json_text(identity.aircraft)}});
+  return text;
+}
+
+std::string date_text() {
+  std::time_t now = std::time(nullptr);
+  if (const char* epoch = std::getenv("SOURCE_DATE_EPOCH")) {
+    char* end = nullptr;
+    const long long seconds = std::strtoll(epoch, &end, 10);
+    if (end != epoch && *end == '\0' && seconds >= 0) now = static_cast<std::time_t>(seconds);
+  }
+  char text[16] = "";
+  if (const std::tm* utc = std::gmtime(&now)) std::strftime(text, sizeof text, "%Y-%m-%d", utc);
+  return text;
+}
+
+}  // namespace tiltrotor::text

@@ -1,0 +1,57 @@
+// Rows of named columns, as CSV, JSON or an aligned table.
+#pragma once
+
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "text/sink.hpp"
+
+namespace tiltrotor::text {
+
+enum class Format { table, csv, json };
+
+// A number of an input file: repeated as it was written there.
+struct Quotation {
+  std::string text;
+  double value;
+};
+
+// A number that is not finite is an empty cell (null in JSON).
+using Cell = std::variant<double, std::string, Quotation>;
+using Row = std::vector<Cell>;
+
+// A cell of CSV: in quotation marks where it holds a comma, a quotation mark or the end of a line.
+std::string csv_cell(const std::string& text);
+
+class Records {
+ public:
+  // JSON rows end with a member "program" (identity.hpp); CSV has room for rows only.
+  // `digits`: significant digits of numbers in CSV; a table shows fewer, JSON always the shortest exact text.
+  // Numbers smaller than `resolution` are zero but for rounding and are written so, save those of the column
+  // `residual`. Without header: CSV whose header stands elsewhere (shards after the first). Nothing is
+  // written before the first row or the end.
+  Records(Sink& sink, Format format, std::vector<std::string> columns, int digits, double resolution,
+          bool header = true);
+
+  void add(const Row& row);
+  // Ends the output and the sink.
+  void finish();
+
+ private:
+  Row rounded(Row row) const;
+  void write_header();
+  void write_json(const Row& row);
+  void write_table();
+
+  Sink& sink_;
+  Format format_;
+  std::vector<std::string> columns_;
+  int digits_;
+  double resolution_;
+  bool header_;
+  std::size_t count_ = 0;
+  std::vector<std::vector<std::string>> table_;  // the widths of a table are known at its end
+};
+
+}  // namespace tiltrotor::text

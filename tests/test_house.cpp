@@ -1,0 +1,149 @@
+// The plan of the house: includes run one way, and every file is small. Expected: the table below, which is that of
+// src/README.md, and the limits of src/CONTRIBUTING.md.
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <regex>
+#include <set>
+#include <sstream>
+#include <vector>
+
+#include "check.hpp"
+#include "run_program.hpp"
+
+using check::source_path;
+
+namespace {
+
+namespace fs = std::filesystem;
+
+// A room includes itself and what is listed, and only rooms above it can be listed.
+struct Room {
+  const char *name, *includes;
+};
+constexpr Room kRooms[] = {
+    {"generated", ""},  // by the build
+    {"interface", ""},  // the C header
+    {"math", ""},
+    {"model", "math"},
+    {"systems", "math model"},
+    {"analysis", "math model systems"},
+    {"facade", "math model systems analysis"},  // headers of include/tiltrotor/ itself
+    {"library", "generated interface math model systems analysis"},
+    {"text", "generated library"},
+    {"plot", "text"},
+    {"study", "generated math model systems analysis library text plot"},
+    {"cli", "math model systems analysis library text study"},
+    {"tablegen", "math model text"},
+    {"firmware", "interface"},
+    {"examples",
+     "interface facade math model systems analysis"},  // a user's, with the installed headers alone
+};
+
+std::set<std::string> words(const std::string& text) {
+  std::istringstream in(text);
+  return {std::istream_iterator<std::string>(in), std::istream_iterator<std::string>()};
+}
+
+// The room of a file, by its path from the root of the tree; empty: of none.
+std::string room_of(const std::string& path) {
+  if (path == "include/tiltrotor/tiltrotor.h") return "interface";
+  std::smatch part;
+  if (std::regex_match(path, part, std::regex("include/tiltrotor/(\\w+)/.*"))) return part[1];
+  if (std::regex_match(path, std::regex("include/tiltrotor/[^/]*"))) return "facade";
+  if (std::regex_match(path, part, std::regex("src/(\\w+)/.*"))) return part[1];
+  return "";
+}
+
+// What an include means to the compiler; empty for headers of the system.
+std::string room_of_included(const std::string& name) {
+  if (std::regex_match(name, std::regex("\\w+\\.inc"))) return "generated";
+  for (const char* const root : {"include/", "src/"})
+    if (fs::exists(source_path(root + name))) return room_of(root + name);
+  return "";
+}
+
+bool may_include(const std::string& room, const std::string& included) {
+  const auto of_name = [&](const Room& r) { return room == r.name; };
+  const auto* const row = std::find_if(std::begin(kRooms), std::end(kRooms), of_name);
+  return row != std::end(kRooms) && (room == included || words(row->includes).count(included) == 1);
+}
+
+std::vector<std::string> lines_of(const std::string& path) {
+  std::ifstream in(source_path(path));
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(in, line);) lines.push_back(line);
+  return lines;
+}
+
+// Sources below the given folders, from the root of the tree.
+std::vector<std::string> sources(const std::vector<std::string>& folders) {
+  std::vector<std::string> names;
+  for (const std::string& folder : folders)
+    for (const auto& entry : fs::recursive_directory_iterator(source_path(folder)))
+      if (std::regex_match(entry.path().filename().string(),
+                           std::regex(".*\\.(hpp|cpp|h|c|sh|awk|mk|ld|map)")))
+        names.push_back(fs::relative(entry.path(), source_path("")).string());
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+}  // namespace
+
+TEST(house_rooms_stand_in_order) {
+  std::set<std::string> above;
+  for (const Room& room : kRooms) {
+    for (const std::string& name : words(room.includes))
+      if (!CHECK(above.count(name) == 1))
+        NOTE(room.name << " includes " << name << ", which stands below it");
+    CHECK(above.insert(room.name).second);
+  }
+  CHECK(may_include("model", "math") && !may_include("math", "model"));
+  CHECK(may_include("cli", "study") && !may_include("study", "cli") && !may_include("text", "plot"));
+  CHECK(!may_include("no such room", "math"));
+}
+
+TEST(house_includes_run_one_way) {
+  const std::regex include("\\s*#\\s*include\\s*([\"<])([^\">]+)[\">].*");
+  int count = 0;
+  for (const std::string& file : sources({"include", "src"})) {
+    const std::string room = room_of(file);
+    int number = 0;
+    for (const std::string& line : lines_of(file)) {
+      ++number;
+      std::smatch part;
+      if (!std::regex_match(line, part, include)) continue;
+      const std::string included = room_of_included(part[2]);
+      if (included.empty() && part[1] == "<") continue;  // of the system
+      ++count;
+      if (!CHECK(may_include(room, included)))
+        NOTE(file << ":" << number << ": " << (room.empty() ? "no room" : room) << " includes " << part[2]);
+    }
+  }
+  CHECK_LE(400, count);
+}
+
+TEST(house_files_are_small) {
+  constexpr std::size_t most = 400;
+  const std::vector<std::string> all = sources({"include", "src", "tests", "bench"});
+  for (const std::string& file : all) {
+    const std::size_t lines = lines_of(file).size();
+    if (!CHECK_LE(lines, most)) NOTE(file << " has " << lines << " lines");
+  }
+  CHECK_LE(300u, all.size());
+}
+
+// Physics fits a few screens, and the flow of data through the model one and a half.
+TEST(house_physics_is_short) {
+  constexpr std::size_t most = 220;
+  constexpr std::size_t most_of_flow = 119;
+  int count = 0;
+  for (const std::string& file : sources({"include/tiltrotor/model"})) {
+    const bool flow = file == "include/tiltrotor/model/derivative.hpp";
+    const std::size_t lines = lines_of(file).size();
+    if (!CHECK_LE(lines, flow ? most_of_flow : most)) NOTE(file << " has " << lines << " lines");
+    ++count;
+  }
+  CHECK_LE(30, count);
+}
