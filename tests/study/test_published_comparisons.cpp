@@ -75,8 +75,8 @@ TEST(validation_sets_have_the_aircraft_of_their_kind) {
   CHECK(other_aircraft(ComparedAircraft::as_designed) == ComparedAircraft::as_designed);
 }
 
-// A printed trim: its velocity has its speed and pitch, its forces carry 13000 lb, its hub moments are 225
-// ft lb for a degree of its flapping.
+// A printed trim: its velocity has its speed and pitch, its forces carry 13000 lb and add up, its hub moments
+// are those of its flapping.
 TEST(validation_sets_of_printed_trims_agree_with_themselves) {
   const Table trims = reference_points("trim_gtrs_conversion");
   const Table power = reference_points("rotor_power_gtrs");
@@ -101,9 +101,6 @@ TEST(validation_sets_of_printed_trims_agree_with_themselves) {
                                       force("rotor_left", "z_lbf"));
       CHECK_REL(rotor * kPoundForce, trims.number(i, "thrust_n"), 0.02);
     }
-    // Power is the yawing and rolling moment of the rotor less the arm of its forces, along the shaft: here
-    // only its size, thrust times speed and more.
-    CHECK(power.number(i, "power_kw") > 500 && power.number(i, "power_kw") < 1900);
   }
 }
 
