@@ -147,8 +147,7 @@ std::vector<Comparison> compared(const std::string& set, const Table& trims, Com
     Comparison row{};
     row.set = set;
     row.point = conversion ? point_of(trims, i) : "speed_kt=" + trims.text(i, "speed_kt");
-    row.mast_deg = conversion ? mast : kMissing;
-    row.other = kMissing;
+    if (conversion) row.mast_deg = mast;
     compare(replayed(trims, i, setup), airframe_names(), printed, true, row, rows);
     const Configured c = configured(setup);
     const Trimmed t = trimmed_persistently(c, kKnot * trims.number(i, "speed_kt"));

@@ -45,8 +45,7 @@ std::vector<Comparison> compared_terms(ComparedAircraft aircraft) {
   const Table printed = reference_points(set);
   const Linear model = printed_conditions(aircraft, reference_points("modes_gtrs"), 0);
   std::vector<Comparison> rows;
-  double per_lever =
-      kMissing;  // this program has the collective, the lever works through engine and governor
+  double per_lever = kMissing;  // collective of the lever, whose engine and governor are not modelled here
   for (std::size_t i = 0; i < printed.rows(); ++i) {
     const bool is_a = printed.text(i, "matrix") == "A";
     const std::string column = printed.text(i, "column");
