@@ -45,7 +45,7 @@ struct Reading {
 const std::vector<Reading>& readings() {
   static const std::vector<Reading> all = {
       {"trim_compared", "set", {"mast_deg", "speed_mps"}, "quantity", "here", "reference", "other"},
-      {"modes_compared", "modes_identified", {"condition"}, "quantity", "here", "identified"},
+      {"modes_compared", "modes_identified", {"condition"}, "quantity", "here", "identified", "other"},
       {"control_compared", "hover_control_response", {"axis"}, "quantity", "here", "estimate"},
       {"rotor_tunnel_compared", "rotor_hover_80x120", {"test", "ct"}, "figure_of_merit", "here", "measured"},
       {"rotor_resolved_compared", "rotor_hover_resolved_blade", {"collective75_deg"}, "ct", "ct_here", "ct"},
@@ -134,7 +134,8 @@ void read_frequencies(const Table& table, const std::string& name, double mast_d
     const std::string point = name + " omega=" + fixed(table.number(i, "omega_rad_s"), 4);
     for (const std::string column : {"gain_db", "phase_deg"}) {
       out.push_back({"transfer_functions", point, column, table.number(i, column),
-                     table.number(i, "identified_" + column), mast_deg});
+                     table.number(i, "identified_" + column), mast_deg, kMissing,
+                     table.number(i, "other_" + column)});
     }
   }
 }
