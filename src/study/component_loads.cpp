@@ -51,7 +51,7 @@ struct PrintedState {
 };
 
 // Where the print has the whole flow through the disk, that of the climbing rotor is no induced one.
-PrintedState state_of(const Table& trims, std::size_t row, const Configured& c) {
+PrintedState state_of(const Table& trims, std::size_t row, const Table& loads, const Configured& c) {
   if (trims.columns().front() == "speed_kt") {
     return {trims.number(row, "u_fps"),
             trims.number(row, "w_fps"),
@@ -60,6 +60,7 @@ PrintedState state_of(const Table& trims, std::size_t row, const Configured& c) 
             trims.number(row, "rotor_force_lbf"),
             trims.number(row, "elevator_deg")};
   }
+  const Table rotor = loads.where("component", std::string("rotor_left"));
   const double u = trims.number(row, "u_fps");
   const double w = trims.number(row, "w_fps");
   const double tip_fps = c.tip_speed / kFoot;
@@ -70,17 +71,18 @@ PrintedState state_of(const Table& trims, std::size_t row, const Configured& c) 
           w,
           tip_fps * trims.number(row, "inflow_ratio") - climb,
           std::fabs(across) / tip_fps,
-          trims.number(row, "thrust_n") / kPoundForce,
+          std::sqrt(square(rotor.number(0, "x_lbf")) + square(rotor.number(0, "y_lbf")) +
+                    square(rotor.number(0, "z_lbf"))),
           trims.number(row, "elevator_deg")};
 }
 
 // Loads of the airframe in the printed state of flight, as the source computed them: tables linear, the
 // downwash that of the wing at that moment.
-LoadRecord<double> replayed(const Table& trims, std::size_t row, Setup setup) {
+LoadRecord<double> replayed(const Table& trims, std::size_t row, const Table& printed, Setup setup) {
   setup.options.tables = Interpolation::linear;
   setup.options.downwash_lag = false;
   const Configured c = configured(setup);
-  const PrintedState state = state_of(trims, row, c);
+  const PrintedState state = state_of(trims, row, printed, c);
   const double radius = c.aircraft->rotor.radius;
   AirframeInput<double> in{};
   in.velocity = {kFoot * state.u_fps, 0, kFoot * state.w_fps};
@@ -148,7 +150,7 @@ std::vector<Comparison> compared(const std::string& set, const Table& trims, Com
     row.set = set;
     row.point = conversion ? point_of(trims, i) : "speed_kt=" + trims.text(i, "speed_kt");
     if (conversion) row.mast_deg = mast;
-    compare(replayed(trims, i, setup), airframe_names(), printed, true, row, rows);
+    compare(replayed(trims, i, printed, setup), airframe_names(), printed, true, row, rows);
     const Configured c = configured(setup);
     const Trimmed t = trimmed_persistently(c, kKnot * trims.number(i, "speed_kt"));
     compare(evaluated(c, t.state, t.controls).loads, trim_names(), printed, false, row, rows);
