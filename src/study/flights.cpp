@@ -69,6 +69,10 @@ Evaluation<double> evaluated(const Configured& c, const State<double>& x, const 
   return e;
 }
 
+double shaft_thrust(const Configured& c, const Trimmed& t) {
+  return evaluated(c, t.state, t.controls).rotor[right].loads.force.z;
+}
+
 double transmission_power(const Configured& c) {
   const Aircraft<double>& aircraft = *c.aircraft;
   return 2 * aircraft.controls.power_limit *

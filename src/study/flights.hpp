@@ -34,6 +34,9 @@ Trimmed trimmed_near(const Configured& c, double speed_mps, const Trimmed& neigh
 // Loads, rotors and rates at a state.
 Evaluation<double> evaluated(const Configured& c, const State<double>& x, const Controls<double>& u);
 
+// Force of the right rotor along its shaft, N; Trimmed::thrust is its whole force.
+double shaft_thrust(const Configured& c, const Trimmed& t);
+
 // Power both rotors may take, W: the transmission's limit of power at helicopter rotor speed. At a lower
 // rotor speed its limit of torque comes first.
 double transmission_power(const Configured& c);

@@ -33,17 +33,13 @@ double inflow_ratio(const Flight& f) {
   return climb / f.c.tip_speed + f.trim.state.rotor[right].lambda_0;
 }
 
-double shaft_thrust(const Flight& f) {
-  return evaluated(f.c, f.trim.state, f.trim.controls).rotor[right].loads.force.z;
-}
-
 using Value = double (*)(const Flight&);
 constexpr std::pair<const char*, Value> kValues[] = {
     {"pitch_deg", [](const Flight& f) { return degrees(f.trim.state.pitch); }},
     {"long_stick_in", [](const Flight& f) { return stick_position(f.trim); }},
     {"long_cyclic_deg", [](const Flight& f) { return degrees(f.trim.blades.long_cyclic[right]); }},
     {"elevator_deg", [](const Flight& f) { return degrees(f.trim.blades.elevator); }},
-    {"thrust_n", shaft_thrust},
+    {"thrust_n", [](const Flight& f) { return shaft_thrust(f.c, f.trim); }},
     {"inflow_ratio", inflow_ratio},
     {"coning_deg", [](const Flight& f) { return f.coning_deg; }},
     {"long_flap_deg", [](const Flight& f) { return degrees(f.trim.state.rotor[right].b1c); }},

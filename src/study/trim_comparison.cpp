@@ -24,12 +24,12 @@ bool has_column(const Table& set, const std::string& name) {
   return std::find(set.columns().begin(), set.columns().end(), name) != set.columns().end();
 }
 
-double value_here(const Trimmed& t, const std::string& quantity) {
+double value_here(const Configured& c, const Trimmed& t, const std::string& quantity) {
   if (quantity == "pitch_deg") return degrees(t.state.pitch);
   if (quantity == "long_stick_in") return stick_position(t);
   if (quantity == "long_cyclic_deg") return degrees(t.blades.long_cyclic[right]);
   if (quantity == "elevator_deg") return degrees(t.blades.elevator);
-  if (quantity == "thrust_n") return t.thrust[right];
+  if (quantity == "thrust_n") return shaft_thrust(c, t);
   if (quantity == "power_kw") return total_power_kw(t);
   return degrees(t.collective_root);
 }
@@ -55,16 +55,15 @@ Table trim_comparison() {
       const double mast = set.number(i, "mast_deg");
       const double speed = set.number(i, "speed_mps");
       const ComparedAircraft aircraft = compared_aircraft(name);
-      const auto trim_of = [&](ComparedAircraft which) {
-        return trimmed_persistently(configured(setup_of(which, mast)), speed);
-      };
-      const Trimmed t = trim_of(aircraft);
-      const Trimmed other = trim_of(other_aircraft(aircraft));
+      const Configured c = configured(setup_of(aircraft, mast));
+      const Configured other_c = configured(setup_of(other_aircraft(aircraft), mast));
+      const Trimmed t = trimmed_persistently(c, speed);
+      const Trimmed other = trimmed_persistently(other_c, speed);
       for (const std::string quantity : kQuantities) {
         const double there = value_there(set, i, quantity);
         if (!std::isfinite(there)) continue;
         const bool has_trim = is_trimmed(t.status);
-        const double here = has_trim ? value_here(t, quantity) : kMissing;
+        const double here = has_trim ? value_here(c, t, quantity) : kMissing;
         const double most = allowed(tolerance_of(name, quantity, mast), there);
         const bool within = std::fabs(here - there) <= most;
         table.add({std::string(name), mast, speed, quantity, here, there, here - there, most,
@@ -72,7 +71,7 @@ Table trim_comparison() {
                                : !std::isfinite(most) ? "information"
                                : within               ? "yes"
                                                       : "no"),
-                   is_trimmed(other.status) ? value_here(other, quantity) : kMissing});
+                   is_trimmed(other.status) ? value_here(other_c, other, quantity) : kMissing});
       }
     }
   }

@@ -5,10 +5,10 @@
 
 #include "check.hpp"
 #include "cli/csv_text.hpp"
-#include "text/json.hpp"
 #include "cli/scratch_folder.hpp"
 #include "run_program.hpp"
 #include "text/csv_line.hpp"
+#include "text/json.hpp"
 
 using check::built;
 using check::CsvText;
@@ -154,7 +154,7 @@ TEST(cli_states_keep_odd_names) {
 }
 
 TEST(cli_json_text_is_utf8) {
-  using tiltrotor::cli::json_text;
+  using tiltrotor::text::json_text;
   CHECK_EQ(json_text("a\xc3\xa9\n\"\\"), "\"a\xc3\xa9\\u000a\\\"\\\\\"");
   CHECK_EQ(json_text("caf\xe9"), "\"caf\\ufffd\"");                  // Latin-1
   CHECK_EQ(json_text("\xed\xa0\x80"), "\"\\ufffd\\ufffd\\ufffd\"");  // half of a surrogate pair

@@ -4,9 +4,9 @@
 
 #include "check.hpp"
 #include "cli/csv_text.hpp"
-#include "text/number.hpp"
 #include "cli/sweep.hpp"
 #include "run_program.hpp"
+#include "text/number.hpp"
 #include "tiltrotor/math/scalar.hpp"
 
 using check::CsvText;
