@@ -159,11 +159,11 @@ std::vector<Finding> statements(const Records& records) {
                         " m/s, speed " + with_sign(slower, 2) + " m/s, pitch " + with_sign(nose, 2) + " deg.";
     if (which.tail_wash && nose < 0) {
       found +=
-          " Cause: more collective strengthens the rotor wash; the wash tables at the horizontal tail turn "
-          "that into "
-          "upwash, and the tail pushes the nose down harder than the disks tilt back. The third case, "
-          "without that wash, "
-          "shows what is left. The paper does not state its flap setting.";
+          " Cause: more collective strengthens the rotor wash, and the sign of the wash at the horizontal tail "
+          "is set by table 2-I, which makes it upwash: the tail pushes the nose down harder than the disks "
+          "tilt back. The third case, without that wash, shows what is left; a closed-form wash "
+          "(--option tail_wash=closed_form) gives nose up at every flap. The paper does not state its flap "
+          "setting.";
     }
     findings.push_back({verdict_of(held, 3),
                         "After +1 deg collective at 40 m/s the aircraft climbs, slows and pitches up.",

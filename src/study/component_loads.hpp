@@ -1,14 +1,12 @@
-// Loads of the components against those printed by the GTRS simulation.
+// Component loads that the reference simulation printed, against those of this program.
 #pragma once
 
-#include "text/table.hpp"
+#include "study/comparison.hpp"
 
 namespace tiltrotor::study {
 
-using text::Table;
-
-// Airframe: replayed at the printed states, tables linear as in the source. Rotor: at this program's trim.
-// Columns: set, point, quantity, here, reference, scale (what a fraction of tolerance is of).
-Table compared_component_loads();
+// The airframe's in the printed state of flight, the rotors' and the sums' in a trim of this program at that
+// speed.
+void compare_component_loads(std::vector<Comparison>& out);
 
 }  // namespace tiltrotor::study

@@ -47,9 +47,11 @@ Trimmed trimmed(const Configured& c, double speed_mps) {
   return result;
 }
 
-Trimmed trimmed_persistently(const Configured& c, double speed_mps) {
+Trimmed trimmed_persistently(const Configured& c, double speed_mps, double climb_rad) {
   Trimmed result;
-  (void)trim(c, level(speed_mps), work(), result);
+  SteadyFlight<double> flight = level(speed_mps);
+  flight.climb = climb_rad;
+  (void)trim(c, flight, work(), result);
   return result;
 }
 
@@ -65,6 +67,10 @@ Evaluation<double> evaluated(const Configured& c, const State<double>& x, const 
   Evaluation<double> e;
   evaluate_aircraft(c, x, u, e);
   return e;
+}
+
+double shaft_thrust(const Configured& c, const Trimmed& t) {
+  return evaluated(c, t.state, t.controls).rotor[right].loads.force.z;
 }
 
 double transmission_power(const Configured& c) {

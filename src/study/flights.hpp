@@ -27,12 +27,15 @@ Setup default_setup(double mast_deg);
 // Level flight from a cold start, without continuation: a point without trim costs little.
 Trimmed trimmed(const Configured& c, double speed_mps);
 // The same with everything tried.
-Trimmed trimmed_persistently(const Configured& c, double speed_mps);
+Trimmed trimmed_persistently(const Configured& c, double speed_mps, double climb_rad = 0);
 // From a neighbouring solution.
 Trimmed trimmed_near(const Configured& c, double speed_mps, const Trimmed& neighbour);
 
 // Loads, rotors and rates at a state.
 Evaluation<double> evaluated(const Configured& c, const State<double>& x, const Controls<double>& u);
+
+// Force of the right rotor along its shaft, N; Trimmed::thrust is its whole force.
+double shaft_thrust(const Configured& c, const Trimmed& t);
 
 // Power both rotors may take, W: the transmission's limit of power at helicopter rotor speed. At a lower
 // rotor speed its limit of torque comes first.

@@ -1,15 +1,14 @@
 // Frequency responses of the complete linear model against transfer functions identified in flight.
 
 #include <cmath>
-#include <complex>
 
 #include "plot/plot.hpp"
-#include "study/linear_models.hpp"
+#include "study/compared_aircraft.hpp"
+#include "study/missing.hpp"
 #include "study/reference_points.hpp"
 #include "study/sections.hpp"
+#include "study/transfer_function.hpp"
 #include "study/wording.hpp"
-#include "text/number.hpp"
-#include "text/split.hpp"
 
 namespace tiltrotor::study {
 
@@ -17,52 +16,9 @@ using namespace plot;
 
 namespace {
 
-using Complex = std::complex<double>;
-
-constexpr double kDegreesPerRadian = tiltrotor::kDegPerRad<double>;
 constexpr int kPoints = 57;
 constexpr double kGainTolerance = 2;    // dB
 constexpr double kPhaseTolerance = 15;  // deg
-
-// Row `rate` of x(s) / u(s) at s = i omega, or of its derivative, by elimination with row pivoting.
-Complex response_of(const Linear& model, int output, int input, double omega, bool derivative) {
-  const int n = model.states;
-  const Complex s(0, omega);
-  std::vector<std::vector<Complex>> m(static_cast<std::size_t>(n),
-                                      std::vector<Complex>(static_cast<std::size_t>(n + 1)));
-  int column = 0;
-  while (model.control[column] != input) ++column;
-  const auto at = [&m](int i, int j) -> Complex& {
-    return m[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)];
-  };
-  for (int i = 0; i < n; ++i) {
-    for (int j = 0; j < n; ++j) at(i, j) = (i == j ? s : Complex(0)) - model.a(i, j);
-    at(i, n) = model.b(i, column);
-  }
-  for (int k = 0; k < n; ++k) {
-    int pivot = k;
-    for (int i = k + 1; i < n; ++i) {
-      if (std::abs(at(i, k)) > std::abs(at(pivot, k))) pivot = i;
-    }
-    std::swap(m[static_cast<std::size_t>(k)], m[static_cast<std::size_t>(pivot)]);
-    for (int i = 0; i < n; ++i) {
-      if (i == k) continue;
-      const Complex factor = at(i, k) / at(k, k);
-      for (int j = k; j <= n; ++j) at(i, j) -= factor * at(k, j);
-    }
-  }
-  int row = 0;
-  while (model.state[row] != output) ++row;
-  const Complex x = at(row, n) / at(row, row);
-  return derivative ? s * x : x;
-}
-
-Complex polynomial(const std::string& coefficients, Complex s) {
-  Complex value = 0;
-  for (const std::string& c : text::split(coefficients, ' '))
-    value = value * s + text::parse_number(c, "transfer function");
-  return value;
-}
 
 struct Case {
   const char* name;  // of the transfer function
@@ -80,12 +36,13 @@ constexpr Case kCases[] = {
      kControlIndex.collective, true, true},
 };
 
-double decibel(Complex value) { return 20 * std::log10(std::abs(value)); }
+Linear model_of(const Case& which, ComparedAircraft aircraft) {
+  Setup setup = setup_of(aircraft, which.mast_deg);
+  setup.altitude = which.altitude_m;
+  return linear_model_at(setup, which.speed_mps, kBladeControls);
+}
 
-// Phases of both curves in one branch: the identified one continuous, the other nearest to it.
-double nearest_turn(double phase, double to) { return phase + 360 * std::round((to - phase) / 360); }
-
-Table frequency_table(const Case& which, const Linear& model) {
+Table frequency_table(const Case& which, const Linear& model, const Linear& other) {
   const Table set = reference_points("transfer_functions").where("name", std::string(which.name));
   const double low = set.number(0, "low_rad_s");
   const double high = set.number(0, "high_rad_s");
@@ -95,22 +52,29 @@ Table frequency_table(const Case& which, const Linear& model) {
     return polynomial(set.text(0, "numerator"), s) / polynomial(set.text(0, "denominator"), s) *
            std::exp(-s * delay);
   };
-  const auto here = [&](double omega) {
-    return response_of(model, which.output, which.input, omega, which.derivative);
+  const auto response = [&](const Linear& of, double omega) {
+    return response_of(of, which.output, which.input, omega, which.derivative);
   };
   const double meeting = 1;  // rad/s
-  const double factor = which.shape_only ? std::abs(identified(meeting)) / std::abs(here(meeting)) : 1;
+  const auto factor = [&](const Linear& of) {
+    return which.shape_only ? std::abs(identified(meeting)) / std::abs(response(of, meeting)) : 1;
+  };
+  const double here = factor(model);
+  const double elsewhere = factor(other);
 
-  Table table({"omega_rad_s", "gain_db", "phase_deg", "identified_gain_db", "identified_phase_deg"});
+  Table table({"omega_rad_s", "gain_db", "phase_deg", "identified_gain_db", "identified_phase_deg",
+               "other_gain_db", "other_phase_deg"});
+  table.comment("other: of the aircraft as simulated.");
   double previous = -180;
   for (int k = 0; k < kPoints; ++k) {
     const double omega = low * std::pow(high / low, k / (kPoints - 1.0));
     const Complex there = identified(omega);
-    const Complex value = factor * here(omega);
-    const double phase_there = nearest_turn(std::arg(there) * kDegreesPerRadian, previous);
+    const Complex value = here * response(model, omega);
+    const Complex otherwise = elsewhere * response(other, omega);
+    const double phase_there = nearest_turn(phase_deg(there), previous);
     previous = phase_there;
-    table.add({omega, decibel(value), nearest_turn(std::arg(value) * kDegreesPerRadian, phase_there),
-               decibel(there), phase_there});
+    table.add({omega, decibel(value), nearest_turn(phase_deg(value), phase_there), decibel(there),
+               phase_there, decibel(otherwise), nearest_turn(phase_deg(otherwise), phase_there)});
   }
   return table;
 }
@@ -167,20 +131,32 @@ Finding judge(const Case& which, const Table& table) {
           (which.shape_only
                ? " The gain of the power lever is not published; both curves meet at 1 rad/s."
                : " The identified form has no phugoid, which bends the model's curve below 1 rad/s; the gain "
-                 "is high throughout: the elevator is too effective.")};
+                 "is high throughout: the aircraft flew with an elevator effectiveness 25 % below that of the "
+                 "tables, while lift and damping of the tail agree.")};
 }
 
-Finding short_period(const Modes& modes, Table& compared) {
+// NaN when there is none of that kind.
+Mode<double> mode_of(const Modes& modes, ModeKind kind) {
+  for (int k = 0; k < modes.count; ++k) {
+    if (modes.mode[k].label.kind == kind) return modes.mode[k];
+  }
+  Mode<double> none{};
+  none.real = none.frequency = none.damping_ratio = kMissing;
+  return none;
+}
+
+Finding short_period(const Modes& modes, const Modes& others, Table& compared) {
   const Table identified = reference_points("modes_identified").where("mode", std::string("short period"));
   for (int k = 0; k < modes.count; ++k) {
     const Mode<double>& m = modes.mode[k];
     if (m.label.kind != ModeKind::short_period) continue;
     const double frequency = identified.number(0, "frequency_rad_s");
     const double damping = identified.number(0, "damping_ratio");
-    compared.add(
-        {std::string("cruise"), std::string("short_period_frequency_rad_s"), m.frequency, frequency});
-    compared.add(
-        {std::string("cruise"), std::string("short_period_damping_ratio"), m.damping_ratio, damping});
+    const Mode<double> other = mode_of(others, ModeKind::short_period);
+    compared.add({std::string("cruise"), std::string("short_period_frequency_rad_s"), m.frequency, frequency,
+                  other.frequency});
+    compared.add({std::string("cruise"), std::string("short_period_damping_ratio"), m.damping_ratio, damping,
+                  other.damping_ratio});
     const bool good =
         std::fabs(m.frequency / frequency - 1) <= 0.15 && std::fabs(m.damping_ratio - damping) <= 0.12;
     return {good ? Finding::holds : Finding::differs,
@@ -192,13 +168,14 @@ Finding short_period(const Modes& modes, Table& compared) {
   return {Finding::differs, "Short period in cruise.", "No such mode was found."};
 }
 
-Finding heave(const Modes& modes, Table& compared) {
+Finding heave(const Modes& modes, const Modes& others, Table& compared) {
   const Table identified = reference_points("modes_identified").where("mode", std::string("heave"));
   for (int k = 0; k < modes.count; ++k) {
     const Mode<double>& m = modes.mode[k];
     if (m.label.kind != ModeKind::heave) continue;
     const double there = identified.number(0, "real_1_per_s");
-    compared.add({std::string("hover"), std::string("heave_1_per_s"), m.real, there});
+    compared.add({std::string("hover"), std::string("heave_1_per_s"), m.real, there,
+                  mode_of(others, ModeKind::heave).real});
     constexpr double tolerance = 0.3;
     return {std::fabs(m.real / there - 1) <= tolerance ? Finding::holds : Finding::differs,
             "Heave root in hover within 30 % of flight.",
@@ -217,21 +194,19 @@ Section frequency_responses() {
       "The complete linear model, rotors and inflow included, against transfer functions identified from "
       "flight "
       "(NASA TM-89428), each over the band for which it was identified.";
-  Table compared({"condition", "quantity", "here", "identified"});
-  compared.comment("Modes identified in flight: NASA TM-89428.");
+  Table compared({"condition", "quantity", "here", "identified", "other"});
+  compared.comment("Modes identified in flight: NASA TM-89428. other: of the aircraft as simulated.");
   for (const Case& which : kCases) {
-    Setup setup = default_setup(which.mast_deg);
-    setup.altitude = which.altitude_m;
-    const Configured c = configured(setup);
-    const Trimmed t = trimmed_persistently(c, which.speed_mps);
-    const Linear model = linear_model(c, t.state, t.controls, kBladeControls);
-    const Table table = frequency_table(which, model);
+    const ComparedAircraft own = compared_aircraft("transfer_functions");
+    const Linear model = model_of(which, own);
+    const Linear other = model_of(which, other_aircraft(own));
+    const Table table = frequency_table(which, model, other);
     section.pictures.push_back(picture(which, table, "gain", "Gain, dB", "gain_db", "identified_gain_db"));
     section.pictures.push_back(
         picture(which, table, "phase", "Phase, deg", "phase_deg", "identified_phase_deg"));
     section.findings.push_back(judge(which, table));
-    section.findings.push_back(which.mast_deg > 0 ? short_period(modes_of(model), compared)
-                                                  : heave(modes_of(model), compared));
+    section.findings.push_back(which.mast_deg > 0 ? short_period(modes_of(model), modes_of(other), compared)
+                                                  : heave(modes_of(model), modes_of(other), compared));
     section.tables.push_back({std::string("frequency_") + which.name, which.title, table});
   }
   section.tables.push_back({"modes_compared", "modes against flight", compared});

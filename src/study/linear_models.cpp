@@ -43,6 +43,12 @@ Linear linear_model(const Configured& c, const Trimmed& trim) {
   return linear_model(c, trim.state, trim.controls, kInceptors);
 }
 
+Linear linear_model_at(const Setup& setup, double speed_mps, const ControlSet& columns) {
+  const Configured c = configured(setup);
+  const Trimmed t = trimmed_persistently(c, speed_mps);
+  return linear_model(c, t.state, t.controls, columns);
+}
+
 Linear quasi_steady(const Linear& full) {
   Linear reduced;
   require(residualise(full, work().reduction, reduced), "quasi-steady linear model");

@@ -20,6 +20,7 @@ Linear linear_model(const Configured& c, const State<double>& x, const Controls<
                     const ControlSet& columns);
 Linear quasi_steady(const Linear& full);  // rotors, inflow and downwash in balance
 Linear linear_model(const Configured& c, const Trimmed& trim);
+Linear linear_model_at(const Setup& setup, double speed_mps, const ControlSet& columns);  // of level flight
 Modes modes_of(const Linear& model);
 Modes modes_of(const Configured& c, const Trimmed& trim);
 

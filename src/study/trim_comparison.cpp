@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "study/flights.hpp"
+#include "study/compared_aircraft.hpp"
 #include "study/missing.hpp"
 #include "study/reference_points.hpp"
 #include "study/validation_rules.hpp"
@@ -24,12 +24,12 @@ bool has_column(const Table& set, const std::string& name) {
   return std::find(set.columns().begin(), set.columns().end(), name) != set.columns().end();
 }
 
-double value_here(const Trimmed& t, const std::string& quantity) {
+double value_here(const Configured& c, const Trimmed& t, const std::string& quantity) {
   if (quantity == "pitch_deg") return degrees(t.state.pitch);
   if (quantity == "long_stick_in") return stick_position(t);
   if (quantity == "long_cyclic_deg") return degrees(t.blades.long_cyclic[right]);
   if (quantity == "elevator_deg") return degrees(t.blades.elevator);
-  if (quantity == "thrust_n") return t.thrust[right];
+  if (quantity == "thrust_n") return shaft_thrust(c, t);
   if (quantity == "power_kw") return total_power_kw(t);
   return degrees(t.collective_root);
 }
@@ -44,28 +44,34 @@ double value_there(const Table& set, std::size_t row, const std::string& quantit
 }  // namespace
 
 Table trim_comparison() {
-  Table table(
-      {"set", "mast_deg", "speed_mps", "quantity", "here", "reference", "difference", "tolerance", "within"});
+  Table table({"set", "mast_deg", "speed_mps", "quantity", "here", "reference", "difference", "tolerance",
+               "within", "other"});
   table.comment(
       "Sources of the sets: tables/xv15/published, comments of the file of that name; trim_other_*: information.");
+  table.comment("other: by the other of the simulated and the flown aircraft; elsewhere the same number.");
   for (const char* name : kSets) {
     const Table set = reference_points(name);
     for (std::size_t i = 0; i < set.rows(); ++i) {
       const double mast = set.number(i, "mast_deg");
       const double speed = set.number(i, "speed_mps");
-      const Trimmed t = trimmed_persistently(configured(mast), speed);
+      const ComparedAircraft aircraft = compared_aircraft(name);
+      const Configured c = configured(setup_of(aircraft, mast));
+      const Configured other_c = configured(setup_of(other_aircraft(aircraft), mast));
+      const Trimmed t = trimmed_persistently(c, speed);
+      const Trimmed other = trimmed_persistently(other_c, speed);
       for (const std::string quantity : kQuantities) {
         const double there = value_there(set, i, quantity);
         if (!std::isfinite(there)) continue;
         const bool has_trim = is_trimmed(t.status);
-        const double here = has_trim ? value_here(t, quantity) : kMissing;
+        const double here = has_trim ? value_here(c, t, quantity) : kMissing;
         const double most = allowed(tolerance_of(name, quantity, mast), there);
         const bool within = std::fabs(here - there) <= most;
         table.add({std::string(name), mast, speed, quantity, here, there, here - there, most,
                    std::string(!has_trim              ? trim_status_word(t.status)
                                : !std::isfinite(most) ? "information"
                                : within               ? "yes"
-                                                      : "no")});
+                                                      : "no"),
+                   is_trimmed(other.status) ? value_here(other_c, other, quantity) : kMissing});
       }
     }
   }

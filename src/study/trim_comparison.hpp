@@ -8,7 +8,7 @@
 namespace tiltrotor::study {
 
 // One row for each number, other models as information: set, mast_deg, speed_mps, quantity, here, reference,
-// difference, tolerance, within.
+// difference, tolerance, within, other.
 Table trim_comparison();
 
 // How many numbers of each set lie within the tolerance, and the worst of each quantity.

@@ -6,8 +6,12 @@
 #include <stdexcept>
 
 #include "study/claims.hpp"
+#include "study/compared_aircraft.hpp"
 #include "study/component_loads.hpp"
+#include "study/flight_facts.hpp"
+#include "study/linear_comparison.hpp"
 #include "study/missing.hpp"
+#include "study/printed_flights.hpp"
 #include "study/reference_points.hpp"
 #include "study/validation_rules.hpp"
 #include "study/wording.hpp"
@@ -36,11 +40,12 @@ struct Reading {
   std::vector<const char*> point;  // columns that tell one point from another
   const char* quantity;            // or a column of that name
   const char *here, *reference;    // columns
+  const char* other = nullptr;     // the same
 };
 const std::vector<Reading>& readings() {
   static const std::vector<Reading> all = {
-      {"trim_compared", "set", {"mast_deg", "speed_mps"}, "quantity", "here", "reference"},
-      {"modes_compared", "modes_identified", {"condition"}, "quantity", "here", "identified"},
+      {"trim_compared", "set", {"mast_deg", "speed_mps"}, "quantity", "here", "reference", "other"},
+      {"modes_compared", "modes_identified", {"condition"}, "quantity", "here", "identified", "other"},
       {"control_compared", "hover_control_response", {"axis"}, "quantity", "here", "estimate"},
       {"rotor_tunnel_compared", "rotor_hover_80x120", {"test", "ct"}, "figure_of_merit", "here", "measured"},
       {"rotor_resolved_compared", "rotor_hover_resolved_blade", {"collective75_deg"}, "ct", "ct_here", "ct"},
@@ -86,18 +91,6 @@ const std::vector<Reading>& readings() {
   return all;
 }
 
-struct Comparison {
-  std::string set, point, quantity;
-  double here, reference;
-  double mast_deg;  // NaN when it has none
-  double scale;     // what a fraction of tolerance is of
-};
-
-Comparison comparison(const std::string& set, const std::string& point, const std::string& quantity,
-                      double here, double reference, double mast_deg = kMissing) {
-  return {set, point, quantity, here, reference, mast_deg, std::fabs(reference)};
-}
-
 std::string point_text(const Table& table, std::size_t row, const std::vector<const char*>& columns) {
   std::string text;
   for (const char* column : columns) {
@@ -114,9 +107,10 @@ void read(const Table& table, const Reading& how, std::vector<Comparison>& out) 
                  ? table.text(i, name)
                  : std::string(name);
     };
-    out.push_back(comparison(text(how.set), point_text(table, i, how.point), text(how.quantity),
-                             table.number(i, how.here), table.number(i, how.reference),
-                             has_mast ? table.number(i, "mast_deg") : kMissing));
+    out.push_back({text(how.set), point_text(table, i, how.point), text(how.quantity),
+                   table.number(i, how.here), table.number(i, how.reference),
+                   has_mast ? table.number(i, "mast_deg") : kMissing, kMissing,
+                   how.other != nullptr ? table.number(i, how.other) : kMissing});
   }
 }
 
@@ -125,9 +119,9 @@ void read_hover(const Table& table, std::vector<Comparison>& out) {
     const bool is_oarf = table.text(i, "facility") == "OARF";
     const std::string set = is_oarf ? "rotor_hover" : "rotor_hover_wadc";
     const std::string point = point_text(table, i, {"run", "point", "ct"});
-    out.push_back(comparison(set, point, "cp", table.number(i, "cp_here"), table.number(i, "cp_measured")));
-    out.push_back(comparison(set, point, "figure_of_merit", table.number(i, "figure_of_merit_here"),
-                             table.number(i, "figure_of_merit_measured")));
+    out.push_back({set, point, "cp", table.number(i, "cp_here"), table.number(i, "cp_measured")});
+    out.push_back({set, point, "figure_of_merit", table.number(i, "figure_of_merit_here"),
+                   table.number(i, "figure_of_merit_measured")});
   }
 }
 
@@ -139,8 +133,9 @@ void read_frequencies(const Table& table, const std::string& name, double mast_d
   for (std::size_t i = 0; i < table.rows(); i += stride) {
     const std::string point = name + " omega=" + fixed(table.number(i, "omega_rad_s"), 4);
     for (const std::string column : {"gain_db", "phase_deg"}) {
-      out.push_back(comparison("transfer_functions", point, column, table.number(i, column),
-                               table.number(i, "identified_" + column), mast_deg));
+      out.push_back({"transfer_functions", point, column, table.number(i, column),
+                     table.number(i, "identified_" + column), mast_deg, kMissing,
+                     table.number(i, "other_" + column)});
     }
   }
 }
@@ -155,10 +150,9 @@ void read_other_modes(const Table& modes, std::vector<Comparison>& out) {
     const auto value = [&](const char* column) {
       return here.rows() > 0 ? here.number(0, column) : kMissing;
     };
+    out.push_back({"modes_other_sheng", point, "real_1_per_s", value("real"), set.number(i, "real_1_per_s")});
     out.push_back(
-        comparison("modes_other_sheng", point, "real_1_per_s", value("real"), set.number(i, "real_1_per_s")));
-    out.push_back(comparison("modes_other_sheng", point, "imag_rad_per_s", value("imag"),
-                             set.number(i, "imag_rad_per_s")));
+        {"modes_other_sheng", point, "imag_rad_per_s", value("imag"), set.number(i, "imag_rad_per_s")});
   }
 }
 
@@ -173,17 +167,15 @@ std::vector<Comparison> comparisons(const std::vector<Section>& sections) {
                                        table_of(sections, "modes"), table_of(sections, "response"),
                                        table_of(sections, "response_modes"));
   for (std::size_t i = 0; i < claims.rows(); ++i) {
-    all.push_back(comparison("paper_claims", claims.text(i, "point"), claims.text(i, "quantity"),
-                             claims.number(i, "here"), claims.number(i, "reference"),
-                             claims.number(i, "mast_deg")));
+    all.push_back({"paper_claims", claims.text(i, "point"), claims.text(i, "quantity"),
+                   claims.number(i, "here"), claims.number(i, "reference"), claims.number(i, "mast_deg")});
   }
-  const Table loads = compared_component_loads();
-  for (std::size_t i = 0; i < loads.rows(); ++i) {
-    Comparison c = comparison(loads.text(i, "set"), loads.text(i, "point"), loads.text(i, "quantity"),
-                              loads.number(i, "here"), loads.number(i, "reference"));
-    c.scale = loads.number(i, "scale");
-    all.push_back(c);
-  }
+  compare_component_loads(all);
+  compare_printed_trims(all);
+  compare_linear_model(all);
+  compare_modes(all);
+  compare_lateral_frequencies(all);
+  compare_flight_facts(all);
   return all;
 }
 
@@ -203,7 +195,7 @@ std::vector<Judged> judge(const std::vector<Comparison>& all) {
   std::vector<Judged> judged;
   for (const Comparison& c : all) {
     const Tolerance rule = tolerance_of(c.set, c.quantity, c.mast_deg);
-    const double most = allowed(rule, c.scale);
+    const double most = allowed(rule, std::isnan(c.scale) ? c.reference : c.scale);
     const double off = shortfall(rule, c.here, c.reference);
     Judged j{c, most, kMissing, "information", rule.cause};
     if (rule.judged) {
@@ -248,6 +240,16 @@ std::vector<std::string> compare_with_list(std::vector<Judged>& judged, const Ta
   return faults;
 }
 
+// In the order of the comparisons; a reason once given is kept, a new one is the cause of the rules.
+Table true_list(const std::vector<Judged>& judged, const Table& known) {
+  Table list({"set", "point", "quantity", "reason"});
+  for (const std::string& line : known.comments()) list.comment(line);
+  for (const Judged& j : judged) {
+    if (j.ratio > 1) list.add({j.what.set, j.what.point, j.what.quantity, j.cause});
+  }
+  return list;
+}
+
 Table sets_table(const std::vector<Judged>& judged) {
   Table table({"set", "kind", "numbers", "judged", "within", "known", "worst_ratio", "source"});
   table.comment("worst_ratio: largest difference over its tolerance; empty where nothing is judged.");
@@ -281,21 +283,27 @@ Validation validate(const std::vector<Section>& sections) {
 Validation validate(const std::vector<Section>& sections, const Table& known) {
   std::vector<Judged> judged = judge(comparisons(sections));
   Validation v{Table({"set", "point", "quantity", "here", "reference", "difference", "tolerance", "ratio",
-                      "status", "kind", "source", "cause"}),
+                      "status", "kind", "aircraft", "other", "source", "cause"}),
+               Table({}),
                Table({}),
                {}};
   v.faults = compare_with_list(judged, known);
+  v.known = true_list(judged, known);
   std::stable_sort(judged.begin(), judged.end(), comes_before);
   v.rows.comment("ratio: difference over tolerance; of a bound, only what lies beyond it. Empty: no number");
   v.rows.comment("here, or not judged. status: within, known (see known_exceedances), exceeds, better,");
-  v.rows.comment("information (not judged).");
+  v.rows.comment(
+      "information (not judged). aircraft: which one is compared, by the kind of evidence; other: the number");
+  v.rows.comment("of the other of simulated and flown aircraft, where it differs.");
   const Table sets = reference_points("validation_sets");
   for (const Judged& j : judged) {
     const Comparison& c = j.what;
     const Table set = sets.where("set", c.set);
     if (set.rows() != 1) throw std::runtime_error("validation_sets.csv: no single row for " + c.set);
     v.rows.add({c.set, c.point, c.quantity, c.here, c.reference, c.here - c.reference, j.tolerance,
-                ratio_text(j.ratio), j.status, set.text(0, "kind"), set.text(0, "source"), j.cause});
+                ratio_text(j.ratio), j.status, set.text(0, "kind"),
+                std::string(word(compared_aircraft(c.set))), c.other == c.here ? kMissing : c.other,
+                set.text(0, "source"), j.cause});
   }
   v.sets = sets_table(judged);
   return v;
@@ -327,9 +335,11 @@ Section validation_section(const Validation& v) {
        "model; the 1975 "
        "design speeds Vc and Vd and the blade life of 1980, which are structural; roots of other models that "
        "follow from sign "
-       "errors; the attitude after one second in hover, whose axis is printed ambiguously."});
+       "errors; the attitude after one second in hover, whose axis is printed ambiguously; sideward and "
+       "rearward flight, take-off and the course of a conversion, which are no trim."});
   section.tables.push_back({"validation_sets", "the sets", v.sets, true});
   section.tables.push_back({"validation", "every number, the worst first", v.rows, true});
+  section.tables.push_back({"known_exceedances", "what lies outside, as this run would list it", v.known});
   return section;
 }
 

@@ -14,6 +14,7 @@ struct Validation {
   // within tolerance now.
   Table rows;
   Table sets;                       // one row a set: kind, numbers, within, known, worst, source
+  Table known;                      // the list of known exceedances as it would be true
   std::vector<std::string> faults;  // one line each; empty: passed
 };
 

@@ -32,7 +32,7 @@ struct Options {
   bool flap_angular_acceleration = false;  // keep the hub's angular acceleration in the flap equations
   bool coning_states = false;              // coning as two states a rotor instead of a constant
   bool mast_cant = true;
-  double hub_spring_factor = 1;  // multiplies the hub spring, whose value has no public source
+  double hub_spring_factor = 1;  // multiplies the hub spring
   InflowShape inflow = InflowShape::pitt_peters;
   ApparentMass apparent_mass = ApparentMass::impermeable;
   bool disk_plane_inflow = false;   // through-flow normal to the tilted disk instead of the shaft

@@ -1,0 +1,123 @@
+#include "study/flight_facts.hpp"
+
+#include <algorithm>
+
+#include "study/linear_models.hpp"
+#include "study/printed_flights.hpp"
+#include "study/reference_points.hpp"
+#include "study/transfer_function.hpp"
+
+namespace tiltrotor::study {
+
+namespace {
+
+// Conditions of an identified response of flight, and what flight had there.
+constexpr double kCruiseSpeed = 104.4;  // m/s
+constexpr double kCruiseAltitude = 2438;
+constexpr double kStallMass = 12500 * 0.45359237;  // kg, of 12,000 to 13,000 lb
+constexpr double kFlownYaw = 5.45;                 // deg/s^2 an inch: transfer_functions_lateral.csv
+
+// Leading coefficient of the identified pitch rate to elevator, 1/s^2.
+double flown_elevator() {
+  const Table function =
+      reference_points("transfer_functions").where("name", std::string("cruise_q_elevator"));
+  const std::string& numerator = function.text(0, "numerator");
+  return polynomial(numerator.substr(0, numerator.find(' ')), 0).real();
+}
+
+double flown_short_period() {
+  return reference_points("modes_identified")
+      .where("mode", std::string("short period"))
+      .number(0, "frequency_rad_s");
+}
+
+double ratio_of(const std::string& quantity, ComparedAircraft aircraft, double mast_deg) {
+  Setup setup = setup_of(aircraft, mast_deg);
+  if (quantity == "ratio_yaw") {
+    return degrees(control_derivative(quasi_steady(linear_model_at(setup, 0, kAllControls)),
+                                      kStateIndex.rates.z, kControlIndex.pedal)) /
+           kFlownYaw;
+  }
+  setup.altitude = kCruiseAltitude;
+  const Linear model = linear_model_at(setup, kCruiseSpeed, kAllControls);
+  if (quantity == "ratio_elevator")
+    return control_derivative(model, kStateIndex.rates.y, kControlIndex.elevator) / flown_elevator();
+  const Modes modes = modes_of(model);
+  for (int k = 0; k < modes.count; ++k) {
+    if (modes.mode[k].label.kind == ModeKind::short_period)
+      return modes.mode[k].frequency / flown_short_period();
+  }
+  return kMissing;
+}
+
+// Largest part of the travel of sticks and pedals; NaN where a limit of the trim is exceeded.
+double travel_used(const Configured& c, double speed_mps) {
+  const Trimmed t = trimmed_persistently(c, speed_mps);
+  if (t.status != TrimStatus::ok) return kMissing;
+  const ControlTables<double>& travel = c.aircraft->controls;
+  return std::max({std::fabs(t.controls.long_stick) / travel.long_travel,
+                   std::fabs(t.controls.lat_stick) / travel.lat_travel,
+                   std::fabs(t.controls.pedal) / travel.pedal_travel});
+}
+
+constexpr int kHalvings = 30;
+
+// Lowest speed of level flight with the wing short of its stall.
+double stall_speed(const Setup& setup) {
+  const Configured c = configured(setup);
+  double low = 30;
+  double high = 70;
+  for (int k = 0; k < kHalvings; ++k) {
+    const double speed = 0.5 * (low + high);
+    const Trimmed t = trimmed_persistently(c, speed);
+    const bool flies = is_trimmed(t.status) && t.status != TrimStatus::wing_stall;
+    (flies ? high : low) = speed;
+  }
+  return high;
+}
+
+// Rate of descent at which the rotors take no power.
+double idle_descent(const Setup& setup, double speed_mps) {
+  const Configured c = configured(setup);
+  double steep = -0.5;  // rad
+  double shallow = 0;
+  for (int k = 0; k < kHalvings; ++k) {
+    const double climb = 0.5 * (steep + shallow);
+    (total_power_kw(trimmed_persistently(c, speed_mps, climb)) > 0 ? shallow : steep) = climb;
+  }
+  return -speed_mps * std::sin(shallow);
+}
+
+double value_of(const Table& facts, std::size_t i, ComparedAircraft aircraft) {
+  const std::string& quantity = facts.text(i, "quantity");
+  const double mast = facts.number(i, "mast_deg");
+  if (quantity.find("ratio_") == 0) return ratio_of(quantity, aircraft, mast);
+  Setup setup = setup_of(aircraft, mast);
+  const double speed = kKnot * facts.number(i, "speed_kt");
+  if (quantity == "stall_speed_mps") {
+    setup.mass = kStallMass;
+    return stall_speed(setup);
+  }
+  if (quantity == "descent_mps") return idle_descent(setup, speed);
+  return travel_used(configured(setup), speed);
+}
+
+std::vector<Comparison> compared(const std::string& set, ComparedAircraft aircraft) {
+  std::vector<Comparison> rows;
+  const Table facts = reference_points("flight_facts").where("set", set);
+  for (std::size_t i = 0; i < facts.rows(); ++i) {
+    rows.push_back({set, facts.text(i, "name") + ", " + point_of(facts, i), facts.text(i, "quantity"),
+                    value_of(facts, i, aircraft), facts.number(i, "value"), facts.number(i, "mast_deg")});
+  }
+  return rows;
+}
+
+}  // namespace
+
+void compare_flight_facts(std::vector<Comparison>& out) {
+  for (const std::string set : {"ratios_gtrs_over_flight", "flight_facts"})
+    add_compared(
+        set, [&](ComparedAircraft aircraft) { return compared(set, aircraft); }, out);
+}
+
+}  // namespace tiltrotor::study
