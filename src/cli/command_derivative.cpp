@@ -21,7 +21,7 @@ namespace {
 void rates_without_rounding(const Configuration<double>& c, const StateRow& row,
                             double (&rates)[state_count]) {
   Evaluation<double> evaluation;
-  evaluate(c, row.state, row.controls, evaluation);
+  evaluate_aircraft(c, row.state, row.controls, evaluation);
   double forces = kGravity<double> * c.mass.mass;
   double moments = 0;
   for (const Loads<double>& l : evaluation.loads.component) {

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "cli/nearest.hpp"
-#include "cli/number.hpp"
+#include "text/nearest.hpp"
+#include "text/number.hpp"
 #include "text/rounding.hpp"
 #include "tiltrotor/analysis/trim/trim.hpp"
 #include "tiltrotor/math/differentiation/preaccumulate.hpp"

@@ -144,7 +144,7 @@ Range StateFile::range_of(std::size_t column) const {
       const std::vector<std::string> limits = split(cell("limits"), ' ');
       if (std::find(limits.begin(), limits.end(), kControlVariables[target.index].name) != limits.end())
         return between(-kLargestControl<double>, kLargestControl<double>);
-      const ControlRange<double> range = control_range<double>(target.index);
+      const Bounds<double> range = control_range(aircraft_data<double>(), target.index);
       return between(range.low, range.high);
     }
     default:

@@ -70,7 +70,7 @@ Evaluation<double> evaluated(const Configured& c, const State<double>& x, const 
 }
 
 double shaft_thrust(const Configured& c, const Trimmed& t) {
-  return evaluated(c, t.state, t.controls).rotor[right].loads.force.z;
+  return evaluated(c, t.state, t.controls).rotor[right].loads.force_a.z;
 }
 
 double transmission_power(const Configured& c) {

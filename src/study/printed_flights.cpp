@@ -29,7 +29,7 @@ Flight flown(const Setup& setup, double speed_kt) {
 
 // Flow down through the disk over tip speed, of the climbing rotor and the mean induced together.
 double inflow_ratio(const Flight& f) {
-  const double climb = dot(f.c.hub[right].thrust_axis, f.trim.state.velocity);
+  const double climb = dot(f.c.hub[right].thrust_axis_b, f.trim.state.velocity);
   return climb / f.c.tip_speed + f.trim.state.rotor[right].lambda_0;
 }
 

@@ -101,7 +101,7 @@ TEST(cli_rotor_in_hover_has_no_force_in_its_plane) {
 }
 
 TEST(cli_numbers_below_the_rounding_of_their_terms_are_zero) {
-  using tiltrotor::cli::without_rounding;
+  using tiltrotor::text::without_rounding;
   CHECK_EQ(without_rounding(0.9e-12, 100), 0.0);
   CHECK_EQ(without_rounding(-0.9e-12, 100), 0.0);
   CHECK_EQ(without_rounding(1.1e-12, 100), 1.1e-12);

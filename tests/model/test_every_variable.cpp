@@ -38,7 +38,7 @@ TEST(derivatives_fill_every_rate_and_load) {
     Evaluation<double> e;
     fill_with_nan(work);
     fill_with_nan(e);
-    evaluate(c, s.x, s.u, work, e);
+    evaluate_aircraft(c, s.x, s.u, work, e);
     const std::array<double, state_count> rates = flat<double, State>(e.rates);
     for (std::size_t i = 0; i < state_count; ++i)
       if (!CHECK(std::isfinite(rates[i]))) NOTE("no rate of " << kStateVariables.row[i].name);

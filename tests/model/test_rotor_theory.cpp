@@ -120,11 +120,11 @@ TEST(rotor_in_plane_force_takes_back_pitch_damping) {
   for (const double collective : {0.1, 0.15, 0.2}) {
     const IsolatedRotor<double> hover = settled_in(c, collective, 0, 0);
     RotorInput<double> pitching = hover.input;
-    pitching.rates.y = rate;
+    pitching.rates_a.y = rate;
     pitching = settled(c, pitching, true);
     const double tilt = pitching.state.b1c - hover.input.state.b1c;
     CHECK_REL(tilt / rate, 16 / (textbook.lock_number(c) * c.setup.rotor_speed), 0.02);
-    const double back = rotor_response(c, pitching, c.azimuth).loads.force.x - hover.response.loads.force.x;
+    const double back = rotor_response(c, pitching, c.azimuth).loads.force_a.x - hover.response.loads.force_a.x;
     const double kept =
         1.5 - TextbookRotor::kLiftSlope / 12 * collective / (hover.figures.thrust_coefficient / kSolidity);
     CHECK_NEAR(-back / (hover.figures.thrust * tilt), kept, 0.01);
@@ -141,13 +141,13 @@ TEST(rotor_of_this_aircraft_keeps_half_of_its_pitch_damping) {
   const RotorInput<double> hover = settled_at_thrust(c, hover_input(c), 7000 * kPound);
   RotorInput<double> pitching = hover;
   const double rate = 1e-4;
-  pitching.rates.y = rate;
+  pitching.rates_a.y = rate;
   pitching = settled(c, pitching);
   const RotorLoads<double> still = rotor_response(c, hover, c.azimuth).loads;
   const RotorLoads<double> moved = rotor_response(c, pitching, c.azimuth).loads;
   const double tilt = pitching.state.b1c - hover.state.b1c;
-  const double kept = -(moved.force.x - still.force.x) / (still.force.z * tilt);
-  const double ct = still.force.z / (c.air.density * kDiskArea * c.tip_speed * c.tip_speed);
+  const double kept = -(moved.force_a.x - still.force_a.x) / (still.force_a.z * tilt);
+  const double ct = still.force_a.z / (c.air.density * kDiskArea * c.tip_speed * c.tip_speed);
   NOTE("tilt per rate " + std::to_string(tilt / rate) + " s, kept " + std::to_string(kept));
   CHECK_NEAR(kept, 1 - 0.29 * hover.collective / (ct / 0.0891), 0.04);
   CHECK_NEAR(kept, 0.52, 0.03);
