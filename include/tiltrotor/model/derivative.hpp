@@ -74,9 +74,9 @@ void recorded_derivative(const Configuration<C>& c, const State<T>& x, const Con
   derivative_detail::local_airframe_response(c, work.airframe_input, work.local.airframe, work.airframe,
                                              record);
 
+  out_of_line([&] { work.total = work.hub_loads[right] + work.hub_loads[left] + work.airframe.total; });
+  out_of_line([&] { rigid_body_rates(c, x, work.total, rates); });
   out_of_line([&] {
-    work.total = work.hub_loads[right] + work.hub_loads[left] + work.airframe.total;
-    rigid_body_rates(c, x, work.total, rates);
     for (const Side side : {right, left}) rotor_rates(c, x, work.rotor[side], side, rates);
     rates.downwash = downwash_rate(c, x, work.velocity_b, work.airframe.downwash);
   });
