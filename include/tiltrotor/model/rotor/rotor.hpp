@@ -76,7 +76,8 @@ void quasi_static_rotor(const Configuration<Real<T>>& c, const RotorInput<T>& in
   at.state.b1s_rate = T(R(0));
   rotor_loads(c, at, azimuth, work.blades, work.loads_at_rest);
   const RotorLoads<T>& at_rest = work.loads_at_rest;
-  out_of_line([&] { out.flapping = quasi_static_flap_rates(c, in.state, in.rates_a, at_rest.mc, at_rest.ms); });
+  out_of_line(
+      [&] { out.flapping = quasi_static_flap_rates(c, in.state, in.rates_a, at_rest.mc, at_rest.ms); });
   at.state.b1c_rate = out.flapping.b1c_rate;
   at.state.b1s_rate = out.flapping.b1s_rate;
   rotor_loads(c, at, azimuth, work.blades, out.loads);
