@@ -64,8 +64,8 @@ unsigned changed(const Evaluation<double>& a, const Evaluation<double>& b) {
   for (const int side : {right, left}) {
     const RotorLoads<double>& p = a.rotor[side].loads;
     const RotorLoads<double>& q = b.rotor[side].loads;
-    mark(p.force_a.x == q.force_a.x && p.force_a.y == q.force_a.y && p.force_a.z == q.force_a.z && p.torque == q.torque &&
-             p.mc == q.mc && p.ms == q.ms,
+    mark(p.force_a.x == q.force_a.x && p.force_a.y == q.force_a.y && p.force_a.z == q.force_a.z &&
+             p.torque == q.torque && p.mc == q.mc && p.ms == q.ms,
          rotor_forces);
     const RotorState<double>& x = a.rates.rotor[side];
     const RotorState<double>& y = b.rates.rotor[side];

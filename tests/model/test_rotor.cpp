@@ -281,8 +281,8 @@ TEST_OF_XV15(rotor_axial_flow_is_axisymmetric) {
   const Loads<double> hover =
       hub_loads(up, right, RotorState<double>{}, RotorLoads<double>{V{0, 0, 0}, 1000, 0, 0, 0});
   CHECK_LT(990.0, hover.moment.z);
-  CHECK_REL(r.moment.x - (c.hub[right].arm_b.y * r.force.z - c.hub[right].arm_b.z * r.force.y), -out.loads.torque,
-            1e-12);
+  CHECK_REL(r.moment.x - (c.hub[right].arm_b.y * r.force.z - c.hub[right].arm_b.z * r.force.y),
+            -out.loads.torque, 1e-12);
 }
 
 // Everything turned by 90 deg about the shaft gives everything turned by 90 deg.

@@ -98,8 +98,8 @@ Status solve(const Configuration<R>& c, const Unknowns& set, CyclicUse cyclic,
 template <class R>
 MomentumRange range(const Configuration<R>& c, const IsolatedRotor<R>& rotor) {
   const Vec3<R>& v = rotor.input.velocity_a;
-  return momentum_range(axial_flow(c.air.density, c.aircraft->rotor.radius, rotor.response.loads.force_a.z, v.z,
-                                   v.x, rotor.input.state.lambda_0 * c.tip_speed));
+  return momentum_range(axial_flow(c.air.density, c.aircraft->rotor.radius, rotor.response.loads.force_a.z,
+                                   v.z, v.x, rotor.input.state.lambda_0 * c.tip_speed));
 }
 
 }  // namespace isolated_rotor_detail
