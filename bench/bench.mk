@@ -65,23 +65,21 @@ endef
 # ---- instructions: independent of load and clock, hence a check for every change ----
 
 # One instruction set and one version of a compiler make counts comparable; valgrind knows no AVX-512.
-# After a change that is meant: cp build/bench/g++/instructions.csv bench/limits.csv, and clang++ alike.
+# After a change that is meant: cp build/bench/g++/instructions.csv bench/limits.csv, and clang alike.
 COUNTED := $(BUILD)/instructions
 
-COUNTERS := g++:12:limits.csv clang++:14:limits_clang.csv
+COUNTED_GXX   := $(if $(findstring clang,$(CXX)),g++,$(CXX))
+COUNTED_CLANG := $(if $(findstring clang,$(CXX)),$(CXX),clang++)
 
 bench-instructions: ## count instructions with g++ and clang++, compare with bench/limits.csv and limits_clang.csv
 	+$(Q)if ! tests/tool.sh bench-instructions valgrind valgrind; then :; \
 	elif [ "$$(uname -m)" != x86_64 ]; then echo "bench-instructions: the limits are for x86-64, nothing counted"; \
-	else set -e; $(foreach counter,$(COUNTERS),$(call count_with,$(subst :, ,$(counter)))) :; fi
+	else set -e; $(call count_with,g++,12,$(COUNTED_GXX),limits.csv); $(call count_with,clang,14,$(COUNTED_CLANG),limits_clang.csv); fi
 
-# $(call count_with,COMPILER VERSION LIMITS)
-define count_with
-	version=$$($(word 1,$(1)) -dumpversion 2>/dev/null || echo none); \
-	if [ "$${version%%.*}" != $(word 2,$(1)) ]; then \
-	  echo "bench-instructions: bench/$(word 3,$(1)) is for $(word 1,$(1)) $(word 2,$(1)), found: $$version, nothing counted"; \
-	else echo "  $(word 1,$(1)) $$version"; \
-	  $(MAKE) --no-print-directory BUILD=$(COUNTED)/$(word 1,$(1)) CXX='$(word 1,$(1))' ARCH=x86-64-v3 \
-	    CXXFLAGS=-O3 $(COUNTED)/$(word 1,$(1))/bench_instructions; \
-	  bench/count_instructions.sh $(COUNTED)/$(word 1,$(1))/bench_instructions bench/$(word 3,$(1)) $(BUILD)/bench/$(word 1,$(1)); fi;
-endef
+# $(call count_with,KIND,VERSION,COMPILER,LIMITS)
+count_with = version=$$($(3) -dumpversion 2>/dev/null || echo none); \
+	if [ "$${version%%.*}" != $(2) ]; then \
+	  echo "bench-instructions: bench/$(4) is for $(1) $(2) (Debian: $(1)-$(2)), not for $(3), version $$version: nothing counted"; \
+	else echo " $(3) $$version"; \
+	  $(MAKE) --no-print-directory BUILD=$(COUNTED)/$(1) CXX='$(3)' ARCH=x86-64-v3 CXXFLAGS=-O3 $(COUNTED)/$(1)/bench_instructions; \
+	  bench/count_instructions.sh $(COUNTED)/$(1)/bench_instructions bench/$(4) $(BUILD)/bench/$(1); fi

@@ -24,14 +24,14 @@ struct Room {
 };
 constexpr Room kRooms[] = {
     {"generated", ""},  // by the build
-    {"interface", ""},  // the C header
+    {"interface", ""},  // the C headers
     {"math", ""},
     {"model", "math"},
     {"systems", "math model"},
     {"analysis", "math model systems"},
     {"facade", "math model systems analysis"},  // headers of include/tiltrotor/ itself
     {"library", "generated interface math model systems analysis"},
-    {"text", "generated library"},
+    {"text", "generated math model systems analysis library"},
     {"plot", "text"},
     {"study", "generated math model systems analysis library text plot"},
     {"cli", "math model systems analysis library text study"},
@@ -48,7 +48,7 @@ std::set<std::string> words(const std::string& text) {
 
 // The room of a file, by its path from the root of the tree; empty: of none.
 std::string room_of(const std::string& path) {
-  if (path == "include/tiltrotor/tiltrotor.h") return "interface";
+  if (std::regex_match(path, std::regex("include/tiltrotor/\\w+\\.h"))) return "interface";
   std::smatch part;
   if (std::regex_match(path, part, std::regex("include/tiltrotor/(\\w+)/.*"))) return part[1];
   if (std::regex_match(path, std::regex("include/tiltrotor/[^/]*"))) return "facade";

@@ -145,7 +145,8 @@ TEST(pages_name_tests_that_exist) {
   Names tests(choices.begin(), choices.end());
   for (const std::string& file : all)
     if (is(file, "tests/.*\\.cpp"))
-      for (const std::string& name : found(content(file), "^TEST(?:_OF_XV15)?\\((\\w+)\\)")) tests.insert(name);
+      for (const std::string& name : found(content(file), "^TEST(?:_OF_XV15)?\\((\\w+)\\)"))
+        tests.insert(name);
   int count = 0;
   for (const char* const page : kPages) {
     for (const std::string& word : quoted_words(page)) {

@@ -9,8 +9,8 @@
 #include "cli/command.hpp"
 #include "cli/errors.hpp"
 #include "cli/output.hpp"
-#include "text/rounding.hpp"
 #include "cli/states_option.hpp"
+#include "text/rounding.hpp"
 #include "tiltrotor/model/derivative.hpp"
 
 namespace tiltrotor::cli {

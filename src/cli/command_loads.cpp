@@ -6,9 +6,9 @@
 #include "cli/command.hpp"
 #include "cli/errors.hpp"
 #include "cli/output.hpp"
-#include "text/rounding.hpp"
 #include "cli/states_option.hpp"
 #include "cli/trimmed_flights.hpp"
+#include "text/rounding.hpp"
 #include "tiltrotor/model/derivative.hpp"
 
 namespace tiltrotor::cli {

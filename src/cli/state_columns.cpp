@@ -65,7 +65,8 @@ constexpr bool printed_unit_fits(int state) {
 constexpr bool every_state_is_printed() {
   if (std::size(printed_states) != state_count) return false;
   for (int i = 0; i < state_count; ++i)
-    if (std::string_view(printed_states[i].state) != kStateVariables[i].name || !printed_unit_fits(i)) return false;
+    if (std::string_view(printed_states[i].state) != kStateVariables[i].name || !printed_unit_fits(i))
+      return false;
   return true;
 }
 static_assert(every_state_is_printed(), "a row of printed_states per state, in order");

@@ -13,8 +13,8 @@
 
 #include "cli/errors.hpp"
 #include "cli/line_reader.hpp"
-#include "text/number.hpp"
 #include "cli/state_columns.hpp"
+#include "text/number.hpp"
 #include "text/records.hpp"
 
 namespace tiltrotor::cli {

@@ -55,10 +55,3 @@ TEST(cli_bad_loading_is_told_the_aircrafts_range) {
                    message.substr(at + 8, message.find(' ', at + 8) - at - 8)));
   }
 }
-
-TEST(cli_bad_flap_is_told_the_settings) {
-  const tiltrotor::WingTables<double>& wing = tiltrotor::aircraft_data<double>().wing;
-  const std::string message = run_tiltrotor("trim --flap 13").err;
-  for (int k = 0; k < wing.flap_settings; ++k)
-    CHECK(contains(message, std::to_string(static_cast<int>(wing.flap_deg[k]))));
-}

@@ -146,11 +146,12 @@ TEST(tools_of_a_wrong_version_are_one_line) {
            "left out\n");
   // Counts of another compiler are not those of the limits.
   add_tool(folder, "g++-99", "[ \"$1\" = -dumpversion ] && echo 99");
+  add_tool(folder, "clang++", "[ \"$1\" = -dumpversion ] && echo 99.1");
   add_tool(folder, "valgrind", "exit 0");
   const ProgramResult counts = run_here(folder, make(folder, "bench-instructions CXX=g++-99"), false);
   CHECK_EQ(counts.exit_status, 0);
-  CHECK_EQ(lines(counts.out + counts.err), 1);
-  CHECK(contains(counts.out, "g++-12"));
+  CHECK_EQ(lines(counts.out + counts.err), 2);
+  CHECK(contains(counts.out, "g++-12") && contains(counts.out, "clang-14"));
   // clang++ is asked by FUZZ_CXX and COVERAGE_CXX, and g++ is not clang.
   const ProgramResult coverage = run_here(folder, make(folder, "coverage COVERAGE_CXX=g++"), false);
   CHECK_EQ(coverage.exit_status, 0);

@@ -5,9 +5,9 @@
 
 #include "check.hpp"
 #include "cli/csv_text.hpp"
-#include "text/rounding.hpp"
 #include "cli/scratch_folder.hpp"
 #include "run_program.hpp"
+#include "text/rounding.hpp"
 
 using check::CsvText;
 using check::run_tiltrotor;

@@ -124,7 +124,8 @@ TEST(rotor_in_plane_force_takes_back_pitch_damping) {
     pitching = settled(c, pitching, true);
     const double tilt = pitching.state.b1c - hover.input.state.b1c;
     CHECK_REL(tilt / rate, 16 / (textbook.lock_number(c) * c.setup.rotor_speed), 0.02);
-    const double back = rotor_response(c, pitching, c.azimuth).loads.force_a.x - hover.response.loads.force_a.x;
+    const double back =
+        rotor_response(c, pitching, c.azimuth).loads.force_a.x - hover.response.loads.force_a.x;
     const double kept =
         1.5 - TextbookRotor::kLiftSlope / 12 * collective / (hover.figures.thrust_coefficient / kSolidity);
     CHECK_NEAR(-back / (hover.figures.thrust * tilt), kept, 0.01);

@@ -101,7 +101,8 @@ TEST_OF_XV15(property_scaled_tables_have_scaled_loads_and_rates) {
     Evaluation<double> full;
     Evaluation<double> model;
     evaluate_aircraft(pair.full, x.x, x.u, full);
-    evaluate_aircraft(pair.model, scaled::scaled_state(x.x, kScale), scaled::scaled_controls(x.u, kScale), model);
+    evaluate_aircraft(pair.model, scaled::scaled_state(x.x, kScale), scaled::scaled_controls(x.u, kScale),
+                      model);
     const double weight = pair.full.mass.mass * kGravity<double>;
     for (int component = 0; component < component_count; ++component) {
       const Loads<double>& expected = full.loads.component[component];

@@ -81,4 +81,3 @@ TEST(arithmetic_other_rounding_is_found_by_every_call_that_computes) {
   }
   CHECK_EQ(tr_step(&sim, &work, static_cast<tr_real>(0.005)), TR_OK);
 }
-

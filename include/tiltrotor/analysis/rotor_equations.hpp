@@ -15,9 +15,9 @@ enum class CyclicUse : unsigned char {
 
 template <class R>
 struct RotorFlow {
-  R axial;                        // speed up the shaft (climb; airplane mode forward), m/s, within LimitTables::speed
-  R in_plane;                     // speed of the hub across the shaft, m/s, within LimitTables::speed
-  R collective;                   // blade pitch at the reference radius, rad, within 90 deg
+  R axial;       // speed up the shaft (climb; airplane mode forward), m/s, within LimitTables::speed
+  R in_plane;    // speed of the hub across the shaft, m/s, within LimitTables::speed
+  R collective;  // blade pitch at the reference radius, rad, within 90 deg
   R lateral_cyclic, long_cyclic;  // A1, B1, rad, within 30 deg
   CyclicUse cyclic;
 };

@@ -1,6 +1,8 @@
 // Words and numbers one after the other in a buffer of the caller.
 #pragma once
 
+#include "tiltrotor/math/arithmetic.hpp"
+
 namespace tiltrotor {
 
 // Appends to a buffer and always leaves it terminated; what does not fit is cut.
@@ -54,7 +56,7 @@ class Sentence {
     return *this;
   }
   int length() const { return length_; }
-  int room() const { return capacity_ - 1 - length_; }
+  int left() const { return capacity_ - 1 - length_; }
 
  private:
   void put(char c) {

@@ -48,7 +48,7 @@ void write_limits(const LimitCheck<R>& check, Sentence& sentence) {
   sentence.fixed(limit.factor * static_cast<double>(shown(first, first.bound))) << " " << limit.unit;
   for (int k = 1; k < check.count; ++k) {
     const int longest = 48;  // of one more, and the count of those that follow
-    if (sentence.room() < longest) {
+    if (sentence.left() < longest) {
       sentence << ", " << check.count - k << " more";
       return;
     }

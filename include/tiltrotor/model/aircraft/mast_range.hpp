@@ -1,6 +1,8 @@
 // A number that changes with mast angle.
 #pragma once
 
+#include "tiltrotor/math/arithmetic.hpp"
+
 namespace tiltrotor {
 
 // Values at mast angle 0 and 90 deg that change linearly between.

@@ -1,6 +1,8 @@
 // Widths of the smoothing primitives.
 #pragma once
 
+#include "tiltrotor/math/arithmetic.hpp"
+
 namespace tiltrotor {
 
 // Widths of the smoothing primitives (smooth.hpp); every one in choices.csv with its reason.
