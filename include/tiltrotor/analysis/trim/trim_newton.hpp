@@ -9,10 +9,10 @@ namespace tiltrotor {
 
 template <class R, class Policy = DefaultDifferentiation>
 struct TrimWorkspace : NewtonWorkspace<R, kMaxTrimUnknowns> {
-  // As many directions as every other analysis takes: a second width would be a second copy of the model.
-  using Seeded = typename Policy::template Scalar<R, kModelDirections>;
-  typename Policy::template Workspace<R, kModelDirections, kMaxTrimUnknowns, kMaxTrimUnknowns>
-      differentiation;
+  static constexpr int kDirections =
+      kMaxTrimUnknowns < kModelDirections ? kMaxTrimUnknowns : kModelDirections;
+  using Seeded = typename Policy::template Scalar<R, kDirections>;
+  typename Policy::template Workspace<R, kDirections, kMaxTrimUnknowns, kMaxTrimUnknowns> differentiation;
   ModelWorkspaces<R, Seeded> model;
   TrimEquations<R> equations;
   R first_z[kMaxTrimUnknowns];  // where the cold start ended
