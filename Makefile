@@ -161,7 +161,7 @@ run: all ## run the whole study; figures and numbers go to build/report
 	$(Q)$(RUNNER) $(BUILD)/tiltrotor report --output '$(abspath $(BUILD))/report'
 
 validate: all ## every number against its published one, the worst first; fails where the list of known exceedances is not true
-	$(Q)$(RUNNER) $(BUILD)/tiltrotor report --validate
+	$(Q)$(RUNNER) $(BUILD)/tiltrotor report --validate --output '$(abspath $(BUILD))/report'
 
 test: all $(BUILD)/run_tests ## build and run every test, or TESTS="name ..."
 	$(Q)$(RUNNER) $(BUILD)/run_tests $(TESTS)
@@ -244,7 +244,7 @@ $(STAMPS): $(BUILD)/%.stamp: FORCE
 	@mkdir -p $(@D)
 	@printf '%s\n' '$(subst ','\'',$(STAMP_$*))' | cmp -s - $@ || printf '%s\n' '$(subst ','\'',$(STAMP_$*))' > $@
 
-# What every output names beside the aircraft: the commit, empty outside a git tree and with a + where files differ from
+# What `version` and the page name beside the aircraft: the commit, empty outside a git tree and with a + where files differ from
 # it. One small source includes it, so that a commit rebuilds nothing else.
 COMMIT   := $(shell test "$$(git rev-parse --show-toplevel 2>/dev/null)" = "$$(pwd -P)" && \
               GIT_OPTIONAL_LOCKS=0 git describe --always --abbrev=12 --exclude='*' --dirty=+ 2>/dev/null)

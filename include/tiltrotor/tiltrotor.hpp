@@ -2,7 +2,7 @@
 // libtiltrotor-aircraft.a, which holds the tables.
 //
 //   const Aircraft<double>& aircraft = aircraft_data<double>();
-//   static Configuration<double> c;      // mast angle, mass, altitude, switches: fixed for a flight
+//   static Configuration<double> c;      // mast angle, mass, altitude, switches; reconfigure() moves it
 //   static TrimWorkspace<double> work;   // memory is the caller's; these structs are too large for small stacks
 //   static TrimResult<double> trimmed;
 //   if (prepare(aircraft, flight_setup(aircraft, 30.0), c) != Status::ok) ...      // mast angle 30 deg

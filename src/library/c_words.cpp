@@ -89,7 +89,7 @@ constexpr StatusWords kWords[] = {
     {"bad_arithmetic",
      "the processor does not round to nearest, or lacks instructions of the compiled library"},
     {"vortex_ring", "trimmed, but a rotor descends in its own wake, where momentum theory does not hold"},
-    {"power_limit", "trimmed, but the rotors need more than take-off power"},
+    {"power_limit", "trimmed, but the rotors need more than take-off power, or drive the engines"},
     {"torque_limit", "trimmed, but a mast carries more than its largest steady torque"},
 };
 static_assert(sizeof(kWords) / sizeof(kWords[0]) == TR_STATUS_COUNT, "one row per status");

@@ -1,4 +1,4 @@
-// One computation on packs: elementary functions, choices and table look-ups, with slopes. Compiled twice,
+// One computation on batches: elementary functions, choices and table look-ups, with slopes. Compiled twice,
 // with the compiler's vector types and with portable lanes; whoever includes this says which by then.
 #include <vector>
 
@@ -6,7 +6,7 @@
 #include "tiltrotor/math/tables/table.hpp"
 #include "tiltrotor/math/tables/table_slopes.hpp"
 
-namespace pack_program {
+namespace batch_program {
 
 using tiltrotor::Batch;
 using tiltrotor::Dual;
@@ -60,7 +60,7 @@ R second(int i) {
 
 // Value and two slopes at every point, both modes.
 template <class R>
-std::vector<R> pack_results() {
+std::vector<R> batch_results() {
   using D = Dual<Batch<R>, 2>;
   const SampleTable<R> sample;
   std::vector<R> out;
@@ -83,4 +83,4 @@ std::vector<R> pack_results() {
   return out;
 }
 
-}  // namespace pack_program
+}  // namespace batch_program

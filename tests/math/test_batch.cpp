@@ -4,8 +4,8 @@
 #include "batch_program.hpp"
 #include "check.hpp"
 
-std::vector<double> portable_pack_results();
-std::vector<float> portable_pack_results_float();
+std::vector<double> portable_batch_results();
+std::vector<float> portable_batch_results_float();
 
 namespace {
 
@@ -15,14 +15,14 @@ using namespace tiltrotor;
 template <class R>
 std::vector<R> scalar_results() {
   using D = Dual<R, 2>;
-  const pack_program::SampleTable<R> sample;
+  const batch_program::SampleTable<R> sample;
   std::vector<R> out;
   for (const Interpolation mode : {Interpolation::c1, Interpolation::linear}) {
-    for (int i = 0; i < pack_program::kPoints; ++i) {
-      const R a = pack_program::first<R>(i);
-      const R b = pack_program::second<R>(i);
-      const D f = pack_program::formula(sample, mode, D::variable(a, 0), D::variable(b, 1));
-      for (const R x : {pack_program::formula(sample, mode, a, b), f.v, f.d.get(0), f.d.get(1)})
+    for (int i = 0; i < batch_program::kPoints; ++i) {
+      const R a = batch_program::first<R>(i);
+      const R b = batch_program::second<R>(i);
+      const D f = batch_program::formula(sample, mode, D::variable(a, 0), D::variable(b, 1));
+      for (const R x : {batch_program::formula(sample, mode, a, b), f.v, f.d.get(0), f.d.get(1)})
         out.push_back(x);
     }
   }
@@ -31,29 +31,29 @@ std::vector<R> scalar_results() {
 
 // Bits of the values, and of the slopes.
 template <class R>
-void check_same_bits(const std::vector<R>& packs, const std::vector<R>& others) {
-  if (!CHECK_EQ(packs.size(), others.size())) return;
-  for (std::size_t i = 0; i < packs.size(); ++i) {
-    if (!CHECK(packs[i] == others[i])) NOTE("number " << i << ": " << packs[i] << " and " << others[i]);
+void check_same_bits(const std::vector<R>& batches, const std::vector<R>& others) {
+  if (!CHECK_EQ(batches.size(), others.size())) return;
+  for (std::size_t i = 0; i < batches.size(); ++i) {
+    if (!CHECK(batches[i] == others[i])) NOTE("number " << i << ": " << batches[i] << " and " << others[i]);
   }
 }
 
-TEST(pack_gives_the_bits_of_plain_numbers) {
-  check_same_bits(pack_program::pack_results<double>(), scalar_results<double>());
-  check_same_bits(pack_program::pack_results<float>(), scalar_results<float>());
+TEST(batch_gives_the_bits_of_plain_numbers) {
+  check_same_bits(batch_program::batch_results<double>(), scalar_results<double>());
+  check_same_bits(batch_program::batch_results<float>(), scalar_results<float>());
 }
 
-TEST(pack_portable_form_gives_the_same_bits) {
-  check_same_bits(pack_program::pack_results<double>(), portable_pack_results());
-  check_same_bits(pack_program::pack_results<float>(), portable_pack_results_float());
+TEST(batch_portable_form_gives_the_same_bits) {
+  check_same_bits(batch_program::batch_results<double>(), portable_batch_results());
+  check_same_bits(batch_program::batch_results<float>(), portable_batch_results_float());
 }
 
-TEST(pack_value_of_dual_is_the_plain_value) {
-  const std::vector<double> results = pack_program::pack_results<double>();
+TEST(batch_value_of_dual_is_the_plain_value) {
+  const std::vector<double> results = batch_program::batch_results<double>();
   for (std::size_t i = 0; i < results.size(); i += 4) CHECK(results[i] == results[i + 1]);
 }
 
-TEST(pack_chooses_lane_by_lane) {
+TEST(batch_chooses_lane_by_lane) {
   using P = Batch<double>;
   P x;
   for (int lane = 0; lane < P::kLanes; ++lane) x.set(lane, lane);
@@ -97,7 +97,7 @@ void check_comparisons() {
 
 }  // namespace
 
-TEST(pack_compares_lane_by_lane) {
+TEST(batch_compares_lane_by_lane) {
   check_comparisons<double>();
   check_comparisons<float>();
 }

@@ -107,7 +107,7 @@ TEST(elementary_sine_next_to_its_zeros) {
 }
 
 // Packs see the operations of plain numbers over their stated range.
-TEST(pack_of_extreme_numbers_gives_the_plain_bits) {
+TEST(batch_of_extreme_numbers_gives_the_plain_bits) {
   AnyNumber<double> number;
   using P = Batch<double>;
   for (int n = 0; n < 5000; ++n) {

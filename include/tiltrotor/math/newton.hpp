@@ -3,7 +3,7 @@
 //
 //   struct Problem {                                 // what is solved, on R = double or float
 //     static constexpr bool kJacobianIsCheap;        // it costs a few values of F, and brings F along
-//     static constexpr bool kStopsUphill;            // where no length leads downhill: stop, or go on from the shortest
+//     static constexpr bool kStopsUphill;            // where no length leads downhill: stop, or go on shortest
 //     void values(const R* z, R* f);
 //     void jacobian(const R* z, R* f, Matrix<R, N, N>& j);  // f and dF/dz, with the bits of values()
 //     void limit_step(R* step);

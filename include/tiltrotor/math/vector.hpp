@@ -10,12 +10,22 @@ struct Vec3 {
   T x, y, z;
 
   template <class Self, class Visit>
-  static void each(Self& self, Visit&& visit) {
+  static constexpr void each(Self& self, Visit&& visit) {
     visit(self.x);
     visit(self.y);
     visit(self.z);
   }
 };
+
+// Whether a struct of scalars lists each of its members once with `each`, and their number as kCount.
+template <template <class> class S>
+constexpr bool lists_its_members() {
+  S<int> s{};
+  S<int>::each(s, [](int& member) { ++member; });
+  int once = 0;
+  S<int>::each(s, [&once](const int& member) { once += member == 1 ? 1 : 0; });
+  return once == S<int>::kCount && sizeof s == once * sizeof(int);
+}
 
 template <class T>
 Vec3<T> operator+(const Vec3<T>& a, const Vec3<T>& b) {

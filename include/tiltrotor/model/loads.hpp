@@ -13,11 +13,12 @@ struct Loads {
 
   static constexpr int kCount = 6;
   template <class Self, class Visit>
-  static void each(Self& s, Visit&& visit) {
+  static constexpr void each(Self& s, Visit&& visit) {
     Vec3<T>::each(s.force, visit);
     Vec3<T>::each(s.moment, visit);
   }
 };
+static_assert(lists_its_members<Loads>(), "each member of Loads is listed and counted");
 
 template <class T>
 Loads<T> operator+(const Loads<T>& a, const Loads<T>& b) {

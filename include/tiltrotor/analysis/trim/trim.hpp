@@ -63,8 +63,8 @@ struct TrimOptions {
 // equations of motion to the tolerance (1e-10 in double), otherwise it describes the best point of the first
 // attempt. rotor_stall: there is none short of the rotors' stall, and result.weight_carried is the part of
 // the weight that can be carried; looked for where the aircraft does not rest on its wing. not_converged: no
-// trim found; result.residual_state tells which equation is left, result.obstacle and result.limits, what the last point
-// exceeds, often the reason. not_finite: a field of `flight` is NaN or infinite. No call raises a
+// trim found; result.residual_state tells which equation is left, result.obstacle and result.limits what the
+// last point exceeds, often the reason. not_finite: a field of `flight` is NaN or infinite. No call raises a
 // floating-point exception for an invalid operation, a division by zero or an overflow. Cost: typically 3 to
 // 9 Jacobians; at most about 1800 Jacobians, each with 12 derivatives, with the default options.
 template <class R, class Policy>

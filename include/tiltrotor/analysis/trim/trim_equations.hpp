@@ -181,9 +181,9 @@ R blade_angle(const TrimGuessTables<R>& guess, R cm) {
   return (guess.blade_angle_deg + guess.blade_angle_hover_deg * cm * cm) * kRadPerDeg<R>;
 }
 
-// First guess for any mast angle and speed, extended to turns and climbs: bank of a
-// coordinated turn, its load factor on the rotors, and the part of the climb that thrust along the path must
-// carry. `carried`: part of the weight.
+// First guess for any mast angle and speed, extended to turns and climbs: bank of a coordinated turn, its load
+// factor on the rotors, and the part of the climb that thrust along the path must carry. `carried`: part of the
+// weight.
 template <class R>
 void trim_first_guess(const Configuration<R>& c, const SteadyFlight<R>& flight,
                       const TrimEquations<R>& equations, R* z, R carried = R(1)) {

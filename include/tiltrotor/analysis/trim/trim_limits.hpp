@@ -16,7 +16,7 @@ enum class [[nodiscard]] TrimStatus : unsigned char{
     control_limit,  // trimmed, but a control is beyond its stop
     flap_limit,     // trimmed, but a gimbal is beyond its stop
     vortex_ring,    // trimmed, but a rotor descends where momentum theory does not hold
-    power_limit,    // trimmed, but the rotors need more than take-off power
+    power_limit,    // trimmed, but the rotors need more than take-off power, or drive the engines
     torque_limit,   // trimmed, but a mast carries more than its largest steady torque
     rotor_stall,    // no trim: the rotors stall before the weight is carried
     not_converged,  // no trim found

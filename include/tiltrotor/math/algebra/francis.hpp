@@ -311,8 +311,8 @@ inline FrancisResult francis(Matrix<R, N, lane_ceil<R>(N)>& h, int n, int low, i
   R unit = R(1);
   while (high >= low) {  // each pass splits off an eigenvalue or counts a sweep
     int top = high;
-    int vanishing =
-        low;  // below it an entry as small as its neighbours: zero unless the whole block is small
+    // Below it an entry as small as its neighbours: zero unless the whole block is small.
+    int vanishing = low;
     while (top > low && !francis_detail::negligible<R, N>(h, top)) {
       const bool tiny = std::fabs(h(top, top - 1)) <= francis_detail::negligible_size<R>();
       vanishing = tiny && top > vanishing ? top : vanishing;

@@ -30,7 +30,6 @@ constexpr int lane_floor(int i) {
 template <class R, int Rows, int Cols>
 struct Matrix {
   static_assert(Rows > 0 && Cols > 0, "a matrix has at least one row and one column");
-  static constexpr int kRows = Rows;
   static constexpr int kCols = Cols;
   static constexpr bool kPadded = Cols >= kLane<R>;
   static constexpr int kStride = kPadded ? lane_ceil<R>(Cols) : Cols;

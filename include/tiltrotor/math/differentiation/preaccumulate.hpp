@@ -14,12 +14,6 @@
 
 namespace tiltrotor {
 
-// Number of scalars a struct lists with `each`.
-template <class S>
-constexpr int scalar_count() {
-  return S::kCount;
-}
-
 // Copy the listed scalars to an array, and back.
 template <class S, class T>
 void flatten(const S& s, T* array) {

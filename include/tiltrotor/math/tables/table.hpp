@@ -1,9 +1,9 @@
 // Interpolation tables on a rectangular grid, 1 to 4 dimensions, linear or C1 monotone cubic.
 //
 // A table has Smooth axes, which take any scalar and may be interpolated with C1 cubics, and Linear axes, which
-// take the configuration (mast angle, flap), found once as GridPoint, and are always linear. Each node stores the value and
-// the mixed slopes along the smooth axes (2^Smooth numbers: f, f_x, f_y, f_xy for two), computed beforehand by
-// table_slopes.hpp, so that a look-up evaluates one local polynomial. Beyond the grid: table_axis.hpp.
+// take the configuration (mast angle, flap), found once as GridPoint, and are always linear. Each node stores the
+// value and the mixed slopes along the smooth axes (2^Smooth numbers: f, f_x, f_y, f_xy for two), computed
+// beforehand by table_slopes.hpp, so that a look-up evaluates one local polynomial. Beyond the grid: bracket.hpp.
 #pragma once
 
 #include <type_traits>

@@ -112,8 +112,8 @@ struct FinTables {
   Table<R, 2> side_rudder;        // 6-I: CY against beta (deg), rudder (deg)
   Table<R, 2> side_mach;          // 6-II with rudder 0 of 6-I below M 0.2: CY against beta, Mach
   Table<R, 2> drag;               // 6-III: CD against beta, Mach
-  Table<R, 2, 2>
-      sidewash;  // 6-IV..VII: 1 - dsigma/dbeta against alpha, |beta| (deg); linear mast, flap (deg)
+  // 6-IV..VII: 1 - dsigma/dbeta against alpha, |beta| (deg); linear axes mast, flap (deg)
+  Table<R, 2, 2> sidewash;
   Table<R, 2> rotor_sidewash;  // 6-VIII: K_betaR against speed (kt), |beta| (deg)
 };
 

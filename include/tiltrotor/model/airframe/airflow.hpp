@@ -21,7 +21,7 @@ struct AirframeInput {
 
   static constexpr int kCount = 14;
   template <class Self, class Visit>
-  static void each(Self& s, Visit&& visit) {
+  static constexpr void each(Self& s, Visit&& visit) {
     Vec3<T>::each(s.velocity, visit);
     Vec3<T>::each(s.rates, visit);
     visit(s.mean_wash[right]);
@@ -34,6 +34,7 @@ struct AirframeInput {
     visit(s.rudder);
   }
 };
+static_assert(lists_its_members<AirframeInput>(), "each member of AirframeInput is listed and counted");
 
 // atan2(w, u + e): e keeps exact hover regular; its bias is below 0.1 deg at 30 m/s. The angle of air at rest
 // stands at u = -e, w = 0 instead: there it has no derivative, and next to it loads of some hundredths of a
@@ -64,9 +65,9 @@ struct FreeStream {
   T abs_beta_deg;  // smoothed |beta|, zero at zero
 };
 
+// m/s: the rounded factor of the tables' speed axes, 9e-8 below 1852/3600.
 template <class R>
-inline constexpr R kKnot =
-    R(0.5144444);  // m/s: the rounded factor of the tables' speed axes, 9e-8 below 1852/3600
+inline constexpr R kKnot = R(0.5144444);
 
 template <class T, class C>
 FreeStream<T> free_stream(const Configuration<C>& c, const Vec3<T>& velocity) {

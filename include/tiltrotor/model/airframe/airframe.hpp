@@ -17,12 +17,13 @@ struct AirframeResponse {
 
   static constexpr int kCount = 8;
   template <class Self, class Visit>
-  static void each(Self& s, Visit&& visit) {
+  static constexpr void each(Self& s, Visit&& visit) {
     Loads<T>::each(s.total, visit);
     visit(s.wing_alpha);
     visit(s.downwash);
   }
 };
+static_assert(lists_its_members<AirframeResponse>(), "each member of AirframeResponse is listed and counted");
 
 // `record(component, loads)` sees every component as it is added.
 template <class T, class C, class Record>

@@ -21,7 +21,7 @@ struct BladeFlow {
 
   static constexpr int kCount = 5;
   template <class Self, class Visit>
-  static void each(Self& s, Visit&& visit) {
+  static constexpr void each(Self& s, Visit&& visit) {
     visit(s.tangential_0);
     visit(s.tangential_r);
     visit(s.normal_0);
@@ -29,6 +29,7 @@ struct BladeFlow {
     visit(s.pitch);
   }
 };
+static_assert(lists_its_members<BladeFlow>(), "each member of BladeFlow is listed and counted");
 
 // Loads of one blade: along the blade normal (up) and the direction of rotation, and their first radial
 // moments.
@@ -39,13 +40,14 @@ struct BladeLoads {
 
   static constexpr int kCount = 4;
   template <class Self, class Visit>
-  static void each(Self& s, Visit&& visit) {
+  static constexpr void each(Self& s, Visit&& visit) {
     visit(s.normal);
     visit(s.tangential);
     visit(s.normal_moment);
     visit(s.tangential_moment);
   }
 };
+static_assert(lists_its_members<BladeLoads>(), "each member of BladeLoads is listed and counted");
 
 template <class T>
 struct SectionCoefficients {

@@ -21,7 +21,7 @@ struct RotorResponse {
 
   static constexpr int kCount = 15;
   template <class Self, class Visit>
-  static void each(Self& s, Visit&& visit) {
+  static constexpr void each(Self& s, Visit&& visit) {
     RotorLoads<T>::each(s.loads, visit);
     visit(s.flapping.b1c_rate);
     visit(s.flapping.b1s_rate);
@@ -33,6 +33,7 @@ struct RotorResponse {
     visit(s.inflow.lambda_s);
   }
 };
+static_assert(lists_its_members<RotorResponse>(), "each member of RotorResponse is listed and counted");
 
 // What drives the inflow: load coefficients and the motion of the hub through the air.
 template <class T, class C>

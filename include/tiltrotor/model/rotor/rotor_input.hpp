@@ -19,7 +19,7 @@ struct RotorInput {
 
   static constexpr int kCount = 18;
   template <class Self, class Visit>
-  static void each(Self& s, Visit&& visit) {
+  static constexpr void each(Self& s, Visit&& visit) {
     Vec3<T>::each(s.velocity_a, visit);
     Vec3<T>::each(s.rates_a, visit);
     visit(s.state.b1c);
@@ -36,6 +36,7 @@ struct RotorInput {
     visit(s.long_cyclic);
   }
 };
+static_assert(lists_its_members<RotorInput>(), "each member of RotorInput is listed and counted");
 
 // Flap angle of the blade at one azimuth.
 template <class T, class Plain>

@@ -14,7 +14,7 @@ struct RotorLoads {
   T mc, ms, m0;     // sums of r dF_n times cos psi, sin psi, 1, N m
 
   template <class Self, class Visit>
-  static void each(Self& s, Visit&& visit) {
+  static constexpr void each(Self& s, Visit&& visit) {
     Vec3<T>::each(s.force_a, visit);
     visit(s.torque);
     visit(s.mc);

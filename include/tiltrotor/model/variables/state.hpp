@@ -17,9 +17,8 @@ namespace tiltrotor {
 template <class T>
 struct RotorState {
   T b1c, b1s;  // gimbal tilt, multiblade coordinates, rad: b1c > 0 disk forward, b1s > 0 advancing side up
-  T b1c_rate, b1s_rate;  // rad/s
-  T lambda_0, lambda_c,
-      lambda_s;  // inflow states over tip speed: mean, longitudinal, lateral harmonic at the tip
+  T b1c_rate, b1s_rate;            // rad/s
+  T lambda_0, lambda_c, lambda_s;  // inflow over tip speed: mean, longitudinal, lateral harmonic at the tip
 };
 
 template <class T>
