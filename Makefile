@@ -356,7 +356,7 @@ include src/firmware/firmware.mk src/examples/examples.mk tests/budget/budget.mk
 $(HEADERS:%=alone/%): alone/include/%:
 	@echo "  header  $*"
 	$(Q)echo '#include "$*"' | $(CXX) $(FLAGS) $(CORE_FLAGS) -Werror -fsyntax-only -x c++ -
-	$(if $(filter %.h,$*),$(Q)echo '#include "$*"' | \
+	$(if $(filter %.h,$*),$(Q)printf '#include "$*"\nextern int not_empty;\n' | \
 	  $(CC) -std=c99 -Wall -Wextra -Wpedantic -Werror -Iinclude -fsyntax-only -x c -)
 
 -include $(OBJECTS:.o=.d)

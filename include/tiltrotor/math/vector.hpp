@@ -24,7 +24,7 @@ constexpr bool lists_its_members() {
   S<int>::each(s, [](int& member) { ++member; });
   int once = 0;
   S<int>::each(s, [&once](const int& member) { once += member == 1 ? 1 : 0; });
-  return once == S<int>::kCount && sizeof s == once * sizeof(int);
+  return once == S<int>::kCount && sizeof s == sizeof(int) * static_cast<unsigned>(once);
 }
 
 template <class T>

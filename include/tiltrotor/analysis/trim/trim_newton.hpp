@@ -61,7 +61,7 @@ struct TrimProblem {
     const int n = work.equations.count;
     R scale[kMaxTrimUnknowns];
     for (int j = 0; j < n; ++j) scale[j] = work.equations.row[j].scale;
-    Policy::jacobian([this](const auto* at, auto* f) { values(at, f); }, {n, n, z, scale, residual},
+    Policy::jacobian([this](const auto* at, auto* f) { this->values(at, f); }, {n, n, z, scale, residual},
                      work.differentiation, [&slopes](int i, int j, R slope) { slopes(i, j) = slope; });
   }
   // The whole step shortened, its direction kept, until no unknown moves by more than its limit.

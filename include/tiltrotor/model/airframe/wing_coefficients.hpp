@@ -43,7 +43,7 @@ T upright_pylon_weight(const Configuration<C>& c, const T& alpha) {
   const T ca = cos(a);
   const T across = smooth_abs(T((kPi<R> / R(2) - c.mast) + a), e.crossflow);
   const T along = smooth_abs(a, e.crossflow);
-  const T weight = (sine_cubed(across) - (mast_deg / R(90)) * sine_cubed(along)) / (ca * ca * ca);
+  T weight = (sine_cubed(across) - (mast_deg / R(90)) * sine_cubed(along)) / (ca * ca * ca);
   if constexpr (!kIsPlain<C>)
     if (at_end) return value(linear) + (weight - value(weight));  // the end's value, the law's slope
   return weight;
