@@ -21,5 +21,6 @@
 #include "tiltrotor/math/differentiation/complex_step.hpp"
 #include "tiltrotor/math/tables/table_slopes.hpp"
 #include "tiltrotor/model/aircraft_data.hpp"
+#include "tiltrotor/model/presets.hpp"
 #include "tiltrotor/model/setup_explanation.hpp"
 #include "tiltrotor/model/variables/control_range.hpp"

@@ -6,6 +6,8 @@
 #include "cli/errors.hpp"
 #include "cli/model_options.hpp"
 #include "tiltrotor/model/aircraft_data.hpp"
+#include "tiltrotor/model/preparation.hpp"
+#include "tiltrotor/model/presets.hpp"
 #include "tiltrotor/model/setup_explanation.hpp"
 
 namespace tiltrotor::cli {
@@ -54,6 +56,7 @@ double inward(double x, double size, bool up) {
 const OptionList switch_options = {
     {"--tables", "KIND", "interpolation: c1 or linear (c1)"},
     {"--grid", "KIND", "blade stations: specification or realtime (specification)"},
+    {"--preset", "NAME", "reference: the model of the independent implementation, for comparison"},
     {"--option", "NAME=VALUE", "any other switch of the model, repeatable; listed below", true},
 };
 
@@ -137,6 +140,10 @@ std::vector<SetupOptions> SetupOptions::every_combination(const Arguments& argum
 SetupOptions::SetupOptions(const Arguments& arguments, Common)
     : rotor_speed_(optional_number(arguments, "--rotor-rpm", kRotorSpeedRange, kRpm)) {
   std::vector<std::string> assigned;
+  if (arguments.given("--preset")) {
+    place_of(arguments.text("--preset", ""), {"reference"}, arguments.where("--preset"));
+    choose_reference(switches_);
+  }
   for (const std::string& assignment : arguments.texts("--option")) {
     const std::string where = arguments.where("--option") + " " + assignment;
     const std::size_t equals = assignment.find('=');

@@ -7,6 +7,7 @@
 #include "cli/arguments.hpp"
 #include "cli/errors.hpp"
 #include "text/nearest.hpp"
+#include "tiltrotor/model/presets.hpp"
 #include "tiltrotor/model/rotor/blade_grid.hpp"
 
 namespace tiltrotor::cli {
@@ -70,6 +71,15 @@ Switch azimuth_stations() {
   return s;
 }
 
+// A set of the switches above it in the help.
+Switch data_set() {
+  const std::vector<std::string> sets = {"as_simulated", "as_flown"};
+  return {"data_set", sets[0] + "|" + sets[1], "inertia and tail_pressure of that aircraft",
+          [sets](Options& options, const std::string& value, const std::string& where) {
+            choose(static_cast<DataSet>(place_of(value, sets, where)), options);
+          }};
+}
+
 std::vector<Switch> all_switches() {
   using O = Options;
   return {
@@ -85,6 +95,9 @@ std::vector<Switch> all_switches() {
       on_off("mast_cant", &O::mast_cant, "outboard cant of the masts"),
       number("hub_spring_factor", &O::hub_spring_factor, 0, 10, "times the gimbal spring"),
       words("inflow", &O::inflow, {"pitt_peters", "uniform"}, "three inflow states or the mean alone"),
+      words("inflow_gradient", &O::inflow_gradient, {"pitt_peters", "coleman", "white_blake"},
+            "fore-aft gradient of the inflow"),
+      words("radial_inflow", &O::radial_inflow, {"annular", "constant"}, "mean inflow along the blade"),
       words("apparent_mass", &O::apparent_mass, {"impermeable", "loaded"}, "8/(3 pi) or 128/(75 pi)"),
       on_off("disk_plane_inflow", &O::disk_plane_inflow, "through-flow normal to the tilted disk"),
       number("induced_power_factor", &O::induced_power_factor, 0, 2, "0: the aircraft's own"),
@@ -99,14 +112,18 @@ std::vector<Switch> all_switches() {
       on_off("wing_rate_velocity", &O::wing_rate_velocity, "body rates in the flow at the free wing"),
       on_off("downwash_lag", &O::downwash_lag, "wing downwash reaches the tail with a lag"),
       words("tail_wash", &O::tail_wash, {"tables", "closed_form"}, "rotor wash at the horizontal tail"),
-      words("tail_pressure", &O::tail_pressure, {"by_mast", "constant"}, "dynamic pressure loss at the tail"),
+      words("tail_pressure", &O::tail_pressure, {"none", "by_mast", "constant"},
+            "K_HNU at the horizontal tail"),
       on_off("tail_sideslip_loss", &O::tail_sideslip_loss, "loss of the tail loads with sideslip"),
-      words("inertia", &O::inertia, {"simulation", "design_1975"}, "source of the inertia"),
+      words("nacelle_mass", &O::nacelle_mass, {"printed_cg", "quoted"}, "3985 lb, or 4200 lb as quoted"),
+      words("inertia", &O::inertia, {"simulation", "design_1975", "flown"}, "source of the inertia"),
       words("fin_area", &O::fin_area, {"drawings", "report"}, "25.25 or 20.25 ft^2 a panel"),
       words("chord", &O::chord, {"cutout", "text", "camrad"}, "source of the blade chord"),
       words("twist", &O::twist, {"table", "linear"}, "source of the blade twist"),
+      on_off("cyclic_rigging", &O::cyclic_rigging, "cyclic bias that grows with mast angle"),
       on_off("lateral_cyclic", &O::lateral_cyclic, "lateral cyclic scheduled with airspeed"),
       words("elevator_gearing", &O::elevator_gearing, {"aircraft", "printed_runs"}, "4.167 or 4.735 deg/in"),
+      data_set(),
       on_off("position_states", &O::position_states, "earth position among the states"),
   };
 }

@@ -3,6 +3,7 @@
 #include <stdexcept>
 
 #include "study/reference_points.hpp"
+#include "tiltrotor/model/presets.hpp"
 
 namespace tiltrotor::study {
 
@@ -59,9 +60,11 @@ Setup setup_of(ComparedAircraft aircraft, double mast_deg) {
   Setup setup = default_setup(mast_deg);
   Options& o = setup.options;
   if (aircraft == ComparedAircraft::as_simulated) {
+    choose(DataSet::as_simulated, o);
     o.lateral_cyclic = true;
     o.elevator_gearing = ElevatorGearing::printed_runs;
   }
+  if (aircraft == ComparedAircraft::as_flown) choose(DataSet::as_flown, o);
   if (aircraft == ComparedAircraft::as_designed) {
     o.inertia = InertiaSet::design_1975;
     setup.rotor_speed = kDesignRotorSpeed;

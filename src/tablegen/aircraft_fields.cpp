@@ -4,7 +4,8 @@ namespace tablegen {
 
 const std::vector<Field> kFields = {
     {"mass.gross", "weight_gross", "kg"},
-    {"mass.nacelles", "weight_pylons_both", "kg"},
+    {"mass.nacelles", "weight_pylons_printed_cg", "kg"},
+    {"mass.nacelles_quoted", "weight_pylons_both", "kg"},
     {"mass.sl_cg", "SL_CG_aft_helicopter", "m"},
     {"mass.wl_cg", "WL_CG_helicopter", "m"},
     {"mass.sl_nacelle", "SL_pylon_CG", "m"},
@@ -17,6 +18,8 @@ const std::vector<Field> kFields = {
     {"mass.inertia_slope.yy", "dIyy_dbm", "kg m2/deg"},
     {"mass.inertia_slope.zz", "dIzz_dbm", "kg m2/deg"},
     {"mass.inertia_slope.xz", "dIxz_dbm", "kg m2/deg"},
+    {"mass.flown_pitch", "flown_inertia_pitch", "ND"},
+    {"mass.flown_yaw", "flown_inertia_yaw", "ND"},
     {"mass.design_0.xx", "Ixx_helicopter_1975", "kg m2"},
     {"mass.design_0.yy", "Iyy_helicopter_1975", "kg m2"},
     {"mass.design_0.zz", "Izz_helicopter_1975", "kg m2"},
@@ -61,6 +64,8 @@ const std::vector<Field> kFields = {
     {"inflow.apparent_mass_loaded", "apparent_mass_loaded", "ND"},
     {"inflow.apparent_mass_cyclic", "apparent_mass_cyclic", "ND"},
     {"inflow.induced_power", "induced_power_factor", "ND"},
+    {"inflow.shape_thrust", "inflow_shape_thrust", "ND"},
+    {"inflow.shape_tip_mach", "inflow_shape_tip_mach", "ND"},
 
     {"wake.axis_speed_factor", "wake_axis_speed_factor", "ND"},
     {"wake.fuselage_side", "wake_fuselage_side", "m"},
@@ -156,6 +161,7 @@ const std::vector<Field> kFields = {
     {"tail.mach_blend_start", "tail_mach_blend_start", "ND"},
     {"tail.mach_blend_end", "tail_mach_blend_end", "ND"},
 
+    {"controls.cyclic_rigging", "cyclic_rigging", "rad"},
     {"controls.elevator", "elevator_gearing", "rad/in"},
     {"controls.elevator_replay", "elevator_gearing_replay", "rad/in"},
     {"controls.aileron", "aileron_gearing_mean", "rad/in"},

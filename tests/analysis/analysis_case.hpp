@@ -9,6 +9,7 @@
 #include "csv_file.hpp"
 #include "tiltrotor/analysis/instances.hpp"
 #include "tiltrotor/model/aircraft_data.hpp"
+#include "tiltrotor/model/presets.hpp"
 
 namespace analysis_case {
 
@@ -22,6 +23,11 @@ inline Configuration<double> configuration(double mast_deg, const Options& optio
   Configuration<double> c;
   CHECK(prepare(aircraft_data<double>(), setup, c) == Status::ok);
   return c;
+}
+
+// The model of the independent implementation, where its numbers are the expected ones.
+inline Configuration<double> reference_configuration(double mast_deg) {
+  return configuration(mast_deg, reference_options());
 }
 
 inline SteadyFlight<double> level(double speed) { return {speed, 0, 0, 0}; }

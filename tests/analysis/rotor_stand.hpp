@@ -4,6 +4,7 @@
 #include "check.hpp"
 #include "tiltrotor/analysis/isolated_rotor.hpp"
 #include "tiltrotor/model/aircraft_data.hpp"
+#include "tiltrotor/model/presets.hpp"
 
 namespace rotor_stand {
 

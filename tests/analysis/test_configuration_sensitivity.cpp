@@ -278,7 +278,7 @@ TEST(derivatives_by_configuration_are_one_sided_on_knots) {
       for (const Parameter parameter : {Parameter::mast, Parameter::flap}) {
         const bool is_mast = parameter == Parameter::mast;
         const double end = is_mast ? 90 : 75;
-        const double step_deg = (is_mast ? mast : flap) == end ? -0.002 : 0.002;
+        const double step_deg = (is_mast ? mast : flap) == end ? -0.0005 : 0.0005;
         Column at[4];
         for (int k = 1; k < 4; ++k) {
           FlightSetup<double> moved = setup;

@@ -128,7 +128,7 @@ TEST(isolated_rotor_says_how_it_failed) {
 // after all the steps of its first start, with the residual that is left; the free disk finds its tilt in
 // each of these flows.
 TEST(isolated_rotor_ends_without_equilibrium) {
-  Stand stand;
+  Stand stand(0, reference_options());
   const double tolerance = 5e4 * std::numeric_limits<double>::epsilon();
   for (const RotorFlow<double>& f : {flow(44, 0, 70), flow(43, 0, 85)}) {
     RotorFlow<double> level = f;

@@ -29,7 +29,7 @@ TEST_OF_XV15(linearize_reference_matrices) {
   static LinearModel<double> model;
   for (int k = 0; k < 3; ++k) {
     const std::string name = kReferencePoints[k];
-    const Configuration<double> c = configuration(kReferenceMasts[k]);
+    const Configuration<double> c = reference_configuration(kReferenceMasts[k]);
     const Point p = reference_point(name);
     linear_model(c, p.x, p.u, kInceptors, model);
     const check::CsvFile a("tests/reference/A_" + name + ".csv");

@@ -45,7 +45,7 @@ TEST_OF_XV15(modes_reference_eigenvalues) {
   double worst = 0;
   for (int k = 0; k < 3; ++k) {
     const Point p = reference_point(kReferencePoints[k]);
-    linear_model(configuration(kReferenceMasts[k]), p.x, p.u, kInceptors, full);
+    linear_model(reference_configuration(kReferenceMasts[k]), p.x, p.u, kInceptors, full);
     CHECK(residualise(full, residual, reduced) == Status::ok);
     CHECK(modes(full, work, modes_full) == Status::ok);
     CHECK(modes(reduced, work, modes_reduced) == Status::ok);
@@ -90,7 +90,7 @@ TEST_OF_XV15(modes_names_of_known_roots) {
     if (!CHECK_NEAR(m.imag, imag, 2e-3)) NOTE(name);
   };
   const auto at = [&](double mast, double speed) {
-    const Configuration<double> c = configuration(mast);
+    const Configuration<double> c = reference_configuration(mast);
     const TrimResult<double> r = trimmed(c, level(speed));
     modes_of(c, r.state, r.controls, set);
     check_names_unique(set);
@@ -163,7 +163,7 @@ TEST_OF_XV15(modes_names_persist_along_a_sweep) {
 // persists.
 TEST_OF_XV15(modes_follow_takes_branches_from_the_previous_set) {
   static ModeSet<double> a, b;
-  const Configuration<double> c = configuration(90);
+  const Configuration<double> c = reference_configuration(90);
   const TrimResult<double> r = trimmed(c, level(100));
   const TrimResult<double> s = trimmed(c, level(101));
   modes_of(c, r.state, r.controls, a);

@@ -39,7 +39,7 @@ double difference(const State<double>& a, const State<double>& b) {
 // tests/reference: one degree of collective at 40 m/s, mast 0, computed by a second implementation.
 TEST_OF_XV15(response_reference_collective_step) {
   const check::CsvFile file("tests/reference/response_collective_1deg_40mps.csv");
-  const Configuration<double> c = configuration(0);
+  const Configuration<double> c = reference_configuration(0);
   Simulation<double> s = started(c, trimmed(c, level(40)), 0.005);
   CHECK(add_input(s, {InputShape::step, kControlIndex.collective, kDeg, 0, 0}) == Status::ok);
   double worst = 0;

@@ -11,7 +11,7 @@ TEST_OF_XV15(trim_reference_grid) {
   double worst_angle = 0, worst_inch = 0, worst_inflow = 0, worst_ratio = 0;
   int worst_iterations = 0;
   for (int row = 0; row < grid.rows(); ++row) {
-    const Configuration<double> c = configuration(grid.number(row, "mast_deg"));
+    const Configuration<double> c = reference_configuration(grid.number(row, "mast_deg"));
     const TrimResult<double> r = trimmed(c, level(grid.number(row, "speed_mps")));
     if (!CHECK(is_trimmed(r.status))) continue;
     CHECK_EQ(r.attempts, 1);

@@ -27,7 +27,7 @@ std::string reference(const std::string& kind, const std::string& tables) {
 }
 
 std::string replay(const std::string& command, const std::string& tables) {
-  return command + " --tables " + tables + " --states " +
+  return command + " --preset reference --tables " + tables + " --states " +
          check::quoted(check::source_path(reference("state_derivatives", tables)));
 }
 

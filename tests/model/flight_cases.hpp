@@ -11,6 +11,7 @@
 #include "returned.hpp"
 #include "tiltrotor/math/differentiation/complex_step.hpp"
 #include "tiltrotor/model/aircraft_data.hpp"
+#include "tiltrotor/model/preparation.hpp"
 
 namespace flight_cases {
 

@@ -130,6 +130,7 @@ class TextbookRotor {
     FlightSetup<double> setup = flight_setup(aircraft_, 0.0);
     setup.options.tables = Interpolation::linear;
     setup.options.grid_refinement = 4;
+    setup.options.radial_inflow = RadialInflow::constant;
     Configuration<double> c;
     CHECK(prepare(aircraft_, setup, c) == Status::ok);
     return c;

@@ -10,7 +10,8 @@ namespace {
 constexpr double kDeg = kRadPerDeg<double>;
 
 BladeControls<double> mixed(double mast, const Controls<double>& u, double speed_kt,
-                            const Options& options = Options{}) {
+                            Options options = Options{}) {
+  options.cyclic_rigging = false;
   return mix_controls(configuration(mast, options), u, Vec3<double>{speed_kt * 1852 / 3600, 0, 0});
 }
 
@@ -66,7 +67,7 @@ TEST(control_mixing_superposition_of_increments) {
   CHECK_NEAR((b.collective[right] - b.collective[left]) / 2,
              u.diff_collective - c.gearing.lateral_collective * u.lat_stick, 1e-15);
   CHECK_NEAR((b.long_cyclic[right] + b.long_cyclic[left]) / 2,
-             u.long_cyclic + c.gearing.long_cyclic * u.long_stick, 1e-15);
+             u.long_cyclic + c.gearing.rigging + c.gearing.long_cyclic * u.long_stick, 1e-15);
   CHECK_NEAR((b.long_cyclic[right] - b.long_cyclic[left]) / 2, u.diff_long_cyclic - pedal_cyclic * u.pedal,
              1e-15);
   CHECK_EQ(b.lateral_cyclic[right], u.lateral_cyclic);

@@ -1,6 +1,7 @@
 // Gimbal and coning equations: a single rigid blade followed through space by finite differences, closed
 // forms of the textbook rotor, the first-order limit, the coning balance.
 #include "settled_rotor.hpp"
+#include "tiltrotor/model/presets.hpp"
 
 using namespace flight_cases;
 using namespace settled_rotor;
@@ -209,7 +210,7 @@ TEST_OF_XV15(flapping_steady_tilt_in_hover) {
     const RotorState<double> b = settled(c, moved).state;
     return std::pair<double, double>{(b.b1c - a.b1c) / small, (b.b1s - a.b1s) / small};
   };
-  const Configuration<double> c = configuration(0);
+  const Configuration<double> c = configuration(0, reference_options());
   const auto cyclic = answer(c, "s");
   CHECK_NEAR(cyclic.first, -0.983, 0.004);
   CHECK_NEAR(cyclic.second, -0.188, 0.004);
@@ -230,7 +231,7 @@ TEST(flapping_pitch_coupling) {
   const Configuration<double> c = configuration(0);
   RotorInput<double> in = hover_input(c);
   const auto pitch = [&](double cosine, double sine) {
-    return blade_flow(c, in, 0.0, 1.0, cosine, sine).pitch;
+    return blade_flow(c, in, 0.0, 0.0, 1.0, cosine, sine).pitch;
   };
   const double flat = pitch(1, 0);
   in.state.b1c = 0.1;

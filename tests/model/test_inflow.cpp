@@ -28,11 +28,12 @@ TEST(inflow_gain_matrix_by_inversion_and_rotation) {
     const double x = random.between(0, 1);
     const double direction = random.between(-kPi<double>, kPi<double>);
     const double kappa = n % 2 == 0 ? 1 : random.between(0.9, 1.2);
+    const double gain = n % 3 == 0 ? random.between(0.4, 1.42) : kGain;
     const double cosine = std::cos(direction);
     const double sine = std::sin(direction);
     // Rows and columns (0, downstream, across) of Pitt and Peters.
     const double wind[3][3] = {
-        {kappa / 2, -kGain * x, 0}, {kGain * x, 2 * (1 - x * x), 0}, {0, 0, 2 * (1 + x * x)}};
+        {kappa / 2, -gain * x, 0}, {gain * x, 2 * (1 - x * x), 0}, {0, 0, 2 * (1 + x * x)}};
     const double turn[3][3] = {{1, 0, 0}, {0, cosine, sine}, {0, -sine, cosine}};  // hub -> wind
     std::array<std::array<double, 3>, 3> hub{};
     for (std::size_t i = 0; i < 3; ++i) {
@@ -42,7 +43,7 @@ TEST(inflow_gain_matrix_by_inversion_and_rotation) {
         }
       }
     }
-    const InflowGainInverse<double> g = inflow_gain_inverse(x * cosine, x * sine, kappa);
+    const InflowGainInverse<double> g = inflow_gain_inverse(x * cosine, x * sine, gain, kappa);
     const double actual[3][3] = {
         {g.inv_00, g.inv_0c, g.inv_0s}, {g.inv_c0, g.inv_cc, g.inv_cs}, {g.inv_s0, g.inv_cs, g.inv_ss}};
     for (std::size_t j = 0; j < 3; ++j) {
@@ -188,5 +189,19 @@ TEST(inflow_is_finite_everywhere) {
       // In-plane wind at hover drives nc at once: the wake skew has a slope there.
       if (n0 > 0 && mz == 0) CHECK_LT(0.1, r.lambda_c.d.get(2));
     }
+  }
+}
+
+// lambda_c / lambda_0 that thrust alone makes edgewise, where the wake's skew is 90 deg: tan(45 deg) and sqrt(2) sin(90
+// deg), NASA TM-102219; 15 pi / 32 of Pitt and Peters.
+TEST(inflow_gradient_laws) {
+  for (const auto& [law, gradient] :
+       {std::pair{InflowGradient::pitt_peters, 15 * kPi<double> / 32},
+        std::pair{InflowGradient::coleman, 1.0}, std::pair{InflowGradient::white_blake, std::sqrt(2.0)}}) {
+    CHECK_NEAR(2 * inflow_gradient(law, 1.0), gradient, 1e-14);
+    // At a skew of 60 deg: tan(30 deg) times the first two, sqrt(2) sin(60 deg).
+    const double t = std::tan(30 * kRadPerDeg<double>);
+    const double at_60 = law == InflowGradient::white_blake ? std::sqrt(1.5) : gradient * t;
+    CHECK_NEAR(2 * inflow_gradient(law, t * t) * t, at_60, 1e-14);
   }
 }

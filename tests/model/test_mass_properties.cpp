@@ -13,14 +13,33 @@ constexpr double kInch = 0.0254;
 constexpr double kPound = 0.45359237;
 constexpr double kSlugSquareFoot = 0.45359237 * 9.80665 / 0.3048 * 0.3048 * 0.3048;
 
-MassProperties<double> at(double mast, double sl_cg0_in = 301.2, InertiaSet set = InertiaSet::simulation,
+Options quoted() {
+  Options options;
+  options.nacelle_mass = NacelleMass::quoted;
+  return options;
+}
+
+MassProperties<double> at(double mast, double sl_cg0_in = 301.2, const Options& options = quoted(),
                           double mass = 13000 * kPound) {
-  return mass_properties(aircraft_data<double>(), mast, mass, sl_cg0_in * kInch, 81.65 * kInch, set);
+  return mass_properties(aircraft_data<double>(), mast, mass, sl_cg0_in * kInch, 81.65 * kInch, options);
 }
 
 }  // namespace
 
-// Hand-evaluated numbers for SL 300, WL 81.65 at mast 0 (in, two decimals).
+// CG positions of the reference simulation, ft: Kleinhesselink 2007, app. C; some printed to a tenth.
+TEST_OF_XV15(mass_properties_printed_cg) {
+  struct Row {
+    double mast, sl, wl, rounding;
+  };
+  for (const Row& row : {Row{15, 24.99, 6.73, 0.005}, Row{30, 24.9, 6.6, 0.05}, Row{60, 24.8, 6.4, 0.05},
+                         Row{90, 24.85, 6.13, 0.005}}) {
+    const MassProperties<double> here = at(row.mast, 301.2, Options{});
+    CHECK_NEAR(here.sl_cg / kInch / 12, row.sl, row.rounding);
+    CHECK_NEAR(here.wl_cg / kInch / 12, row.wl, row.rounding);
+  }
+}
+
+// Hand-evaluated numbers with 4200 lb of nacelles for SL 300, WL 81.65 at mast 0 (in, two decimals).
 TEST_OF_XV15(mass_properties_printed_stations) {
   struct Row {
     double mast, sl, wl;
@@ -48,7 +67,7 @@ TEST_OF_XV15(mass_properties_by_rotation_of_the_nacelles) {
   }
   // A lighter aircraft shifts more.
   const double light = 10000 * kPound;
-  CHECK_NEAR((at(90, 301.2, InertiaSet::simulation, light).sl_cg - 301.2 * kInch) * light,
+  CHECK_NEAR((at(90, 301.2, quoted(), light).sl_cg - 301.2 * kInch) * light,
              (at(90).sl_cg - 301.2 * kInch) * 13000 * kPound, 1e-9);
 }
 
@@ -63,9 +82,11 @@ TEST_OF_XV15(mass_properties_inertia) {
     CHECK_LT(i.zz, i.xx + i.yy);
     CHECK_LT(i.xx, i.zz + i.yy);
   }
-  const Inertia<double> old_0 = at(0, 301.2, InertiaSet::design_1975).inertia;
-  const Inertia<double> old_45 = at(45, 301.2, InertiaSet::design_1975).inertia;
-  const Inertia<double> old_90 = at(90, 301.2, InertiaSet::design_1975).inertia;
+  Options design_1975;
+  design_1975.inertia = InertiaSet::design_1975;
+  const Inertia<double> old_0 = at(0, 301.2, design_1975).inertia;
+  const Inertia<double> old_45 = at(45, 301.2, design_1975).inertia;
+  const Inertia<double> old_90 = at(90, 301.2, design_1975).inertia;
   CHECK_REL(old_0.xx / kSlugSquareFoot, 42400, 1e-6);
   CHECK_REL(old_0.yy / kSlugSquareFoot, 14300, 1e-6);
   CHECK_REL(old_90.zz / kSlugSquareFoot, 50300, 1e-6);

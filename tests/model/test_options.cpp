@@ -2,6 +2,7 @@
 // are listed for each, all other numbers must stay bit for bit. Where a switch has a closed form, its size is
 // checked too.
 #include "flight_cases.hpp"
+#include "tiltrotor/model/presets.hpp"
 
 using namespace flight_cases;
 
@@ -137,6 +138,11 @@ TEST(options_of_the_rotor) {
 
 TEST(options_of_the_inflow) {
   check_switch({}, mean_inflow | cyclic_inflow, [](Options& o) { o.inflow = InflowShape::uniform; });
+  check_switch({}, kBladeLoads, [](Options& o) { o.radial_inflow = RadialInflow::constant; });
+  check_switch({}, mean_inflow | cyclic_inflow,
+               [](Options& o) { o.inflow_gradient = InflowGradient::coleman; });
+  check_switch({}, mean_inflow | cyclic_inflow,
+               [](Options& o) { o.inflow_gradient = InflowGradient::white_blake; });
   check_switch({}, mean_inflow, [](Options& o) { o.apparent_mass = ApparentMass::loaded; });
   check_switch({}, mean_inflow | cyclic_inflow, [](Options& o) { o.disk_plane_inflow = true; });
   check_switch({}, mean_inflow | cyclic_inflow, [](Options& o) { o.induced_power_factor = 1.1; });
@@ -170,7 +176,8 @@ TEST(options_of_the_tail) {
   check_switch({}, tailplane | lagged_downwash | kAcceleration, [](Options& o) { o.downwash_lag = false; });
   check_switch({}, tailplane | fins | kAcceleration, [](Options& o) { o.tail_wash = TailWash::closed_form; });
   check_switch({}, tailplane | kAcceleration, [](Options& o) { o.tail_pressure = TailPressure::constant; });
-  check_switch({90}, 0, [](Options& o) { o.tail_pressure = TailPressure::constant; });
+  check_switch({}, tailplane | kAcceleration, [](Options& o) { o.tail_pressure = TailPressure::by_mast; });
+  check_switch({0}, 0, [](Options& o) { o.tail_pressure = TailPressure::by_mast; });
   check_switch({}, tailplane | fins | kAcceleration, [](Options& o) { o.tail_sideslip_loss = true; });
   check_switch({}, fins | kAcceleration, [](Options& o) { o.fin_area = FinArea::report; });
   check_switch({}, tailplane | kAcceleration,
@@ -179,6 +186,10 @@ TEST(options_of_the_tail) {
 
 TEST(options_of_mass_controls_and_states) {
   check_switch({}, kAcceleration, [](Options& o) { o.inertia = InertiaSet::design_1975; });
+  check_switch({}, kAcceleration, [](Options& o) { o.inertia = InertiaSet::flown; });
+  check_switch({0}, 0, [](Options& o) { o.nacelle_mass = NacelleMass::quoted; });
+  check_switch({90}, kBladeLoads, [](Options& o) { o.cyclic_rigging = false; });
+  check_switch({0}, 0, [](Options& o) { o.cyclic_rigging = false; });
   check_switch({}, tilt, [](Options& o) { o.flap_angular_acceleration = true; });
   check_switch({}, 0, [](Options& o) { o.position_states = true; });
   check_switch({0}, kBladeLoads, [](Options& o) { o.lateral_cyclic = true; });
@@ -203,6 +214,24 @@ TEST(options_sizes_in_closed_form) {
   const Evaluation<double> tail =
       with(helicopter, [](Options& o) { o.tail_pressure = TailPressure::constant; });
   CHECK_REL(tail.loads.component[htail].moment.y / base.loads.component[htail].moment.y, 0.8, 1e-12);
+  // Inertia as flown: 1.46 and 1.30 times the printed one.
+  Options still_flying;
+  const Configuration<double> simulated = configuration(0, still_flying);
+  still_flying.inertia = InertiaSet::flown;
+  const Configuration<double> heavier = configuration(0, still_flying);
+  CHECK_REL(heavier.mass.inertia.yy / simulated.mass.inertia.yy, 1.46, 1e-12);
+  CHECK_REL(heavier.mass.inertia.zz / simulated.mass.inertia.zz, 1.30, 1e-12);
+  CHECK_EQ(heavier.mass.inertia.xx, simulated.mass.inertia.xx);
+  // Rigging: 1.5 deg (1 - cos mast), disks forward.
+  for (const double mast : {0.0, 60.0, 90.0}) {
+    Options unrigged;
+    unrigged.cyclic_rigging = false;
+    const Controls<double> neutral{};
+    const Vec3<double> at_rest{0, 0, 0};
+    const double rigging = mix_controls(configuration(mast), neutral, at_rest).long_cyclic[right] -
+                           mix_controls(configuration(mast, unrigged), neutral, at_rest).long_cyclic[right];
+    CHECK_NEAR(rigging / kRadPerDeg<double>, 1.5 * (1 - std::cos(mast * kRadPerDeg<double>)), 1e-12);
+  }
   // Angular acceleration of the hub: b1c'' + wy', b1s'' - wx' in each rotor's frame (mast 0, no cant: y = q',
   // x = -+p').
   const auto inertial = [](Options& o) { o.mast_cant = false; };
@@ -322,4 +351,21 @@ TEST_OF_XV15(options_and_setup_ranges) {
   CHECK(refused([](S& s) { s.options.azimuth_stations = 73; }));
   CHECK(refused([](S& s) { s.options.hub_spring_factor = std::nan(""); }));
   CHECK(refused([](S& s) { s.options.induced_power_factor = -0.1; }));
+}
+
+// The sets name what they are about, and leave everything else alone.
+TEST(options_sets_are_what_they_say) {
+  Options o;
+  o.grid = BladeGrid::realtime;
+  choose(DataSet::as_flown, o);
+  CHECK(o.inertia == InertiaSet::flown);
+  CHECK(o.tail_pressure == TailPressure::by_mast);
+  CHECK(o.grid == BladeGrid::realtime);
+  choose(DataSet::as_simulated, o);
+  CHECK(o.inertia == Options{}.inertia);
+  CHECK(o.tail_pressure == Options{}.tail_pressure);
+  const Options reference = reference_options();
+  CHECK(reference.radial_inflow == RadialInflow::constant);
+  CHECK(reference.nacelle_mass == NacelleMass::quoted);
+  CHECK(!reference.cyclic_rigging);
 }

@@ -12,6 +12,7 @@
 
 #include "csv_file.hpp"
 #include "flight_cases.hpp"
+#include "tiltrotor/model/presets.hpp"
 
 using namespace flight_cases;
 
@@ -37,7 +38,7 @@ Aircraft<double> with_rounded_units() {
   a.rotor.flap_inertia *= slug;
   a.rotor.hub_spring *= pound;
   a.mass.gross *= pound;
-  a.mass.nacelles *= pound;
+  a.mass.nacelles_quoted *= pound;
   for (Inertia<double>* i : {&a.mass.inertia, &a.mass.inertia_slope}) {
     i->xx *= slug;
     i->yy *= slug;
@@ -53,7 +54,11 @@ struct Replay {
   double tolerance;
 };
 
-Options table_options(const std::string& tables) { return tables == "c1" ? Options{} : linear_tables(); }
+Options table_options(const std::string& tables) {
+  Options options = reference_options();
+  options.tables = tables == "c1" ? Interpolation::c1 : Interpolation::linear;
+  return options;
+}
 
 class Difference {
  public:

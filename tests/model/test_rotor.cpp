@@ -2,6 +2,7 @@
 // hand for both rotors, energy balance, symmetries, convergence, hover values of an independent second
 // program.
 #include "settled_rotor.hpp"
+#include "tiltrotor/model/presets.hpp"
 
 using namespace flight_cases;
 using namespace settled_rotor;
@@ -72,16 +73,26 @@ TEST_OF_XV15(rotor_section_velocities_from_positions) {
         const V here = position(0);
         const V velocity =
             s.x.velocity + cross(s.x.rates, here) + (1 / (2 * h)) * (position(h) - position(-h));
+        // Mean inflow at a station of shape 1 + `shape`, which follows the shape as far as the wake leaves along
+        // the shaft.
+        const double shape = random.between(-0.5, 0.2);
+        const V hub_flow =
+            s.x.velocity + cross(s.x.rates, c.hub[side].arm_b) + c.tip_speed * x.lambda_0 * axes.up;
+        const double axial = dot(hub_flow, axes.up);
+        const double axial_share =
+            smooth_positive(axial, c.aircraft->smooth.through_flow * c.tip_speed) /
+            std::hypot(std::sqrt(dot(hub_flow, hub_flow)), c.aircraft->smooth.inflow_speed * c.tip_speed);
         const double wash =
             c.tip_speed *
-            (x.lambda_0 +
+            (x.lambda_0 * (1 + axial_share * shape) +
              radius / kRadius * (x.lambda_c * std::cos(azimuth) + x.lambda_s * std::sin(azimuth)));
         const V relative = velocity + wash * axes.up;  // the air goes down the shaft
         const Blade blade = blade_axes(axes, azimuth, flap_at(0));
-        const BladeFlow<double> flow = blade_flow(c, in, std::sin(flap_at(0)), std::cos(flap_at(0)),
-                                                  std::cos(azimuth), std::sin(azimuth));
+        const BladeFlow<double> flow = blade_flow(c, in, radial_inflow(c, in), std::sin(flap_at(0)),
+                                                  std::cos(flap_at(0)), std::cos(azimuth), std::sin(azimuth));
         CHECK_NEAR(flow.tangential_0 + radius * flow.tangential_r, dot(relative, blade.forward), 2e-6);
-        CHECK_NEAR(flow.normal_0 + radius * flow.normal_r, dot(relative, blade.normal), 2e-6);
+        CHECK_NEAR(flow.normal_0 + radius * flow.normal_r + shape * flow.shaped, dot(relative, blade.normal),
+                   2e-6);
       }
     }
   }
@@ -107,8 +118,8 @@ TEST_OF_XV15(rotor_hub_loads_by_hand_in_body_axes) {
         const double gimbal = x.b1c * std::cos(psi) + x.b1s * std::sin(psi);
         const double flap = c.coning + gimbal;
         const Blade blade = blade_axes(axes, psi, flap);
-        const BladeFlow<double> flow =
-            blade_flow(c, in, std::sin(flap), std::cos(flap), std::cos(psi), std::sin(psi));
+        const BladeFlow<double> flow = blade_flow(c, in, radial_inflow(c, in), std::sin(flap), std::cos(flap),
+                                                  std::cos(psi), std::sin(psi));
         const double pitch = in.collective - in.lateral_cyclic * std::cos(psi) -
                              in.long_cyclic * std::sin(psi) + std::tan(15 * kRadPerDeg<double>) * gimbal;
         CHECK_NEAR(flow.pitch, pitch, 1e-14);
@@ -117,7 +128,8 @@ TEST_OF_XV15(rotor_hub_loads_by_hand_in_body_axes) {
           while (i >= c.blade.region_end[region]) ++region;
           const BladeStation<double>& station = c.blade.station[i];
           const double ut = flow.tangential_0 + station.radius * flow.tangential_r;
-          const double up = flow.normal_0 + station.radius * flow.normal_r;
+          const double up =
+              flow.normal_0 + station.radius * flow.normal_r + station.inflow_shape * flow.shaped;
           const double speed = std::sqrt(ut * ut + up * up + 0.01);
           const double inflow_angle = std::atan2(up, ut);
           const double alpha = std::remainder(pitch + station.twist - inflow_angle, 2 * kPi<double>);
@@ -157,8 +169,10 @@ TEST_OF_XV15(rotor_hub_loads_by_hand_in_body_axes) {
 // Power = drag of the sections times their speed + work of the hub force against hub speed and wash. Exact
 // for a flat disk with uniform wash, at any angle of the wind.
 TEST_OF_XV15(rotor_energy_balance) {
+  Options uniform = linear_tables();
+  uniform.radial_inflow = RadialInflow::constant;
   for (const V& velocity : {V{0, 0, 0}, V{0, 0, 8}, V{-40, 0, 4}, V{-30, 15, -5}, V{0, 0, 90}}) {
-    const Configuration<double> c = configuration(0, linear_tables());
+    const Configuration<double> c = configuration(0, uniform);
     RotorInput<double> in{};
     in.velocity_a = velocity;
     in.collective = 0.2 + std::atan(velocity.z / (0.75 * c.tip_speed));
@@ -193,7 +207,7 @@ TEST_OF_XV15(rotor_energy_balance) {
 
 // P = T (V_z + v) + profile for the settled rotor in hover, with momentum theory's v: within 2 %.
 TEST_OF_XV15(rotor_hover_power_and_derivatives) {
-  const Configuration<double> c = configuration(0);
+  const Configuration<double> c = configuration(0, reference_options());
   const double thrust = 7334 * kPound;
   const RotorInput<double> in = settled_at_thrust(c, hover_input(c), thrust);
   const RotorResponse<double> out = rotor_response(c, in, c.azimuth);

@@ -21,6 +21,7 @@ Configuration<double> with_uniform_inflow(const Aircraft<double>& a, double mast
   setup.options.tables = Interpolation::linear;
   setup.options.grid_refinement = 4;
   setup.options.inflow = InflowShape::uniform;
+  setup.options.radial_inflow = RadialInflow::constant;
   setup.options.induced_power_factor = kappa;
   Configuration<double> c;
   CHECK(prepare(a, setup, c) == Status::ok);
@@ -137,6 +138,7 @@ TEST(rotor_in_plane_force_takes_back_pitch_damping) {
 TEST(rotor_of_this_aircraft_keeps_half_of_its_pitch_damping) {
   FlightSetup<double> setup = flight_setup(aircraft(), 0.0);
   setup.rotor_speed = 565 * kPi<double> / 30;
+  setup.options.radial_inflow = RadialInflow::constant;  // as in Amer's theory
   Configuration<double> c;
   if (!CHECK(prepare(aircraft(), setup, c) == Status::ok)) return;
   const RotorInput<double> hover = settled_at_thrust(c, hover_input(c), 7000 * kPound);

@@ -14,7 +14,7 @@
 #include "check.hpp"
 #include "model/flight_cases.hpp"
 #include "tiltrotor/model/aircraft_data.hpp"
-#include "tiltrotor/model/configuration.hpp"
+#include "tiltrotor/model/preparation.hpp"
 
 namespace scaled {
 

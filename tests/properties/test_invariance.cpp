@@ -224,15 +224,17 @@ TEST(property_rotor_power_balance) {
     const RotorLoads<double> loads = rotor_loads(c, in, c.azimuth);
     const RotorState<double>& x = in.state;
     const double omega = c.setup.rotor_speed;
+    const double shaped = radial_inflow(c, in);
 
     double profile = 0;
     double harmonics = 0;
+    double shape = 0;  // induced power of what the mean inflow departs from its mean
     double gross = 0;
     for (int j = 0; j < c.azimuth.count; ++j) {
       const double cosine = c.azimuth.cosine[j];
       const double sine = c.azimuth.sine[j];
       const double flap = in.coning.angle + x.b1c * cosine + x.b1s * sine;
-      const BladeFlow<double> flow = blade_flow(c, in, std::sin(flap), std::cos(flap), cosine, sine);
+      const BladeFlow<double> flow = blade_flow(c, in, shaped, std::sin(flap), std::cos(flap), cosine, sine);
       const BladeLoads<double> blade = blade_loads(c, flow);
       harmonics += c.azimuth.weight * std::cos(flap) * omega * (x.lambda_c * cosine + x.lambda_s * sine) *
                    blade.normal_moment;
@@ -241,19 +243,20 @@ TEST(property_rotor_power_balance) {
         while (i >= c.blade.region_end[region]) ++region;
         const BladeStation<double>& s = c.blade.station[i];
         const double ut = flow.tangential_0 + s.radius * flow.tangential_r;
-        const double up = flow.normal_0 + s.radius * flow.normal_r;
+        const double up = flow.normal_0 + s.radius * flow.normal_r + s.inflow_shape * flow.shaped;
         const double speed = std::hypot(std::hypot(ut, up), c.aircraft->smooth.section_speed);
         const double alpha = std::remainder(flow.pitch + s.twist - std::atan2(up, ut), 2 * kPi<double>);
-        const double cd = section_coefficients(c.aircraft->rotor, c.setup.options.tables, region, alpha,
-                                               speed / c.air.speed_of_sound)
-                              .drag;
+        const SectionCoefficients<double> k = section_coefficients(
+            c.aircraft->rotor, c.setup.options.tables, region, alpha, speed / c.air.speed_of_sound);
         const double element =
             c.azimuth.weight * c.air.density * s.half_chord_dr * speed * (ut * ut + up * up);
-        profile += element * cd;
+        profile += element * k.drag;
+        shape += element / (ut * ut + up * up) * (s.lift_weight * k.lift * ut - k.drag * up) *
+                 s.inflow_shape * flow.shaped;
         gross += element;
       }
     }
-    const double induced = loads.force_a.z * c.tip_speed * x.lambda_0 + harmonics;
+    const double induced = loads.force_a.z * c.tip_speed * x.lambda_0 + harmonics + shape;
     const double flapping = in.coning.rate * loads.m0 + x.b1c_rate * loads.mc + x.b1s_rate * loads.ms +
                             omega * (x.b1s * loads.mc - x.b1c * loads.ms);
     CHECK_NEAR(loads.torque * omega, dot(loads.force_a, in.velocity_a) + induced + flapping + profile,

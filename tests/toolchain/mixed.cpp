@@ -3,6 +3,7 @@
 #include <tiltrotor/analysis/linear/linear_model.hpp>
 #include <tiltrotor/model/aircraft_data.hpp>
 #include <tiltrotor/model/derivative.hpp>
+#include <tiltrotor/model/preparation.hpp>
 
 double never_called(double speed);
 double never_called(double speed) {

@@ -5,7 +5,7 @@
 
 #include "check.hpp"
 #include "tiltrotor/model/aircraft_data.hpp"
-#include "tiltrotor/model/configuration.hpp"
+#include "tiltrotor/model/preparation.hpp"
 #include "tiltrotor/tiltrotor.h"
 
 using namespace tiltrotor;

@@ -12,6 +12,7 @@
 
 #include "tiltrotor/analysis/rotor_equations.hpp"
 #include "tiltrotor/analysis/trim/momentum_range.hpp"
+#include "tiltrotor/model/preparation.hpp"
 
 namespace tiltrotor {
 

@@ -9,7 +9,6 @@
 // the state in T: C is plain or T, results are T.
 #pragma once
 
-#include "tiltrotor/math/arithmetic.hpp"
 #include "tiltrotor/math/status.hpp"
 #include "tiltrotor/model/airframe/wing_constants.hpp"
 #include "tiltrotor/model/atmosphere.hpp"
@@ -105,7 +104,7 @@ void configure(Configuration<C>& c) {
   const C& flap_deg = setup.flap_deg;
   c.mast = mast_deg * kRadPerDeg<R>;
   c.air = standard_air(setup.altitude);
-  c.mass = mass_properties(aircraft, mast_deg, setup.mass, setup.sl_cg, setup.wl_cg, o.inertia);
+  c.mass = mass_properties(aircraft, mast_deg, setup.mass, setup.sl_cg, setup.wl_cg, o);
 
   const MastTables<R>& mast = aircraft.mast;
   const SineCosine<C> tilt = sine_and_cosine(c.mast);
@@ -132,29 +131,6 @@ void configure(Configuration<C>& c) {
   c.tail_pressure_mast[0] = grid_point(aircraft.htail.pressure_ratio.linear[0], mast_deg);
   c.sidewash_mast_flap[0] = grid_point(aircraft.fin.sidewash.linear[0], mast_deg);
   c.sidewash_mast_flap[1] = grid_point(aircraft.fin.sidewash.linear[1], flap_deg);
-}
-
-// Prepare a configuration. Status out_of_range (and `c` unusable) when a setting lies outside its range, which
-// first_out_of_range() names; bad_arithmetic when this code or the processor does not round as arithmetic.hpp
-// says.
-// Cost: about one derivative.
-template <class R>
-Status prepare(const Aircraft<R>& aircraft, const FlightSetup<R>& setup, Configuration<R>& c) {
-  c = Configuration<R>{};
-  if (!rounds_once_to_nearest<R>()) return Status::bad_arithmetic;
-  if (first_out_of_range(aircraft, setup).field != SetupField::none) return Status::out_of_range;
-  const Options& o = setup.options;
-  c.aircraft = &aircraft;
-  c.pitch_flap = tan(aircraft.rotor.delta3);
-  c.induced_power_factor =
-      o.induced_power_factor > 0 ? static_cast<R>(o.induced_power_factor) : aircraft.inflow.induced_power;
-  c.apparent_mass_0 = o.apparent_mass == ApparentMass::impermeable ? aircraft.inflow.apparent_mass_uniform
-                                                                   : aircraft.inflow.apparent_mass_loaded;
-  c.blade = blade_stations(aircraft.rotor, o);
-  c.azimuth = averaged_azimuth<R>(aircraft.rotor.blades, azimuth_count(o));
-  c.setup = setup;
-  configure(c);
-  return Status::ok;
 }
 
 // Another setting in the same flight: `c` becomes what prepare() makes of it with the same aircraft and options,

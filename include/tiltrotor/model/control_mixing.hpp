@@ -20,7 +20,7 @@ BladeControls<T> mix_controls(const Configuration<C>& c, const Controls<T>& u, c
   const T pedal_cyclic = lookup(t.pedal_cyclic, mode, c.pedal_mast, speed_kt);  // 8a-II
 
   const T half_collective = u.diff_collective - g.lateral_collective * u.lat_stick;  // 8a-III
-  const T cyclic = g.long_cyclic * u.long_stick + u.long_cyclic;                     // 8a-I
+  const T cyclic = g.long_cyclic * u.long_stick + g.rigging + u.long_cyclic;         // 8a-I
   const T half_cyclic = u.diff_long_cyclic - pedal_cyclic * u.pedal;
   T lateral = u.lateral_cyclic;
   if (c.setup.options.lateral_cyclic) {

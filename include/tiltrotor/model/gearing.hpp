@@ -1,4 +1,4 @@
-// Gearing of the inceptors at one mast angle (NASA CR-166536 tables 8a-I, 8a-III, 8a-IV, 8a-VII).
+// Gearing of the inceptors and rigging of the disks at one mast angle (NASA CR-166536 tables 8a-I, 8a-III, 8a-IV, 8a-VII).
 #pragma once
 
 #include "tiltrotor/model/aircraft.hpp"
@@ -6,10 +6,11 @@
 
 namespace tiltrotor {
 
-// rad/in
+// rad/in, but as noted
 template <class C>
 struct Gearing {
   C long_cyclic;
+  C rigging;  // longitudinal cyclic with the stick at neutral, + disks forward, rad
   C lateral_collective;
   C lever;             // collective per inch of lever; 0 at mast 90
   C collective_floor;  // rad
@@ -26,6 +27,8 @@ Gearing<C> gearing(const Aircraft<Real<C>>& aircraft, const Options& options, co
   };
   Gearing<C> g;
   g.long_cyclic = at(t.long_cyclic);
+  // A bias of theta1s = -1.5 deg (1 - cos mast): Kleinhesselink 2007, app. B p. 164.
+  g.rigging = options.cyclic_rigging ? t.cyclic_rigging * (R(1) - cos(C(mast_deg * kRadPerDeg<R>))) : C(R(0));
   g.lateral_collective = at(t.lateral_collective);
   g.lever = at(t.lever);
   g.collective_floor = at(t.collective_floor);

@@ -17,10 +17,10 @@ struct MassProperties {
 // scaled.
 template <class C>
 MassProperties<C> mass_properties(const Aircraft<Real<C>>& aircraft, const C& mast_deg, const C& mass,
-                                  const C& sl_cg0, const C& wl_cg0, InertiaSet set) {
+                                  const C& sl_cg0, const C& wl_cg0, const Options& options) {
   using R = Real<C>;
   const MassTables<R>& m = aircraft.mass;
-  const C moving = m.nacelles / mass;
+  const C moving = (options.nacelle_mass == NacelleMass::quoted ? m.nacelles_quoted : m.nacelles) / mass;
   const C forward = moving * (aircraft.mast.sl_pivot - m.sl_nacelle);
   const C below = moving * (aircraft.mast.wl_pivot - m.wl_nacelle);
   const C s = sin(C(mast_deg * kRadPerDeg<R>));
@@ -32,7 +32,11 @@ MassProperties<C> mass_properties(const Aircraft<Real<C>>& aircraft, const C& ma
   p.wl_cg = wl_cg0 + below * (R(1) - c) - forward * s;
   p.inertia = {m.inertia.xx + m.inertia_slope.xx * mast_deg, m.inertia.yy + m.inertia_slope.yy * mast_deg,
                m.inertia.zz + m.inertia_slope.zz * mast_deg, m.inertia.xz + m.inertia_slope.xz * mast_deg};
-  if (set == InertiaSet::design_1975) {
+  if (options.inertia == InertiaSet::flown) {
+    p.inertia.yy = p.inertia.yy * m.flown_pitch;
+    p.inertia.zz = p.inertia.zz * m.flown_yaw;
+  }
+  if (options.inertia == InertiaSet::design_1975) {
     const auto between = [&mast_deg](R at_0, R at_90) { return MastRange<R>{at_0, at_90}.at(mast_deg); };
     p.inertia.xx = between(m.design_0.xx, m.design_90.xx);
     p.inertia.yy = between(m.design_0.yy, m.design_90.yy);

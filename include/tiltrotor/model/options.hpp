@@ -5,18 +5,21 @@
 
 namespace tiltrotor {
 
-enum class BladeGrid : unsigned char { specification, realtime };     // radial and azimuth stations
-enum class AzimuthMode : unsigned char { averaged, individual };      // rotor average or each blade
-enum class FlapOrder : unsigned char { second, first };               // gimbal equations
-enum class InflowShape : unsigned char { pitt_peters, uniform };      // three states or the mean alone
+enum class BladeGrid : unsigned char { specification, realtime };  // radial and azimuth stations
+enum class AzimuthMode : unsigned char { averaged, individual };   // rotor average or each blade
+enum class FlapOrder : unsigned char { second, first };            // gimbal equations
+enum class InflowShape : unsigned char { pitt_peters, uniform };   // three states or the mean alone
+enum class InflowGradient : unsigned char { pitt_peters, coleman, white_blake };  // fore-aft
+enum class RadialInflow : unsigned char { annular, constant };        // mean inflow along the blade
 enum class ApparentMass : unsigned char { impermeable, loaded };      // 8/(3 pi) or 128/(75 pi)
 enum class WakeModel : unsigned char { geometric, gtrs_empirical };   // immersed area of the wing
 enum class WashFactor : unsigned char { constant, vortex_cylinder };  // wash speed on the immersed wing
 enum class WakeLoadFactor : unsigned char { calibrated, gtrs };       // K_FW
 enum class MastDrag : unsigned char { cross_flow, linear };           // wing-pylon CD between mast 0 and 90
 enum class TailWash : unsigned char { tables, closed_form };          // rotor wash at the horizontal tail
-enum class TailPressure : unsigned char { by_mast, constant };  // K_HNU faded in with mast angle, or always
-enum class InertiaSet : unsigned char { simulation, design_1975 };
+enum class TailPressure : unsigned char { none, by_mast, constant };  // no K_HNU, faded in, or always
+enum class NacelleMass : unsigned char { printed_cg, quoted };        // 3985 lb or 4200 lb
+enum class InertiaSet : unsigned char { simulation, design_1975, flown };
 enum class FinArea : unsigned char { drawings, report };  // 25.25 or 20.25 ft^2 a panel
 enum class ChordSource : unsigned char { cutout, text, camrad };
 enum class TwistSource : unsigned char { table, linear };
@@ -34,6 +37,8 @@ struct Options {
   bool mast_cant = true;
   double hub_spring_factor = 1;  // multiplies the hub spring
   InflowShape inflow = InflowShape::pitt_peters;
+  InflowGradient inflow_gradient = InflowGradient::pitt_peters;
+  RadialInflow radial_inflow = RadialInflow::annular;
   ApparentMass apparent_mass = ApparentMass::impermeable;
   bool disk_plane_inflow = false;   // through-flow normal to the tilted disk instead of the shaft
   double induced_power_factor = 0;  // kappa_i; 0: the value of the aircraft's choices
@@ -48,12 +53,14 @@ struct Options {
   bool wing_rate_velocity = false;  // add the velocity due to body rates at the free wing's centre
   bool downwash_lag = true;         // wing downwash reaches the tail through a state
   TailWash tail_wash = TailWash::tables;
-  TailPressure tail_pressure = TailPressure::by_mast;
+  TailPressure tail_pressure = TailPressure::none;
   bool tail_sideslip_loss = false;  // table 5-VI on the tail loads
+  NacelleMass nacelle_mass = NacelleMass::printed_cg;
   InertiaSet inertia = InertiaSet::simulation;
   FinArea fin_area = FinArea::drawings;
   ChordSource chord = ChordSource::cutout;
   TwistSource twist = TwistSource::table;
+  bool cyclic_rigging = true;   // longitudinal cyclic bias that grows with mast angle
   bool lateral_cyclic = false;  // lateral cyclic schedule with airspeed, tables 8a-VII and 8a-VIII
   ElevatorGearing elevator_gearing = ElevatorGearing::aircraft;
   bool position_states = false;  // earth position among the active states

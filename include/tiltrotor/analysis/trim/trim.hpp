@@ -12,6 +12,7 @@
 #pragma once
 
 #include "tiltrotor/analysis/trim/trim_continuation.hpp"
+#include "tiltrotor/model/preparation.hpp"
 
 namespace tiltrotor {
 

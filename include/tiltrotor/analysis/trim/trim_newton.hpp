@@ -9,8 +9,7 @@ namespace tiltrotor {
 
 template <class R, class Policy = DefaultDifferentiation>
 struct TrimWorkspace : NewtonWorkspace<R, kMaxTrimUnknowns> {
-  static constexpr int kDirections =
-      kMaxTrimUnknowns < kModelDirections ? kMaxTrimUnknowns : kModelDirections;
+  static constexpr int kDirections = kModelDirections;  // one width of dual numbers for trim and linear model
   using Seeded = typename Policy::template Scalar<R, kDirections>;
   typename Policy::template Workspace<R, kDirections, kMaxTrimUnknowns, kMaxTrimUnknowns> differentiation;
   ModelWorkspaces<R, Seeded> model;

@@ -14,6 +14,7 @@ struct ControlTables {
   Table<R, 1> collective_floor;             // 8a-IV: lower limit of the pitch at 0.75 R, rad
   Table<R, 1> lateral_cyclic_gain;          // 8a-VII: gain against mast (deg)
   Table<R, 1> lateral_cyclic;               // 8a-VIII: rad against airspeed (kt)
+  R cyclic_rigging;                         // cyclic_rigging, longitudinal, + disks forward, rad
   R elevator;                               // elevator_gearing, rad/in
   R elevator_replay;                        // choices: elevator_gearing_replay (4.735 deg/in), rad/in
   R aileron;                                // aileron_gearing_mean, rad/in

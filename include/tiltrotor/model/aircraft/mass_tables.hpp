@@ -13,11 +13,13 @@ struct Inertia {  // moments and product of inertia about the CG, kg m^2; xz = i
 template <class R>
 struct MassTables {
   R gross;                   // weight_gross, kg
-  R nacelles;                // weight_pylons_both, kg: the part that tilts
+  R nacelles;                // weight_pylons_printed_cg, kg: the part that tilts
+  R nacelles_quoted;         // weight_pylons_both, kg, the alternative
   R sl_cg, wl_cg;            // SL_CG_aft_helicopter, WL_CG_helicopter: CG at mast 0, m
   R sl_nacelle, wl_nacelle;  // SL_pylon_CG, WL_pylon_CG: CG of the tilting part at mast 0, m
   Inertia<R> inertia;        // Ixx_0 .. Ixz_0 at mast 0, for the gross weight
   Inertia<R> inertia_slope;  // dIxx_dbm .. dIxz_dbm, kg m^2 per degree of mast angle
+  R flown_pitch, flown_yaw;  // choices: flown_inertia_pitch, flown_inertia_yaw, over the inertia above
   Inertia<R> design_0;       // I.._helicopter_1975: 1975 design estimate (xz of the set above)
   Inertia<R> design_90;      // I.._airplane_1975
 };

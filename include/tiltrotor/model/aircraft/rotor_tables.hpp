@@ -47,6 +47,8 @@ struct InflowTables {
   R apparent_mass_loaded;   // choices: 128/(75 pi), the alternative
   R apparent_mass_cyclic;   // choices: 16/(45 pi)
   R induced_power;          // choices: induced_power_factor (kappa_i)
+  R shape_thrust;           // choices: inflow_shape_thrust, C_T of the hover that gives the radial shape
+  R shape_tip_mach;         // choices: inflow_shape_tip_mach, of the same hover
 };
 
 // Rotor wake on the wing and the immersed part of the wing.

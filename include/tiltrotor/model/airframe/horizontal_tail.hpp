@@ -35,10 +35,11 @@ Loads<T> horizontal_tail_loads(const Configuration<C>& c, const AirframeInput<T>
 
   const T arguments[2] = {stream.alpha_deg, stream.speed_kt};
   const T ratio = lookup(h.pressure_ratio, o.tables, c.tail_pressure_mast, arguments);  // 5-V
-  const C by_mast =
-      o.tail_pressure == TailPressure::by_mast ? h.pressure.at(c.setup.mast_deg) : C(h.pressure.at_90);
+  const C loss = o.tail_pressure == TailPressure::by_mast    ? h.pressure.at(c.setup.mast_deg)
+                 : o.tail_pressure == TailPressure::constant ? C(h.pressure.at_90)
+                                                             : C(R(1));
   // Body velocity, not the local one: the pressure ratio holds the rest (p. A-87).
-  const T q = (R(0.5) * c.air.density * by_mast) * ratio *
+  const T q = (R(0.5) * c.air.density * loss) * ratio *
               (in.velocity.x * in.velocity.x + in.velocity.z * in.velocity.z);
   const T scale = q * h.surface.area * tail_sideslip_factor(c, stream);
   // Turned by the angle of the flow, without the incidence (p. A-88).

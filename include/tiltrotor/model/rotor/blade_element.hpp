@@ -1,8 +1,8 @@
 // Aerodynamic load of one blade element and of one blade.
 //
-// At a given azimuth the flow along a blade is linear in radius, so five numbers describe it whatever the
-// state of the aircraft: BladeFlow. A blade is differentiated with respect to these five, an element with
-// respect to the three of ElementFlow.
+// At a given azimuth the flow along a blade is linear in radius but for the mean inflow, whose shape is fixed:
+// six numbers describe it whatever the state of the aircraft: BladeFlow. A blade is differentiated with respect
+// to these six, an element with respect to the three of ElementFlow.
 #pragma once
 
 #include "tiltrotor/math/differentiation/batch.hpp"
@@ -12,20 +12,23 @@
 namespace tiltrotor {
 
 // Flow seen by one blade: U_T = tangential_0 + r tangential_r (positive onto the leading edge),
-// U_P = normal_0 + r normal_r (positive from above), and its pitch at the collective's reference radius.
+// U_P = normal_0 + r normal_r + shape(r) shaped (positive from above), and its pitch at the collective's
+// reference radius.
 template <class T>
 struct BladeFlow {
   T tangential_0, tangential_r;  // m/s, 1/s
   T normal_0, normal_r;          // m/s, 1/s
+  T shaped;                      // m/s, the part that follows BladeStation::inflow_shape
   T pitch;                       // rad
 
-  static constexpr int kCount = 5;
+  static constexpr int kCount = 6;
   template <class Self, class Visit>
   static constexpr void each(Self& s, Visit&& visit) {
     visit(s.tangential_0);
     visit(s.tangential_r);
     visit(s.normal_0);
     visit(s.normal_r);
+    visit(s.shaped);
     visit(s.pitch);
   }
 };
@@ -125,7 +128,7 @@ TILTROTOR_INLINE ElementLoads<T> element_loads(const Configuration<C>& c, int re
   return {scale * (lift * ut - k.drag * up), -(scale * (lift * up + k.drag * ut))};
 }
 
-// Calls see(radius, loads) for every element of one blade, from the root to the tip. `flow_at(station)`: its
+// Calls see(station, loads) for every element of one blade, from the root to the tip. `flow_at(station)`: its
 // flow.
 template <class T, class C, class FlowAt, class See>
 TILTROTOR_INLINE void each_element(const Configuration<C>& c, FlowAt&& flow_at, See&& see) {
@@ -133,7 +136,7 @@ TILTROTOR_INLINE void each_element(const Configuration<C>& c, FlowAt&& flow_at, 
   for (int region = 0; region < kSectionRegions; ++region) {
     for (; i < c.blade.region_end[region]; ++i) {
       const BladeStation<Real<T>>& station = c.blade.station[i];
-      see(station.radius, element_loads<T>(c, region, station, flow_at(station)));
+      see(station, element_loads<T>(c, region, station, flow_at(station)));
     }
   }
 }
@@ -141,7 +144,8 @@ TILTROTOR_INLINE void each_element(const Configuration<C>& c, FlowAt&& flow_at, 
 template <class T>
 ElementFlow<T> element_flow(const BladeFlow<T>& flow, const BladeStation<Real<T>>& station) {
   return {flow.tangential_0 + station.radius * flow.tangential_r,
-          flow.normal_0 + station.radius * flow.normal_r, flow.pitch + station.twist};
+          flow.normal_0 + station.radius * flow.normal_r + station.inflow_shape * flow.shaped,
+          flow.pitch + station.twist};
 }
 
 // Sum over the stations of one blade.
@@ -151,17 +155,17 @@ BladeLoads<T> blade_loads(const Configuration<C>& c, const BladeFlow<T>& flow) {
   BladeLoads<T> sum{T(R(0)), T(R(0)), T(R(0)), T(R(0))};
   each_element<T>(
       c, [&flow](const BladeStation<R>& station) { return element_flow(flow, station); },
-      [&sum](R radius, const ElementLoads<T>& element) {
+      [&sum](const BladeStation<R>& station, const ElementLoads<T>& element) {
         sum.normal += element.normal;
         sum.tangential += element.tangential;
-        sum.normal_moment += radius * element.normal;
-        sum.tangential_moment += radius * element.tangential;
+        sum.normal_moment += station.radius * element.normal;
+        sum.tangential_moment += station.radius * element.tangential;
       });
   return sum;
 }
 
-// The same with its slopes along the five numbers of the flow. U_T and U_P are linear in the radius, so the
-// slopes of the sums are radial moments of the slopes of the elements, which have three.
+// The same with its slopes along the six numbers of the flow. U_T and U_P are linear in the radius and in its
+// inflow shape, so the slopes of the sums are moments of the slopes of the elements, which have three.
 template <class V, class C>
 BladeLoads<Dual<V, BladeFlow<V>::kCount>> blade_loads_and_slopes(const Configuration<C>& c,
                                                                  const BladeFlow<V>& flow) {
@@ -169,6 +173,8 @@ BladeLoads<Dual<V, BladeFlow<V>::kCount>> blade_loads_and_slopes(const Configura
   using D = Dual<V, 3>;
   D normal[3] = {D(V(R(0))), D(V(R(0))), D(V(R(0)))};  // sums of the load times 1, r, r^2
   D tangential[3] = {D(V(R(0))), D(V(R(0))), D(V(R(0)))};
+  V normal_shaped[2] = {V(R(0)), V(R(0))};  // sums of the slope along U_P times shape, r shape
+  V tangential_shaped[2] = {V(R(0)), V(R(0))};
   each_element<D>(
       c,
       [&flow](const BladeStation<R>& station) {
@@ -176,21 +182,28 @@ BladeLoads<Dual<V, BladeFlow<V>::kCount>> blade_loads_and_slopes(const Configura
         return ElementFlow<D>{D::variable(at.tangential, 0), D::variable(at.normal, 1),
                               D::variable(at.pitch, 2)};
       },
-      [&](R radius, const ElementLoads<D>& element) {
-        const V weight[3] = {V(R(1)), V(radius), V(radius * radius)};
+      [&](const BladeStation<R>& station, const ElementLoads<D>& element) {
+        const V weight[3] = {V(R(1)), V(station.radius), V(station.radius * station.radius)};
         for (int k = 0; k < 3; ++k) {
           normal[k] += weight[k] * element.normal;
           tangential[k] += weight[k] * element.tangential;
         }
+        const V shape[2] = {V(station.inflow_shape), V(station.radius * station.inflow_shape)};
+        for (int k = 0; k < 2; ++k) {
+          normal_shaped[k] += shape[k] * element.normal.d.get(1);
+          tangential_shaped[k] += shape[k] * element.tangential.d.get(1);
+        }
       });
-  const auto with_slopes = [](const D* moment) {
+  const auto with_slopes = [](const D* moment, const V& shaped) {
     Dual<V, BladeFlow<V>::kCount> r(moment[0].v);
-    const V slopes[] = {moment[0].d.get(0), moment[1].d.get(0), moment[0].d.get(1), moment[1].d.get(1),
-                        moment[0].d.get(2)};
+    const V slopes[] = {
+        moment[0].d.get(0), moment[1].d.get(0), moment[0].d.get(1), moment[1].d.get(1), shaped,
+        moment[0].d.get(2)};
     for (int j = 0; j < BladeFlow<V>::kCount; ++j) r.d.set(j, slopes[j]);
     return r;
   };
-  return {with_slopes(normal), with_slopes(tangential), with_slopes(normal + 1), with_slopes(tangential + 1)};
+  return {with_slopes(normal, normal_shaped[0]), with_slopes(tangential, tangential_shaped[0]),
+          with_slopes(normal + 1, normal_shaped[1]), with_slopes(tangential + 1, tangential_shaped[1])};
 }
 
 }  // namespace tiltrotor

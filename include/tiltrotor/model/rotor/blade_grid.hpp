@@ -17,6 +17,7 @@ struct BladeStation {
   R half_chord_dr;  // chord times quadrature width over two, m^2: half density times this is the load scale
   R twist;          // pitch above that at the collective's reference radius, rad
   R lift_weight;    // 1 inside the tip-loss radius, 0 outside
+  R inflow_shape;   // mean inflow here over its value lambda_0, less one: radial_inflow.hpp
 };
 
 template <class R>

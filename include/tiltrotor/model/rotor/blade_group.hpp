@@ -1,7 +1,7 @@
 // Blades at several azimuths, computed together: one in each lane of the target's vectors.
 //
 // The elements of these blades are nearly all the work of a rotor. They are computed on batches of plain
-// numbers, with slopes along the five numbers of BladeFlow when the rotor's scalar carries partials; the
+// numbers, with slopes along the six numbers of BladeFlow when the rotor's scalar carries partials; the
 // slopes are then chained. Where the configuration carries partials as well, every blade is computed on the
 // rotor's own scalar.
 #pragma once
@@ -10,7 +10,7 @@
 #include <type_traits>
 
 #include "tiltrotor/math/differentiation/preaccumulate.hpp"
-#include "tiltrotor/model/rotor/rotor_input.hpp"
+#include "tiltrotor/model/rotor/radial_inflow.hpp"
 
 namespace tiltrotor {
 
@@ -45,7 +45,10 @@ class BladeGroup {
  public:
   static constexpr int kBlades = kBatchLanes<R>;
 
-  void set_input(const RotorInput<T>& in) { in_ = blade_group_detail::in_every_lane(in); }
+  void set_input(const RotorInput<T>& in, const T& shaped) {
+    in_ = blade_group_detail::in_every_lane(in);
+    shaped_ = Batch<R>(value(shaped));
+  }
 
   // Blades at the azimuths from `first`, where the configuration is plain.
   template <class C>
@@ -54,7 +57,7 @@ class BladeGroup {
     const Batch<R> cosine = blade_group_detail::load_batch(azimuth.cosine + first);
     const Batch<R> sine = blade_group_detail::load_batch(azimuth.sine + first);
     const Batch<R> flap = flap_angle(in_, cosine, sine);
-    const BladeFlow<Batch<R>> flow = blade_flow(c, in_, sin(flap), cos(flap), cosine, sine);
+    const BladeFlow<Batch<R>> flow = blade_flow(c, in_, shaped_, sin(flap), cos(flap), cosine, sine);
     if constexpr (kTakesSlopes) {
       loads_ = blade_loads_and_slopes(c, flow);
     } else {
@@ -87,6 +90,7 @@ class BladeGroup {
   }
 
   RotorInput<Batch<R>> in_;
+  Batch<R> shaped_;
   BladeLoads<Lanes> loads_;
 };
 
@@ -97,7 +101,7 @@ class BladeGroup<std::complex<R>> {
 
  public:
   static constexpr int kBlades = 1;
-  void set_input(const RotorInput<T>&) {}
+  void set_input(const RotorInput<T>&, const T&) {}
   template <class C>
   void compute_blades(const Configuration<C>&, const AzimuthStations<R>&, int) {}
   template <class C>

@@ -22,18 +22,33 @@ struct InflowRates {
   T lambda_0, lambda_c, lambda_s;  // 1/s
 };
 
+// Fore-aft gradient of the inflow that thrust makes, lambda_c / lambda_0 = 2 k tan(chi/2). `x2`: tan(chi/2)^2.
+// Surveyed in Chen, NASA TM-102219 (1990); written without angles (derived here).
+template <class T>
+T inflow_gradient(InflowGradient law, const T& x2) {
+  using R = Real<T>;
+  switch (law) {
+    case InflowGradient::coleman:  // tan(chi/2): Coleman, Feingold and Stempin, NACA ARR L5E10 (1945)
+      return T(R(0.5));
+    case InflowGradient::white_blake:  // sqrt(2) sin(chi)
+      return R(1.4142135623730951) / (R(1) + x2);
+    default:  // 15 pi/32 tan(chi/2)
+      return T(R(15) * kPi<R> / R(64));
+  }
+}
+
 // Inverse gain matrix in hub axes: rows and columns (0, c, s). `kappa` scales the mean gain L00 = kappa/2.
 template <class T>
 struct InflowGainInverse {
   T inv_00, inv_0c, inv_0s, inv_c0, inv_s0, inv_cc, inv_cs, inv_ss;
 };
 
+// `k`: inflow_gradient().
 template <class T>
-InflowGainInverse<T> inflow_gain_inverse(const T& xc, const T& xs, Real<T> kappa) {
+InflowGainInverse<T> inflow_gain_inverse(const T& xc, const T& xs, const T& k, Real<T> kappa) {
   using R = Real<T>;
-  const R k = R(15) * kPi<R> / R(64);
   const T x2 = xc * xc + xs * xs;
-  // Determinant of the (0, downstream) block; at least 0.54 for kappa = 1 and |X| <= 1.
+  // Determinant of the (0, downstream) block; at least 0.25 for kappa = 1 and |X| <= 1.
   const T d = kappa * (R(1) - x2) + k * k * x2;
   const T inverse_d = R(1) / d;
   const T isotropic = R(1) / (R(2) * (R(1) + x2));
@@ -69,8 +84,10 @@ InflowRates<T> inflow_rates(const Configuration<C>& c, const RotorState<T>& x, c
             R(0) * x.lambda_s};
   }
   const T inverse_skew = R(1) / (vt + smooth_positive(through, e.through_flow));
-  const InflowGainInverse<T> g =
-      inflow_gain_inverse(T(f.mu_x * inverse_skew), T(f.mu_y * inverse_skew), c.induced_power_factor);
+  const T xc = f.mu_x * inverse_skew;
+  const T xs = f.mu_y * inverse_skew;
+  const T k = inflow_gradient(c.setup.options.inflow_gradient, T(xc * xc + xs * xs));
+  const InflowGainInverse<T> g = inflow_gain_inverse(xc, xs, k, c.induced_power_factor);
   return {
       (omega / m0) * (f.c0 - vt * (g.inv_00 * x.lambda_0 + g.inv_0c * x.lambda_c + g.inv_0s * x.lambda_s)),
       (omega / m1) * (f.cc - vm * (g.inv_c0 * x.lambda_0 + g.inv_cc * x.lambda_c + g.inv_cs * x.lambda_s)),

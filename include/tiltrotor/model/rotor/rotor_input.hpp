@@ -45,10 +45,10 @@ T flap_angle(const RotorInput<T>& in, const Plain& cosine, const Plain& sine) {
 }
 
 // Flow seen by the blade at one azimuth, no small angles.
-// `cosine`, `sine`: of the azimuth, a plain number or a batch of blades.
+// `shaped`: radial_inflow(); `cosine`, `sine`: of the azimuth, a plain number or a batch of blades.
 template <class T, class C, class Plain>
-BladeFlow<T> blade_flow(const Configuration<C>& c, const RotorInput<T>& in, const T& sin_flap,
-                        const T& cos_flap, const Plain& cosine, const Plain& sine) {
+BladeFlow<T> blade_flow(const Configuration<C>& c, const RotorInput<T>& in, const T& shaped,
+                        const T& sin_flap, const T& cos_flap, const Plain& cosine, const Plain& sine) {
   const C omega = c.setup.rotor_speed;
   const RotorState<T>& x = in.state;
   const T gimbal = x.b1c * cosine + x.b1s * sine;
@@ -62,6 +62,7 @@ BladeFlow<T> blade_flow(const Configuration<C>& c, const RotorInput<T>& in, cons
                   sin_flap * (in.velocity_a.x * cosine + in.velocity_a.y * sine);
   flow.normal_r = flap_rate + in.rates_a.x * sine - in.rates_a.y * cosine +
                   cos_flap * (omega * (x.lambda_c * cosine + x.lambda_s * sine));
+  flow.shaped = cos_flap * shaped;
   flow.pitch = in.collective - in.lateral_cyclic * cosine - in.long_cyclic * sine - c.pitch_flap * gimbal;
   return flow;
 }

@@ -23,14 +23,15 @@ struct RotorLoads {
   }
 };
 
-// Adds the loads of the blade at one azimuth, number `lane` of its group.
+// Adds the loads of the blade at one azimuth, number `lane` of its group. `shaped`: radial_inflow().
 template <class T, class C>
-void add_blade(const Configuration<C>& c, const RotorInput<T>& in, Real<T> cosine, Real<T> sine,
-               const BladeGroup<T>& group, int lane, RotorLoads<T>& sum) {
+void add_blade(const Configuration<C>& c, const RotorInput<T>& in, const T& shaped, Real<T> cosine,
+               Real<T> sine, const BladeGroup<T>& group, int lane, RotorLoads<T>& sum) {
   const T flap = flap_angle(in, cosine, sine);
   const T sin_flap = sin(flap);
   const T cos_flap = cos(flap);
-  const BladeLoads<T> blade = group.loads(c, lane, blade_flow(c, in, sin_flap, cos_flap, cosine, sine));
+  const BladeLoads<T> blade =
+      group.loads(c, lane, blade_flow(c, in, shaped, sin_flap, cos_flap, cosine, sine));
   const T radial = sin_flap * blade.normal;  // inward along the blade's projection on the disk
   sum.force_a.x -= cosine * radial + sine * blade.tangential;
   sum.force_a.y += cosine * blade.tangential - sine * radial;
@@ -47,11 +48,12 @@ void rotor_loads(const Configuration<C>& c, const RotorInput<T>& in, const Azimu
                  BladeGroup<T>& blades, RotorLoads<T>& sum) {
   using R = Real<T>;
   RotorLoads<T>::each(sum, [](T& x) { x = T(R(0)); });
-  blades.set_input(in);
+  const T shaped = radial_inflow(c, in);
+  blades.set_input(in, shaped);
   for (int k = 0; k < azimuth.count; ++k) {
     const int lane = k % BladeGroup<T>::kBlades;
     if (lane == 0) blades.compute_blades(c, azimuth, k);
-    add_blade(c, in, azimuth.cosine[k], azimuth.sine[k], blades, lane, sum);
+    add_blade(c, in, shaped, azimuth.cosine[k], azimuth.sine[k], blades, lane, sum);
   }
   RotorLoads<T>::each(sum, [&azimuth](T& x) { x = azimuth.weight * x; });
 }
