@@ -94,7 +94,8 @@ T flow_from_ahead(const T& alpha, const SmoothingWidths<Real<T>>& e) {
   return R(1) - smooth_step(T((size - e.rear_flow_start) * (R(1) / (kPi<R> - e.rear_flow_start))));
 }
 
-// Force of lift L, drag D and side force Y' (wind axes at alpha, beta) in body axes:
+// Force of lift L, drag D and side force Y' (wind axes at alpha, beta) in body axes, derived here from the
+// two rotations, with the signs of NASA CR-166536.
 // X = L sa - (D cb + Y' sb) ca,  Y = Y' cb - D sb,  Z = -L ca - (D cb + Y' sb) sa.
 template <class T>
 Vec3<T> wind_force(const T& lift, const T& drag, const T& side, const T& alpha, const T& beta) {
