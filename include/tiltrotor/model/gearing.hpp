@@ -1,4 +1,4 @@
-// Gearing of the inceptors at one mast angle (NASA CR-166536 tables 8a-I, 8a-III, 8a-IV, 8a-VII).
+// Gearing of the inceptors at one mast angle (NASA CR-166536 tables 8a-I, 8a-III, 8a-VII).
 #pragma once
 
 #include "tiltrotor/model/aircraft.hpp"
@@ -11,8 +11,6 @@ template <class C>
 struct Gearing {
   C long_cyclic;
   C lateral_collective;
-  C lever;             // collective per inch of lever; 0 at mast 90
-  C collective_floor;  // rad
   C lateral_cyclic_gain;
   Real<C> elevator, aileron, rudder;
 };
@@ -27,8 +25,6 @@ Gearing<C> gearing(const Aircraft<Real<C>>& aircraft, const Options& options, co
   Gearing<C> g;
   g.long_cyclic = at(t.long_cyclic);
   g.lateral_collective = at(t.lateral_collective);
-  g.lever = at(t.lever);
-  g.collective_floor = at(t.collective_floor);
   g.lateral_cyclic_gain = options.lateral_cyclic ? at(t.lateral_cyclic_gain) : C(R(0));
   g.elevator = options.elevator_gearing == ElevatorGearing::aircraft ? t.elevator : t.elevator_replay;
   g.aileron = t.aileron;
