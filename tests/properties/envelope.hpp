@@ -96,7 +96,7 @@ inline tr_setup random_setup(Generator& random, bool& valid) {
   return setup;
 }
 
-inline double bound(int state) { return std::min(response_detail::state_bound<double>(state), 1e6); }
+inline double bound(int state) { return std::min(state_bound<double>(state), 1e6); }
 
 inline tr_state random_state(Generator& random, Corner corner, double hover_wash) {
   tr_state s{};
@@ -331,7 +331,7 @@ inline void fly(std::uint64_t index, double duration, FlightCounts& counts, Brea
     flatten(s.state, x);
     bool in_range = true;
     for (int i = 0; i < state_count; ++i)
-      in_range = in_range && std::fabs(x[i]) <= response_detail::state_bound<double>(i);  // false for NaN
+      in_range = in_range && std::fabs(x[i]) <= state_bound<double>(i);  // false for NaN
     expect(in_range, "a state out of range or not a number passed for good");
     if (status == Status::ok) {
       if (!in_range) return;

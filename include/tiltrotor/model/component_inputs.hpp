@@ -51,8 +51,8 @@ void airframe_input(const Configuration<C>& c, const State<T>& x, const Vec3<T>&
   using R = Real<T>;
   const C unit_force = c.air.density * kPi<R> * square(c.tip_speed * c.aircraft->rotor.radius);
   const auto size = [](const Vec3<T>& force) { return sqrt(dot(force, force)); };
-  in.velocity = velocity_b;
-  in.rates = x.rates;
+  in.velocity_b = velocity_b;
+  in.rates_b = x.rates;
   for (const Side side : {right, left}) in.mean_wash[side] = c.tip_speed * x.rotor[side].lambda_0;
   in.rotor_force = (size(rotor[right].loads.force_a) + size(rotor[left].loads.force_a)) * (R(1) / unit_force);
   in.advance_ratio = R(0.5) * (advance[right] + advance[left]);

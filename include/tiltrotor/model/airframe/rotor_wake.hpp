@@ -36,7 +36,7 @@ ImmersedWing<T> empirical_immersed_wing(const Configuration<C>& c, const Airfram
   const C upright = kPi<R> / R(2) - c.mast;
   const C shape = sin(w.gtrs_angle_a * upright) + cos(w.gtrs_angle_b * upright);
   const C scale = value(shape) > R(0) ? C(w.gtrs_area * shape) : C(R(0));
-  const T speed = total_speed(in.velocity, c.aircraft->smooth.airspeed);
+  const T speed = total_speed(in.velocity_b, c.aircraft->smooth.airspeed);
   const T remaining =
       smooth_positive(T(R(1) - speed * (R(1) / w.gtrs_end_speed)), c.aircraft->smooth.wake_cut);
   const R half_area = c.aircraft->wing.area / R(2);
@@ -55,13 +55,13 @@ ImmersedWing<T> geometric_immersed_wing(const Configuration<C>& c, const Airfram
   const SmoothingWidths<R>& e = c.aircraft->smooth;
   const R sigma = side_sign<R>(side);
   const R radius = c.aircraft->rotor.radius;
-  const Vec3<C>& axis_b = c.nacelle_axis;
+  const Vec3<C>& axis_b = c.nacelle_axis_b;
   const T& v0 = in.mean_wash[side];
 
   // Direction of the wake axis: wind relative to the aircraft plus the wash between disk and far wake, 1.5 v0
   // (choices.csv: wake_axis_speed_factor).
   const Vec3<C>& hub_b = c.hub[side].arm_b;
-  const Vec3<T> hub_velocity_b = in.velocity + rate_cross_arm(in.rates, hub_b);
+  const Vec3<T> hub_velocity_b = in.velocity_b + rate_cross_arm(in.rates_b, hub_b);
   const Vec3<T> wind_b = T(R(-1)) * hub_velocity_b - along(T(w.axis_speed_factor * v0), axis_b);
   const T inverse = R(1) / sqrt(dot(wind_b, wind_b) + square(e.wake_axis));
   const Vec3<T> d_b = inverse * wind_b;
@@ -94,7 +94,7 @@ ImmersedWing<T> geometric_immersed_wing(const Configuration<C>& c, const Airfram
   const T enters = smooth_step(T(downstream * (R(1) / (e.wake_start * radius))));
 
   ImmersedWing<T> out;
-  out.area = wing.chord * (outer - inner) * enters * wake_fade(c, total_speed(in.velocity, e.airspeed));
+  out.area = wing.chord * (outer - inner) * enters * wake_fade(c, total_speed(in.velocity_b, e.airspeed));
   out.lateral = R(0.5) * (outer + inner);
   out.wash = c.setup.options.wash == WashFactor::constant ? w.wash_factor * v0 : k * v0;
   return out;
