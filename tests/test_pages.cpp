@@ -11,7 +11,7 @@
 
 #include "check.hpp"
 #include "run_program.hpp"
-#include "tiltrotor/model/loads.hpp"
+#include "tiltrotor/model/variables/loads.hpp"
 #include "tiltrotor/tiltrotor.h"
 
 using check::source_path;

@@ -93,7 +93,7 @@ std::set<std::string> given_fields(const std::string& generated) {
 
 // A row of src/tablegen/aircraft_fields.cpp, or a line of aircraft_tables.cpp, that was forgotten.
 TEST(house_every_number_of_the_aircraft_is_filled) {
-  std::string headers = content("include/tiltrotor/model/aircraft.hpp");
+  std::string headers = content("include/tiltrotor/model/aircraft/aircraft.hpp");
   for (const std::string& name : found(headers, "#include \"tiltrotor/(model/aircraft/\\w+\\.hpp)\""))
     headers += content("include/tiltrotor/" + name);
   headers += content("include/tiltrotor/model/aircraft/mast_range.hpp");
@@ -131,9 +131,9 @@ TEST(house_every_section_of_the_report_is_shown) {
 
 // A switch without the test of what it changes, and one with a range that prepare() does not look at.
 TEST(house_every_option_has_its_test) {
-  const Structs structs = structs_of(content("include/tiltrotor/model/options.hpp"));
+  const Structs structs = structs_of(content("include/tiltrotor/model/variables/options.hpp"));
   const std::string tests = content("tests/model/test_options.cpp");
-  const std::string ranges = content("include/tiltrotor/model/setup_range.hpp");
+  const std::string ranges = content("include/tiltrotor/model/setup/setup_range.hpp");
   CHECK_LE(30u, structs.at("Options").size());
   for (const Member& option : structs.at("Options")) {
     if (!CHECK(has_word(tests, "o\\." + option.name + " ="))) NOTE(option.name << " is switched by no test");
@@ -144,8 +144,8 @@ TEST(house_every_option_has_its_test) {
 
 // A quantity of the setup that prepare() takes whatever it is.
 TEST(house_every_setting_has_its_range) {
-  const Structs structs = structs_of(content("include/tiltrotor/model/configuration.hpp"));
-  const std::string ranges = content("include/tiltrotor/model/setup_range.hpp");
+  const Structs structs = structs_of(content("include/tiltrotor/model/setup/configuration.hpp"));
+  const std::string ranges = content("include/tiltrotor/model/setup/setup_range.hpp");
   CHECK_LE(8u, structs.at("ConfigurationSetting").size());
   for (const Member& setting : structs.at("ConfigurationSetting"))
     if (!CHECK(has_word(ranges, "setup\\." + setting.name))) NOTE(setting.name << " has no range");
@@ -153,7 +153,7 @@ TEST(house_every_setting_has_its_range) {
 
 // A component whose change under a switch would go unseen.
 TEST(house_every_component_is_watched_by_the_tests_of_switches) {
-  const std::string loads = content("include/tiltrotor/model/loads.hpp");
+  const std::string loads = content("include/tiltrotor/model/variables/loads.hpp");
   const std::string tests = content("tests/model/test_options.cpp");
   const std::size_t begin = loads.find("enum class Component");
   const std::string list = loads.substr(begin, loads.find("count", begin) - begin);

@@ -20,6 +20,6 @@
 #include "tiltrotor/analysis/linear/mode_tracker.hpp"
 #include "tiltrotor/math/differentiation/complex_step.hpp"
 #include "tiltrotor/math/tables/table_slopes.hpp"
-#include "tiltrotor/model/aircraft_data.hpp"
-#include "tiltrotor/model/setup_explanation.hpp"
+#include "tiltrotor/model/aircraft/aircraft_data.hpp"
+#include "tiltrotor/model/setup/setup_explanation.hpp"
 #include "tiltrotor/model/variables/control_range.hpp"

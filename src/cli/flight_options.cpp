@@ -5,8 +5,8 @@
 
 #include "cli/errors.hpp"
 #include "cli/model_options.hpp"
-#include "tiltrotor/model/aircraft_data.hpp"
-#include "tiltrotor/model/setup_explanation.hpp"
+#include "tiltrotor/model/aircraft/aircraft_data.hpp"
+#include "tiltrotor/model/setup/setup_explanation.hpp"
 
 namespace tiltrotor::cli {
 

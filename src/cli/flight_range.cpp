@@ -6,7 +6,7 @@
 #include "cli/errors.hpp"
 #include "text/number.hpp"
 #include "tiltrotor/math/differentiation/preaccumulate.hpp"
-#include "tiltrotor/model/aircraft_data.hpp"
+#include "tiltrotor/model/aircraft/aircraft_data.hpp"
 #include "tiltrotor/model/variables/control_range.hpp"
 
 namespace tiltrotor::cli {

@@ -7,7 +7,7 @@
 #include "cli/arguments.hpp"
 #include "cli/errors.hpp"
 #include "text/nearest.hpp"
-#include "tiltrotor/model/rotor/blade_grid.hpp"
+#include "tiltrotor/model/setup/blade_grid.hpp"
 
 namespace tiltrotor::cli {
 

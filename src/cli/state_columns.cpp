@@ -9,7 +9,7 @@
 #include "cli/trim_columns.hpp"
 #include "text/number.hpp"
 #include "tiltrotor/math/differentiation/preaccumulate.hpp"
-#include "tiltrotor/model/aircraft_data.hpp"
+#include "tiltrotor/model/aircraft/aircraft_data.hpp"
 
 namespace tiltrotor::cli {
 

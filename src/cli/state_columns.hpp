@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "tiltrotor/model/configuration.hpp"
+#include "tiltrotor/model/setup/configuration.hpp"
 #include "tiltrotor/model/variables/controls.hpp"
 #include "tiltrotor/model/variables/state.hpp"
 

@@ -9,7 +9,7 @@
 #include "text/nearest.hpp"
 #include "tiltrotor/analysis/flight/response.hpp"
 #include "tiltrotor/math/differentiation/preaccumulate.hpp"
-#include "tiltrotor/model/aircraft_data.hpp"
+#include "tiltrotor/model/aircraft/aircraft_data.hpp"
 #include "tiltrotor/model/variables/control_range.hpp"
 
 namespace tiltrotor::cli {

@@ -3,7 +3,7 @@
 
 #include "library/c_state.hpp"
 #include "library/c_words.hpp"
-#include "tiltrotor/model/setup_explanation.hpp"
+#include "tiltrotor/model/setup/setup_explanation.hpp"
 #include "tiltrotor/model/variables/control_range.hpp"
 
 namespace tiltrotor::c_interface {

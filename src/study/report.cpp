@@ -17,7 +17,7 @@
 #include "text/identity.hpp"
 #include "text/progress.hpp"
 #include "text/sink.hpp"
-#include "tiltrotor/model/aircraft_data.hpp"
+#include "tiltrotor/model/aircraft/aircraft_data.hpp"
 
 namespace tiltrotor::study {
 

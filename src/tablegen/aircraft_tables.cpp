@@ -2,7 +2,7 @@
 
 #include "tablegen/composer.hpp"
 #include "tablegen/fault.hpp"
-#include "tiltrotor/model/aircraft.hpp"
+#include "tiltrotor/model/aircraft/aircraft.hpp"
 
 namespace tablegen {
 

@@ -8,7 +8,7 @@
 #include "check.hpp"
 #include "csv_file.hpp"
 #include "tiltrotor/analysis/instances.hpp"
-#include "tiltrotor/model/aircraft_data.hpp"
+#include "tiltrotor/model/aircraft/aircraft_data.hpp"
 
 namespace analysis_case {
 

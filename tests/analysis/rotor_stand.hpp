@@ -3,7 +3,7 @@
 
 #include "check.hpp"
 #include "tiltrotor/analysis/isolated_rotor.hpp"
-#include "tiltrotor/model/aircraft_data.hpp"
+#include "tiltrotor/model/aircraft/aircraft_data.hpp"
 
 namespace rotor_stand {
 

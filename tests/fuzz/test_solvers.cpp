@@ -8,7 +8,7 @@
 #include "tiltrotor/math/differentiation/dual.hpp"
 #include "tiltrotor/math/smooth.hpp"
 #include "tiltrotor/math/tables/table.hpp"
-#include "tiltrotor/model/aircraft_data.hpp"
+#include "tiltrotor/model/aircraft/aircraft_data.hpp"
 
 namespace {
 

@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "tiltrotor/analysis/instances.hpp"
-#include "tiltrotor/model/aircraft_data.hpp"
+#include "tiltrotor/model/aircraft/aircraft_data.hpp"
 #include "tiltrotor/tiltrotor.h"
 
 namespace envelope {

@@ -13,8 +13,8 @@
 
 #include "check.hpp"
 #include "model/flight_cases.hpp"
-#include "tiltrotor/model/aircraft_data.hpp"
-#include "tiltrotor/model/configuration.hpp"
+#include "tiltrotor/model/aircraft/aircraft_data.hpp"
+#include "tiltrotor/model/setup/configuration.hpp"
 
 namespace scaled {
 

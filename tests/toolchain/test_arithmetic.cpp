@@ -4,8 +4,8 @@
 #include <cfenv>
 
 #include "check.hpp"
-#include "tiltrotor/model/aircraft_data.hpp"
-#include "tiltrotor/model/configuration.hpp"
+#include "tiltrotor/model/aircraft/aircraft_data.hpp"
+#include "tiltrotor/model/setup/configuration.hpp"
 #include "tiltrotor/tiltrotor.h"
 
 using namespace tiltrotor;

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "tiltrotor/math/algebra/matrix.hpp"
-#include "tiltrotor/model/configuration.hpp"
+#include "tiltrotor/model/setup/configuration.hpp"
 #include "tiltrotor/model/variables/state.hpp"
 
 namespace tiltrotor {

@@ -3,10 +3,10 @@
 #pragma once
 
 #include "tiltrotor/analysis/trim/momentum_range.hpp"
-#include "tiltrotor/model/atmosphere.hpp"
 #include "tiltrotor/model/control_mixing.hpp"
 #include "tiltrotor/model/derivative.hpp"
 #include "tiltrotor/model/rigid_body.hpp"
+#include "tiltrotor/model/setup/atmosphere.hpp"
 
 namespace tiltrotor {
 

@@ -3,8 +3,8 @@
 
 #include "tiltrotor/math/smooth.hpp"
 #include "tiltrotor/math/vector.hpp"
-#include "tiltrotor/model/configuration.hpp"
-#include "tiltrotor/model/loads.hpp"
+#include "tiltrotor/model/setup/configuration.hpp"
+#include "tiltrotor/model/variables/loads.hpp"
 
 namespace tiltrotor {
 

@@ -7,7 +7,7 @@
 
 #include "tiltrotor/math/differentiation/batch.hpp"
 #include "tiltrotor/math/smooth.hpp"
-#include "tiltrotor/model/configuration.hpp"
+#include "tiltrotor/model/setup/configuration.hpp"
 
 namespace tiltrotor {
 

@@ -5,7 +5,7 @@
 #pragma once
 
 #include "tiltrotor/math/vector.hpp"
-#include "tiltrotor/model/configuration.hpp"
+#include "tiltrotor/model/setup/configuration.hpp"
 
 namespace tiltrotor {
 

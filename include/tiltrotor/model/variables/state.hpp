@@ -9,7 +9,7 @@
 #pragma once
 
 #include "tiltrotor/math/vector.hpp"
-#include "tiltrotor/model/options.hpp"
+#include "tiltrotor/model/variables/options.hpp"
 #include "tiltrotor/model/variables/variables.hpp"
 
 namespace tiltrotor {

@@ -2,8 +2,8 @@
 // setup it refuses.
 #pragma once
 
-#include "tiltrotor/model/aircraft.hpp"
-#include "tiltrotor/model/rotor/blade_grid.hpp"
+#include "tiltrotor/model/aircraft/aircraft.hpp"
+#include "tiltrotor/model/setup/blade_grid.hpp"
 
 namespace tiltrotor {
 

@@ -11,13 +11,13 @@
 
 #include "tiltrotor/math/arithmetic.hpp"
 #include "tiltrotor/math/status.hpp"
-#include "tiltrotor/model/airframe/wing_constants.hpp"
-#include "tiltrotor/model/atmosphere.hpp"
-#include "tiltrotor/model/frames.hpp"
-#include "tiltrotor/model/gearing.hpp"
-#include "tiltrotor/model/mass_properties.hpp"
-#include "tiltrotor/model/rotor/blade_grid.hpp"
-#include "tiltrotor/model/setup_range.hpp"
+#include "tiltrotor/model/setup/atmosphere.hpp"
+#include "tiltrotor/model/setup/blade_grid.hpp"
+#include "tiltrotor/model/setup/gearing.hpp"
+#include "tiltrotor/model/setup/mass_properties.hpp"
+#include "tiltrotor/model/setup/setup_range.hpp"
+#include "tiltrotor/model/setup/wing_constants.hpp"
+#include "tiltrotor/model/variables/frames.hpp"
 
 namespace tiltrotor {
 

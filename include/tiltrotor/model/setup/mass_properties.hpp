@@ -1,8 +1,8 @@
 // CG and inertia against mast angle: the nacelles with their rotors swing about the conversion axis.
 #pragma once
 
-#include "tiltrotor/model/aircraft.hpp"
-#include "tiltrotor/model/options.hpp"
+#include "tiltrotor/model/aircraft/aircraft.hpp"
+#include "tiltrotor/model/variables/options.hpp"
 
 namespace tiltrotor {
 

@@ -1,8 +1,8 @@
 // Gearing of the inceptors at one mast angle (NASA CR-166536 tables 8a-I, 8a-III, 8a-VII).
 #pragma once
 
-#include "tiltrotor/model/aircraft.hpp"
-#include "tiltrotor/model/options.hpp"
+#include "tiltrotor/model/aircraft/aircraft.hpp"
+#include "tiltrotor/model/variables/options.hpp"
 
 namespace tiltrotor {
 
