@@ -119,6 +119,7 @@ TEST(options_defaults_are_the_first_choices) {
 }
 
 TEST(options_of_the_rotor) {
+  check_switch({}, kBladeLoads, [](Options& o) { o.grid = BladeGrid::realtime; });
   check_switch({}, kBladeLoads, [](Options& o) { o.grid_refinement = 2; });
   check_switch({}, kBladeLoads, [](Options& o) { o.azimuth_stations = 9; });
   check_switch({}, kBladeLoads, [](Options& o) { o.azimuth = AzimuthMode::individual; });
