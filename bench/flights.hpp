@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "tiltrotor/analysis/instances.hpp"
-#include "tiltrotor/model/aircraft_data.hpp"
+#include "tiltrotor/model/aircraft/aircraft_data.hpp"
 
 namespace bench {
 

@@ -7,7 +7,7 @@
 #include <exception>
 #include <vector>
 
-#include "tiltrotor/model/aircraft_data.hpp"
+#include "tiltrotor/model/aircraft/aircraft_data.hpp"
 
 namespace {
 

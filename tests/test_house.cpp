@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <map>
 #include <regex>
 #include <set>
 #include <sstream>
@@ -18,27 +19,34 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A room includes itself and what is listed, and only rooms above it can be listed.
+// A room includes itself and what is listed, and only rooms above it can be listed. The model has rooms of its own:
+// rotor and airframe know nothing of each other, and meet in its top floor.
 struct Room {
   const char *name, *includes;
 };
+#define MODEL "aircraft variables setup rotor airframe model"
 constexpr Room kRooms[] = {
     {"generated", ""},  // by the build
     {"interface", ""},  // the C headers
     {"math", ""},
-    {"model", "math"},
-    {"systems", "math model"},
-    {"analysis", "math model systems"},
-    {"facade", "math model systems analysis"},  // headers of include/tiltrotor/ itself
-    {"library", "generated interface math model systems analysis"},
-    {"text", "generated math model systems analysis library"},
+    {"aircraft", "math"},
+    {"variables", "math aircraft"},
+    {"setup", "math aircraft variables"},
+    {"rotor", "math aircraft variables setup"},
+    {"airframe", "math aircraft variables setup"},
+    {"model", "math aircraft variables setup rotor airframe"},
+    {"systems", "math " MODEL},
+    {"analysis", "math systems " MODEL},
+    {"facade", "math systems analysis " MODEL},  // headers of include/tiltrotor/ itself
+    {"library", "generated interface math systems analysis " MODEL},
+    {"text", "generated math systems analysis library " MODEL},
     {"plot", "text"},
-    {"study", "generated math model systems analysis library text plot"},
-    {"cli", "math model systems analysis library text study"},
-    {"tablegen", "math model text"},
+    {"study", "generated math systems analysis library text plot " MODEL},
+    {"cli", "math systems analysis library text study " MODEL},
+    {"tablegen", "math text " MODEL},
     {"firmware", "interface"},
     {"examples",
-     "interface facade math model systems analysis"},  // a user's, with the installed headers alone
+     "interface facade math systems analysis " MODEL},  // a user's, with the installed headers alone
 };
 
 std::set<std::string> words(const std::string& text) {
@@ -50,6 +58,7 @@ std::set<std::string> words(const std::string& text) {
 std::string room_of(const std::string& path) {
   if (std::regex_match(path, std::regex("include/tiltrotor/\\w+\\.h"))) return "interface";
   std::smatch part;
+  if (std::regex_match(path, part, std::regex("include/tiltrotor/model/(\\w+)/.*"))) return part[1];
   if (std::regex_match(path, part, std::regex("include/tiltrotor/(\\w+)/.*"))) return part[1];
   if (std::regex_match(path, std::regex("include/tiltrotor/[^/]*"))) return "facade";
   if (std::regex_match(path, part, std::regex("src/(\\w+)/.*"))) return part[1];
@@ -77,13 +86,14 @@ std::vector<std::string> lines_of(const std::string& path) {
   return lines;
 }
 
-// Sources below the given folders, from the root of the tree.
-std::vector<std::string> sources(const std::vector<std::string>& folders) {
+// Sources below the given folders, or what else is called so, from the root of the tree.
+std::vector<std::string> sources(const std::vector<std::string>& folders,
+                                 const std::string& pattern = ".*\\.(hpp|cpp|h|c|sh|awk|mk|ld|map)") {
+  const std::regex called(pattern);
   std::vector<std::string> names;
   for (const std::string& folder : folders)
     for (const auto& entry : fs::recursive_directory_iterator(source_path(folder)))
-      if (std::regex_match(entry.path().filename().string(),
-                           std::regex(".*\\.(hpp|cpp|h|c|sh|awk|mk|ld|map)")))
+      if (std::regex_match(entry.path().filename().string(), called))
         names.push_back(fs::relative(entry.path(), source_path("")).string());
   std::sort(names.begin(), names.end());
   return names;
@@ -99,7 +109,9 @@ TEST(house_rooms_stand_in_order) {
         NOTE(room.name << " includes " << name << ", which stands below it");
     CHECK(above.insert(room.name).second);
   }
-  CHECK(may_include("model", "math") && !may_include("math", "model"));
+  CHECK(may_include("model", "math") && !may_include("math", "model") && !may_include("setup", "rotor"));
+  CHECK(may_include("model", "rotor") && !may_include("rotor", "airframe") &&
+        !may_include("airframe", "rotor"));
   CHECK(may_include("cli", "study") && !may_include("study", "cli") && !may_include("text", "plot"));
   CHECK(!may_include("no such room", "math"));
 }
@@ -134,6 +146,17 @@ TEST(house_files_are_small) {
   CHECK_LE(300u, all.size());
 }
 
+TEST(house_pages_are_short) {
+  constexpr std::size_t most = 400;
+  int count = 0;
+  for (const std::string& file : sources({"include", "src", "tests", "bench", "tables"}, "\\w+\\.md")) {
+    const std::size_t lines = lines_of(file).size();
+    if (!CHECK_LE(lines, most)) NOTE(file << " has " << lines << " lines");
+    ++count;
+  }
+  CHECK_LE(10, count);
+}
+
 // Physics fits a few screens, and the flow of data through the model one and a half.
 TEST(house_physics_is_short) {
   constexpr std::size_t most = 220;
@@ -156,6 +179,37 @@ TEST(house_physics_is_free_of_memory) {
       for (const char* const word : {"TILTROTOR_NOINLINE", "union {", "reinterpret_cast", "Workspace {"})
         if (!CHECK(line.find(word) == std::string::npos)) NOTE(word << " in " << file);
   }
+}
+
+// derivative.hpp is the flow of data: memory has other headers, and their names are all it knows of it.
+TEST(house_flow_of_data_speaks_of_no_memory) {
+  const std::regex memory("workspace|\\broom|overlay|noinline|memory|union|preaccumulate|LocalDual",
+                          std::regex::icase);
+  for (const std::string& line : lines_of("include/tiltrotor/model/derivative.hpp"))
+    if (!CHECK(!std::regex_search(line, memory))) NOTE(line);
+}
+
+// An inner namespace NAME_detail belongs to one header; its own test may look inside.
+TEST(house_details_stay_in_their_header) {
+  std::map<std::string, std::set<std::string>> users;
+  const std::regex inner("\\b\\w+_detail\\b");
+  for (const std::string& file : sources({"include", "src", "bench"}))
+    for (const std::string& line : lines_of(file))
+      for (std::sregex_iterator match(line.begin(), line.end(), inner), end; match != end; ++match)
+        users[match->str()].insert(file);
+  CHECK_LE(15u, users.size());
+  for (const auto& [name, files] : users)
+    if (!CHECK_EQ(files.size(), 1u))
+      for (const std::string& file : files) NOTE(name << " in " << file);
+}
+
+// Enumerations of the headers are scoped, so that no enumerator counts as a number unasked: but for sides, which
+// are places in arrays.
+TEST(house_enumerations_are_scoped) {
+  const std::regex open("\\s*enum (?!class |Side \\{)[^;]*\\{?.*");
+  for (const std::string& file : sources({"include", "src", "bench"}, "\\w+\\.hpp"))
+    for (const std::string& line : lines_of(file))
+      if (!CHECK(!std::regex_match(line, open))) NOTE(file << ": " << line);
 }
 
 // One word for the caller's memory: workspace.

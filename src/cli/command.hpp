@@ -11,7 +11,7 @@ struct Command {
   const char* description;  // paragraphs of its own help, each line ends in '\n'
   const char* example;      // a command line that works
   OptionList options;
-  int (*run)(const Arguments& arguments);  // returns an ExitStatus
+  int (*run)(const Arguments& arguments);  // returns exit_success or another of errors.hpp
 };
 
 // In the order of the general help. Each is defined in command_<name>.cpp.

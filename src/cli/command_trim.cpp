@@ -103,7 +103,7 @@ std::string limit_words(const LimitCheck<double>& limits) {
   std::string words;
   for (int k = 0; k < limits.count; ++k) {
     words += k > 0 ? " " : "";
-    words += trim_detail::kLimitNames[static_cast<unsigned>(limits.exceeded[k].limit)].word;
+    words += limit_name(limits.exceeded[k].limit).word;
   }
   return words;
 }

@@ -4,7 +4,7 @@
 #include "cli/errors.hpp"
 #include "text/identity.hpp"
 #include "text/sink.hpp"
-#include "tiltrotor/model/aircraft_data.hpp"
+#include "tiltrotor/model/aircraft/aircraft_data.hpp"
 
 namespace tiltrotor::cli {
 

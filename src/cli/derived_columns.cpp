@@ -59,7 +59,7 @@ constexpr Column columns[] = {
     {"turn_rate_degps", [](Now m) { return turn_rate(m) / radian; }},
     {"alpha_deg", [](Now m) { return std::atan2(m.air().z, m.air().x) / radian; }},
     {"sideslip_deg", [](Now m) { return std::atan2(m.air().y, std::hypot(m.air().x, m.air().z)) / radian; }},
-    {"collective_root_deg", [](Now m) { return (m.u.collective + trim_detail::root_twist(m.c)) / radian; }},
+    {"collective_root_deg", [](Now m) { return (m.u.collective + blade_root_twist(m.c)) / radian; }},
     {"long_cyclic_deg", [](Now m) { return mean(m.blades().long_cyclic) / radian; }},
     {"diff_collective_deg", [](Now m) { return half_difference(m.blades().collective) / radian; }},
     {"diff_long_cyclic_deg", [](Now m) { return half_difference(m.blades().long_cyclic) / radian; }},
@@ -110,7 +110,7 @@ double uncertainty(const Column& column, const Moment& now, const std::vector<Gi
   const double value = column.value(now);
   double sum = printed.uncertainty(value);
   for (const Given& g : given) {
-    double& input = g.target.kind == Target::state ? x[g.target.index] : u[g.target.index];
+    double& input = g.target.kind == Target::Kind::state ? x[g.target.index] : u[g.target.index];
     const double before = input;
     input += printed.uncertainty(g.cell.value) * g.target.unit;
     Moment moved = now;
@@ -138,7 +138,7 @@ std::string contradiction(const StateRow& row, const StateFile& file, const Conf
   Printed printed;
   for (std::size_t i = 0; i < row.cells.size(); ++i) {
     const Target& target = file.targets()[i];
-    if (target.kind != Target::state && target.kind != Target::control) continue;
+    if (target.kind != Target::Kind::state && target.kind != Target::Kind::control) continue;
     given.push_back({std::get<Quotation>(row.cells[i]), target});
     printed.see(given.back().cell.text);
   }

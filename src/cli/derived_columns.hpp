@@ -4,7 +4,7 @@
 #include <string>
 
 #include "cli/state_file.hpp"
-#include "tiltrotor/model/configuration.hpp"
+#include "tiltrotor/model/setup/configuration.hpp"
 
 namespace tiltrotor::cli {
 

@@ -8,6 +8,8 @@ namespace tiltrotor::cli {
 
 using namespace text;  // the command line is made of what is read and written as text
 
-enum ExitStatus { exit_success = 0, exit_case_failed = 1, exit_bad_usage = 2 };
+inline constexpr int exit_success = 0;
+inline constexpr int exit_case_failed = 1;
+inline constexpr int exit_bad_usage = 2;
 
 }  // namespace tiltrotor::cli

@@ -5,10 +5,10 @@
 
 #include "cli/errors.hpp"
 #include "cli/model_options.hpp"
-#include "tiltrotor/model/aircraft_data.hpp"
+#include "tiltrotor/model/aircraft/aircraft_data.hpp"
 #include "tiltrotor/model/preparation.hpp"
-#include "tiltrotor/model/presets.hpp"
-#include "tiltrotor/model/setup_explanation.hpp"
+#include "tiltrotor/model/setup/setup_explanation.hpp"
+#include "tiltrotor/model/variables/presets.hpp"
 
 namespace tiltrotor::cli {
 

@@ -6,7 +6,7 @@
 
 #include "cli/arguments.hpp"
 #include "tiltrotor/analysis/trim/steady_flight.hpp"
-#include "tiltrotor/model/configuration.hpp"
+#include "tiltrotor/model/setup/configuration.hpp"
 
 namespace tiltrotor::cli {
 

@@ -6,7 +6,7 @@
 #include "cli/errors.hpp"
 #include "text/number.hpp"
 #include "tiltrotor/math/differentiation/preaccumulate.hpp"
-#include "tiltrotor/model/aircraft_data.hpp"
+#include "tiltrotor/model/aircraft/aircraft_data.hpp"
 #include "tiltrotor/model/variables/control_range.hpp"
 
 namespace tiltrotor::cli {
@@ -76,7 +76,7 @@ std::string fault_text(const Simulation<double>& simulation) {
   double x[state_count];
   flatten(simulation.state, x);
   const Variable& variable = kStateVariables[state];
-  const double bound = response_detail::state_bound<double>(state);
+  const double bound = state_bound<double>(state);
   return std::string(", state ") + variable.name + ", " + number_text(x[state], digits) + " " +
          variable.unit() + " in the last good step, range " + range_text({-bound, bound, variable.unit()});
 }

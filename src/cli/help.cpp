@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "cli/model_options.hpp"
-#include "tiltrotor/model/aircraft_data.hpp"
+#include "tiltrotor/model/aircraft/aircraft_data.hpp"
 
 namespace tiltrotor::cli {
 

@@ -7,7 +7,7 @@
 #include "cli/errors.hpp"
 #include "cli/flight_range.hpp"
 #include "text/nearest.hpp"
-#include "tiltrotor/model/aircraft.hpp"
+#include "tiltrotor/model/aircraft/aircraft.hpp"
 
 namespace tiltrotor::cli {
 

@@ -51,26 +51,26 @@ LinearOutput::LinearOutput(const Arguments& arguments, bool single)
           arguments.choice("--format", sink_.is_terminal() && !arguments.given("--shard") ? "table" : "csv",
                            {"table", "csv", "json", "matlab"}))),
       single_(single) {
-  if (shard_.parts > 1 && kind_ != csv) {
+  if (shard_.parts > 1 && kind_ != Kind::csv) {
     throw UsageError(arguments.where("--shard") + ": parts can be joined with --format csv only");
   }
-  if (kind_ == csv && shard_.first()) {
+  if (kind_ == Kind::csv && shard_.first()) {
     sink_.write("case,mast_deg,speed_mps,status,matrix,row,row_unit,column,column_unit,value\n");
   }
-  if (kind_ == json && !single_) sink_.write("[\n");
+  if (kind_ == Kind::json && !single_) sink_.write("[\n");
 }
 
 void LinearOutput::add(const LinearCase& which, const Model& exact) {
   const Model model = without_rounding(exact);
-  if (kind_ == table) add_table(which, model);
-  if (kind_ == csv) add_csv(which, model);
-  if (kind_ == json) add_json(which, model);
-  if (kind_ == matlab) add_matlab(which, model);
+  if (kind_ == Kind::table) add_table(which, model);
+  if (kind_ == Kind::csv) add_csv(which, model);
+  if (kind_ == Kind::json) add_json(which, model);
+  if (kind_ == Kind::matlab) add_matlab(which, model);
   ++count_;
 }
 
 void LinearOutput::finish() {
-  if (kind_ == json) sink_.write(single_ ? "\n" : "\n]\n");
+  if (kind_ == Kind::json) sink_.write(single_ ? "\n" : "\n]\n");
   sink_.finish();
 }
 

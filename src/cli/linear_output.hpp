@@ -29,7 +29,7 @@ class LinearOutput {
   void finish();
 
  private:
-  enum Kind { table, csv, json, matlab };
+  enum class Kind : unsigned char { table, csv, json, matlab };
   void add_csv(const LinearCase& which, const LinearModel<double>& model);
   void add_json(const LinearCase& which, const LinearModel<double>& model);
   void add_matlab(const LinearCase& which, const LinearModel<double>& model);

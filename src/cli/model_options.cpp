@@ -7,8 +7,8 @@
 #include "cli/arguments.hpp"
 #include "cli/errors.hpp"
 #include "text/nearest.hpp"
-#include "tiltrotor/model/presets.hpp"
-#include "tiltrotor/model/rotor/blade_grid.hpp"
+#include "tiltrotor/model/setup/blade_grid.hpp"
+#include "tiltrotor/model/variables/presets.hpp"
 
 namespace tiltrotor::cli {
 

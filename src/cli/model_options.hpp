@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "tiltrotor/model/options.hpp"
+#include "tiltrotor/model/variables/options.hpp"
 
 namespace tiltrotor::cli {
 

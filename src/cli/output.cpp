@@ -39,7 +39,7 @@ Output::Output(const Arguments& arguments)
   }
 }
 
-Records Output::records(std::vector<std::string> columns, Digits digits) {
+Records Output::records(std::vector<std::string> columns, int digits) {
   return Records(sink_, format_, std::move(columns), digits, digits == to_read ? kUsualTerms : 0,
                  shard_.first());
 }

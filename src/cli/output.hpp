@@ -11,13 +11,14 @@ class Output {
  public:
   // Significant digits of CSV: enough to plot, with zero where a number is zero but for rounding, or enough
   // to compare two programs.
-  enum Digits { to_read = 12, to_compare = 15 };
+  static constexpr int to_read = 12;
+  static constexpr int to_compare = 15;
 
   static OptionList list();
   explicit Output(const Arguments& arguments);
 
   // Rows of this run. With more than one shard only the first writes the header.
-  Records records(std::vector<std::string> columns, Digits digits);
+  Records records(std::vector<std::string> columns, int digits);
   const Shard& shard() const { return shard_; }
 
  private:

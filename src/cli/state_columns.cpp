@@ -9,7 +9,7 @@
 #include "cli/trim_columns.hpp"
 #include "text/number.hpp"
 #include "tiltrotor/math/differentiation/preaccumulate.hpp"
-#include "tiltrotor/model/aircraft_data.hpp"
+#include "tiltrotor/model/aircraft/aircraft_data.hpp"
 
 namespace tiltrotor::cli {
 
@@ -96,14 +96,22 @@ struct SettingColumn {
   double (*value)(const FlightSetup<double>&);
 };
 constexpr SettingColumn setting_columns[] = {
-    {"mast_deg", {Target::mast, 0, 1, 0, "deg"}, [](const FlightSetup<double>& s) { return s.mast_deg; }},
-    {"altitude_m", {Target::altitude, 0, 1, 0, "m"}, [](const FlightSetup<double>& s) { return s.altitude; }},
-    {"flap_deg", {Target::flap, 0, 1, 0, "deg"}, [](const FlightSetup<double>& s) { return s.flap_deg; }},
+    {"mast_deg",
+     {Target::Kind::mast, 0, 1, 0, "deg"},
+     [](const FlightSetup<double>& s) { return s.mast_deg; }},
+    {"altitude_m",
+     {Target::Kind::altitude, 0, 1, 0, "m"},
+     [](const FlightSetup<double>& s) { return s.altitude; }},
+    {"flap_deg",
+     {Target::Kind::flap, 0, 1, 0, "deg"},
+     [](const FlightSetup<double>& s) { return s.flap_deg; }},
     {"rotor_rpm",
-     {Target::rotor_speed, 0, kPi<double> / 30, 0, "rpm"},
+     {Target::Kind::rotor_speed, 0, kPi<double> / 30, 0, "rpm"},
      [](const FlightSetup<double>& s) { return s.rotor_speed; }},
-    {"mass_kg", {Target::mass, 0, 1, 0, "kg"}, [](const FlightSetup<double>& s) { return s.mass; }},
-    {"cg_sl_in", {Target::sl_cg, 0, kInch, 0, "in"}, [](const FlightSetup<double>& s) { return s.sl_cg; }},
+    {"mass_kg", {Target::Kind::mass, 0, 1, 0, "kg"}, [](const FlightSetup<double>& s) { return s.mass; }},
+    {"cg_sl_in",
+     {Target::Kind::sl_cg, 0, kInch, 0, "in"},
+     [](const FlightSetup<double>& s) { return s.sl_cg; }},
 };
 
 double unit_size(const std::string& unit) { return unit.compare(0, 3, "deg") == 0 ? kRadPerDeg<double> : 1; }
@@ -121,12 +129,13 @@ std::optional<Target> find_control(const std::string& column) {
   for (const InceptorColumn& inceptor : inceptor_columns) {
     if (column != inceptor.name) continue;
     const double zero = inceptor.from_rear_stop ? aircraft_data<double>().controls.long_travel : 0;
-    return Target{Target::control, inceptor.control, unit_size(inceptor.unit), zero, inceptor.unit};
+    return Target{Target::Kind::control, inceptor.control, unit_size(inceptor.unit), zero, inceptor.unit};
   }
   for (int i = kControlIndex.pedal + 1; i < control_count; ++i) {
-    if (column == increment_column(i)) return Target{Target::control, i, 1, 0, kControlVariables[i].unit()};
+    if (column == increment_column(i))
+      return Target{Target::Kind::control, i, 1, 0, kControlVariables[i].unit()};
     if (i < kControlIndex.gust.x && column == printed_increment(i))
-      return Target{Target::control, i, kRadPerDeg<double>, 0, "deg"};
+      return Target{Target::Kind::control, i, kRadPerDeg<double>, 0, "deg"};
   }
   return std::nullopt;
 }
@@ -147,18 +156,20 @@ const std::vector<std::string>& derived_columns() {
 }  // namespace
 
 std::optional<Target> find_target(const std::string& column) {
-  if (column.compare(0, 2, "d_") == 0) return Target{Target::rate};
-  if (column == "case") return Target{Target::name};
+  if (column.compare(0, 2, "d_") == 0) return Target{Target::Kind::rate};
+  if (column == "case") return Target{Target::Kind::name};
   for (const SettingColumn& setting : setting_columns) {
     if (column == setting.name) return setting.target;
   }
   for (int i = 0; i < state_count; ++i) {
-    if (column == kStateVariables[i].name) return Target{Target::state, i, 1, 0, kStateVariables[i].unit()};
+    if (column == kStateVariables[i].name)
+      return Target{Target::Kind::state, i, 1, 0, kStateVariables[i].unit()};
     const PrintedName& printed = printed_states[i];
-    if (column == printed.name) return Target{Target::state, i, unit_size(printed.unit), 0, printed.unit};
+    if (column == printed.name)
+      return Target{Target::Kind::state, i, unit_size(printed.unit), 0, printed.unit};
   }
   if (const std::optional<Target> control = find_control(column)) return control;
-  if (contains(derived_columns(), column)) return Target{Target::derived};
+  if (contains(derived_columns(), column)) return Target{Target::Kind::derived};
   return std::nullopt;
 }
 
@@ -217,8 +228,8 @@ double completing_value(const std::string& column, const Configuration<double>& 
   double states[state_count], controls[control_count];
   flatten(x, states);
   flatten(u, controls);
-  if (target.kind == Target::state) return target.shown(states[target.index]);
-  if (target.kind == Target::control) return target.shown(controls[target.index]);
+  if (target.kind == Target::Kind::state) return target.shown(states[target.index]);
+  if (target.kind == Target::Kind::control) return target.shown(controls[target.index]);
   const auto setting = std::find_if(std::begin(setting_columns), std::end(setting_columns),
                                     [&](const SettingColumn& s) { return column == s.name; });
   return given_as(setting->value(c.setup), target.unit);

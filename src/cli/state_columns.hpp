@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "tiltrotor/model/configuration.hpp"
+#include "tiltrotor/model/setup/configuration.hpp"
 #include "tiltrotor/model/variables/controls.hpp"
 #include "tiltrotor/model/variables/state.hpp"
 
@@ -17,7 +17,19 @@ namespace tiltrotor::cli {
 
 // What a column fills; the model's number is (number - zero) * unit.
 struct Target {
-  enum Kind { derived, rate, name, mast, altitude, flap, rotor_speed, mass, sl_cg, state, control } kind;
+  enum class Kind : unsigned char {
+    derived,
+    rate,
+    name,
+    mast,
+    altitude,
+    flap,
+    rotor_speed,
+    mass,
+    sl_cg,
+    state,
+    control
+  } kind;
   int index = 0;  // place in kStateVariables or kControlVariables
   double unit = 1;
   double zero = 0;

@@ -9,7 +9,7 @@
 #include "text/nearest.hpp"
 #include "tiltrotor/analysis/flight/response.hpp"
 #include "tiltrotor/math/differentiation/preaccumulate.hpp"
-#include "tiltrotor/model/aircraft_data.hpp"
+#include "tiltrotor/model/aircraft/aircraft_data.hpp"
 #include "tiltrotor/model/variables/control_range.hpp"
 
 namespace tiltrotor::cli {
@@ -36,7 +36,7 @@ std::string missing_columns(const std::vector<std::string>& header, const Option
 }
 
 bool is_motion(const Target& target) {
-  return target.kind == Target::state || target.kind == Target::control;
+  return target.kind == Target::Kind::state || target.kind == Target::Kind::control;
 }
 
 std::string separator_hint(const std::vector<std::string>& header) {
@@ -57,7 +57,7 @@ StateFile::StateFile(const std::string& name, const Options& options) : options_
   while (next_row_line()) read_row(size_++, row);
   if (size_ == 0) throw UsageError(path() + ": no states below the header");
   for (std::size_t i = 0; i < header_.size(); ++i) {
-    if (targets_[i].kind == Target::rate) continue;
+    if (targets_[i].kind == Target::Kind::rate) continue;
     columns_.push_back(header_[i]);
     column_targets_.push_back(targets_[i]);
   }
@@ -103,7 +103,7 @@ void StateFile::read_header(const Options& options) {
     for (std::size_t k = 0; k < i; ++k) {
       if (header_[k] == name) throw UsageError(where + ": column '" + name + "' stands there twice");
       const bool same = targets_[k].kind == target->kind && targets_[k].index == target->index;
-      if (same && target->kind != Target::rate && target->kind != Target::derived)
+      if (same && target->kind != Target::Kind::rate && target->kind != Target::Kind::derived)
         throw UsageError(where + ": columns '" + header_[k] + "' and '" + name + "' give the same quantity");
     }
     targets_.push_back(*target);
@@ -125,23 +125,23 @@ Range StateFile::range_of(std::size_t column) const {
     return Range{target.shown(low), target.shown(high), target.unit_name};
   };
   switch (target.kind) {
-    case Target::mast:
+    case Target::Kind::mast:
       return kMastRange;
-    case Target::altitude:
+    case Target::Kind::altitude:
       return kAltitudeRange;
-    case Target::flap:
+    case Target::Kind::flap:
       return kFlapRange;
-    case Target::rotor_speed:
+    case Target::Kind::rotor_speed:
       return kRotorSpeedRange;
-    case Target::mass:
+    case Target::Kind::mass:
       return kMassRange;
-    case Target::sl_cg:
+    case Target::Kind::sl_cg:
       return kCgRange;
-    case Target::state: {
-      const double bound = response_detail::state_bound<double>(target.index);
+    case Target::Kind::state: {
+      const double bound = state_bound<double>(target.index);
       return between(-bound, bound);
     }
-    case Target::control: {
+    case Target::Kind::control: {
       const std::vector<std::string> limits = split(cell("limits"), ' ');
       if (std::find(limits.begin(), limits.end(), kControlVariables[target.index].name) != limits.end())
         return between(-kLargestControl<double>, kLargestControl<double>);
@@ -162,7 +162,7 @@ bool StateFile::holds_state() const {
 // A state that stands still under the options is not read.
 void StateFile::require_alive(std::size_t column, double value) const {
   const Target& target = targets_[column];
-  if (target.kind != Target::state || value == 0 || is_active(kStateVariables[target.index], options_))
+  if (target.kind != Target::Kind::state || value == 0 || is_active(kStateVariables[target.index], options_))
     return;
   throw UsageError(lines_.where() + ": column " + header_[column] + ": " + cells_[column] +
                    ", but with these options the state stands still; give the --option the file was made "
@@ -189,12 +189,12 @@ void StateFile::read_row(std::size_t number, StateRow& row) {
   for (std::size_t i = 0; i < cells_.size(); ++i) {
     const std::string& text = cells_[i];
     const Target& target = targets_[i];
-    if (target.kind == Target::rate) continue;
+    if (target.kind == Target::Kind::rate) continue;
     double value = std::numeric_limits<double>::quiet_NaN();
     const bool is_number = read_number(text, value);
-    if (target.kind == Target::name || target.kind == Target::derived) {
-      if (target.kind == Target::name && !text.empty()) row.name = text;
-      const bool repeats_number = target.kind == Target::derived && (is_number || text.empty());
+    if (target.kind == Target::Kind::name || target.kind == Target::Kind::derived) {
+      if (target.kind == Target::Kind::name && !text.empty()) row.name = text;
+      const bool repeats_number = target.kind == Target::Kind::derived && (is_number || text.empty());
       row.cells.emplace_back(repeats_number ? Cell(Quotation{text, value}) : Cell(text));
       continue;
     }
@@ -206,14 +206,14 @@ void StateFile::read_row(std::size_t number, StateRow& row) {
     if (may_be_empty) continue;
     value = target.read(value);
     require_alive(i, value);
-    if (target.kind == Target::mast) row.mast_deg = value;
-    if (target.kind == Target::altitude) row.altitude = value;
-    if (target.kind == Target::flap) row.flap_deg = value;
-    if (target.kind == Target::rotor_speed) row.rotor_speed = value;
-    if (target.kind == Target::mass) row.mass = value;
-    if (target.kind == Target::sl_cg) row.sl_cg = value;
-    if (target.kind == Target::state) x[target.index] = value;
-    if (target.kind == Target::control) u[target.index] = value;
+    if (target.kind == Target::Kind::mast) row.mast_deg = value;
+    if (target.kind == Target::Kind::altitude) row.altitude = value;
+    if (target.kind == Target::Kind::flap) row.flap_deg = value;
+    if (target.kind == Target::Kind::rotor_speed) row.rotor_speed = value;
+    if (target.kind == Target::Kind::mass) row.mass = value;
+    if (target.kind == Target::Kind::sl_cg) row.sl_cg = value;
+    if (target.kind == Target::Kind::state) x[target.index] = value;
+    if (target.kind == Target::Kind::control) u[target.index] = value;
   }
   unflatten(x, row.state);
   unflatten(u, row.controls);

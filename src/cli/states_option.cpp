@@ -22,9 +22,9 @@ struct Setting {
   Target::Kind kind;
 };
 constexpr Setting settings[] = {
-    {"--mast", "mast_deg", Target::mast}, {"--altitude", "altitude_m", Target::altitude},
-    {"--flap", "flap_deg", Target::flap}, {"--rotor-rpm", "rotor_rpm", Target::rotor_speed},
-    {"--mass", "mass_kg", Target::mass},  {"--cg-sl", "cg_sl_in", Target::sl_cg},
+    {"--mast", "mast_deg", Target::Kind::mast}, {"--altitude", "altitude_m", Target::Kind::altitude},
+    {"--flap", "flap_deg", Target::Kind::flap}, {"--rotor-rpm", "rotor_rpm", Target::Kind::rotor_speed},
+    {"--mass", "mass_kg", Target::Kind::mass},  {"--cg-sl", "cg_sl_in", Target::Kind::sl_cg},
 };
 
 }  // namespace

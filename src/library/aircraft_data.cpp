@@ -1,4 +1,4 @@
-#include "tiltrotor/model/aircraft_data.hpp"
+#include "tiltrotor/model/aircraft/aircraft_data.hpp"
 
 #include "aircraft_tables.inc"
 

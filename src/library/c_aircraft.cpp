@@ -4,7 +4,7 @@
 #include "library/c_state.hpp"
 #include "library/c_words.hpp"
 #include "tiltrotor/model/preparation.hpp"
-#include "tiltrotor/model/setup_explanation.hpp"
+#include "tiltrotor/model/setup/setup_explanation.hpp"
 #include "tiltrotor/model/variables/control_range.hpp"
 
 namespace tiltrotor::c_interface {
@@ -41,9 +41,7 @@ constexpr bool are_in_order(const Shape<int>& places) {
 static_assert(int{TR_STATES} == state_count && int{TR_CONTROLS} == control_count);
 static_assert(are_in_order(kPlaces) && are_in_order(kControlPlaces));
 
-TILTROTOR_NOINLINE bool in_bound(int state, R x) {
-  return std::fabs(x) <= response_detail::state_bound<R>(state);
-}
+TILTROTOR_NOINLINE bool in_bound(int state, R x) { return std::fabs(x) <= state_bound<R>(state); }
 
 bool in_bounds(const tr_state& state) {
   for (int i = 0; i < TR_STATES; ++i)
@@ -60,7 +58,7 @@ bool compiled_in(int32_t aircraft) { return aircraft == aircraft_identity().id; 
 
 bool mast_in_range(R mast_deg) {
   const Bounds<R> range = setup_range(aircraft_data<R>(), SetupField::mast_deg);
-  return configuration_detail::within(mast_deg, range.low, range.high);
+  return is_within(mast_deg, range.low, range.high);
 }
 
 bool choice(Options& options, const tr_setup& setup) {
@@ -202,7 +200,7 @@ tr_status tr_set_controls(tr_sim* sim, const tr_real* controls, size_t length) {
   if (!all_finite(controls, length)) return TR_NOT_FINITE;
   for (std::size_t j = 0; j < length; ++j) {
     const Bounds<R> range = control_range(aircraft_data<R>(), static_cast<int>(j));
-    if (!configuration_detail::within(controls[j], range.low, range.high)) return TR_OUT_OF_RANGE;
+    if (!is_within(controls[j], range.low, range.high)) return TR_OUT_OF_RANGE;
   }
   Sim& s = *opened(sim);
   R u[control_count];

@@ -8,7 +8,7 @@
 
 #include "library/c_analyses.hpp"
 #include "tiltrotor/analysis/instances.hpp"
-#include "tiltrotor/model/aircraft_data.hpp"
+#include "tiltrotor/model/aircraft/aircraft_data.hpp"
 #include "tiltrotor/tiltrotor.h"
 
 namespace tiltrotor::c_interface {

@@ -38,9 +38,11 @@ namespace tiltrotor {
 #define TILTROTOR_INSTRUCTIONS(ONE)
 #endif
 
-#define TILTROTOR_PLACE(place, name, macro, here) k_##place,
-enum InstructionPlace : unsigned { TILTROTOR_INSTRUCTIONS(TILTROTOR_PLACE) kInstructionCount };
+#define TILTROTOR_PLACE(place, name, macro, here) place,
+enum class InstructionPlace : unsigned { TILTROTOR_INSTRUCTIONS(TILTROTOR_PLACE) count };
 #undef TILTROTOR_PLACE
+inline constexpr unsigned kInstructionCount = static_cast<unsigned>(InstructionPlace::count);
+constexpr unsigned instruction_bit(InstructionPlace place) { return 1u << static_cast<unsigned>(place); }
 
 // What the library and the program are compiled for; what this processor has: one bit each. All that is
 // declared here is constant, or compiled without -march so that it can answer everywhere.

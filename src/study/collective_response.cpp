@@ -11,7 +11,7 @@
 #include "study/sections.hpp"
 #include "study/wording.hpp"
 #include "tiltrotor/analysis/flight/response.hpp"
-#include "tiltrotor/model/frames.hpp"
+#include "tiltrotor/model/variables/frames.hpp"
 
 namespace tiltrotor::study {
 

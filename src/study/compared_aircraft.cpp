@@ -3,7 +3,7 @@
 #include <stdexcept>
 
 #include "study/reference_points.hpp"
-#include "tiltrotor/model/presets.hpp"
+#include "tiltrotor/model/variables/presets.hpp"
 
 namespace tiltrotor::study {
 

@@ -18,29 +18,32 @@ struct ComponentName {
   std::vector<Component> parts;
 };
 const std::vector<ComponentName>& airframe_names() {
+  using C = Component;
   static const std::vector<ComponentName> names = {
-      {"fuselage", {fuselage}},
-      {"free_wing", {wing_free}},
-      {"wing", {wing_free, wing_wake_right, wing_wake_left}},
-      {"pylons", {pylon}},
-      {"pylons_and_jet", {pylon}},
-      {"horizontal_tail", {htail}},
-      {"fins", {fin_right, fin_left}},
-      {"fin", {fin_left}},
-      {"spinners", {spinners}},
+      {"fuselage", {C::fuselage}},
+      {"free_wing", {C::wing_free}},
+      {"wing", {C::wing_free, C::wing_wake_right, C::wing_wake_left}},
+      {"pylons", {C::pylon}},
+      {"pylons_and_jet", {C::pylon}},
+      {"horizontal_tail", {C::htail}},
+      {"fins", {C::fin_right, C::fin_left}},
+      {"fin", {C::fin_left}},
+      {"spinners", {C::spinners}},
       {"airframe",
-       {wing_free, wing_wake_right, wing_wake_left, pylon, fuselage, htail, fin_right, fin_left}}};
+       {C::wing_free, C::wing_wake_right, C::wing_wake_left, C::pylon, C::fuselage, C::htail, C::fin_right,
+        C::fin_left}}};
   return names;
 }
 // The same of a trim: what the rotors and the balance of the whole aircraft decide.
 const std::vector<ComponentName>& trim_names() {
+  using C = Component;
   static const std::vector<ComponentName> names = {
-      {"rotor_right", {rotor_right}},
-      {"rotor_left", {rotor_left}},
-      {"rotors_and_spinners", {rotor_right, rotor_left, spinners}},
+      {"rotor_right", {C::rotor_right}},
+      {"rotor_left", {C::rotor_left}},
+      {"rotors_and_spinners", {C::rotor_right, C::rotor_left, C::spinners}},
       {"aircraft",
-       {rotor_right, rotor_left, spinners, wing_free, wing_wake_right, wing_wake_left, pylon, fuselage, htail,
-        fin_right, fin_left}}};
+       {C::rotor_right, C::rotor_left, C::spinners, C::wing_free, C::wing_wake_right, C::wing_wake_left,
+        C::pylon, C::fuselage, C::htail, C::fin_right, C::fin_left}}};
   return names;
 }
 
@@ -64,7 +67,7 @@ PrintedState state_of(const Table& trims, std::size_t row, const Table& loads, c
   const double u = trims.number(row, "u_fps");
   const double w = trims.number(row, "w_fps");
   const double tip_fps = c.tip_speed / kFoot;
-  const Vec3<double> up = c.nacelle_axis;
+  const Vec3<double> up = c.nacelle_axis_b;
   const double climb = u * up.x + w * up.z;
   const double across = w * up.x - u * up.z;
   return {u,
@@ -85,7 +88,7 @@ LoadRecord<double> replayed(const Table& trims, std::size_t row, const Table& pr
   const PrintedState state = state_of(trims, row, printed, c);
   const double radius = c.aircraft->rotor.radius;
   AirframeInput<double> in{};
-  in.velocity = {kFoot * state.u_fps, 0, kFoot * state.w_fps};
+  in.velocity_b = {kFoot * state.u_fps, 0, kFoot * state.w_fps};
   in.mean_wash[right] = in.mean_wash[left] = kFoot * state.induced_fps;
   in.rotor_force = 2 * kPoundForce * state.rotor_force_lbf /
                    (c.air.density * kPi<double> * c.tip_speed * c.tip_speed * radius * radius);
@@ -94,7 +97,7 @@ LoadRecord<double> replayed(const Table& trims, std::size_t row, const Table& pr
   LoadRecord<double> loads{};
   AirframeWorkspace<double> work;
   AirframeResponse<double> sum;
-  airframe_response(c, in, work, sum, [&](Component k, const Loads<double>& l) { loads.component[k] = l; });
+  airframe_response(c, in, work, sum, [&](Component k, const Loads<double>& l) { loads[k] = l; });
   return loads;
 }
 
@@ -106,7 +109,7 @@ void compare(const LoadRecord<double>& loads, const std::vector<ComponentName>& 
     const Table there = printed.where("component", std::string(which.name));
     if (there.rows() == 0) continue;
     Loads<double> sum{};
-    for (const Component part : which.parts) sum = sum + loads.component[part];
+    for (const Component part : which.parts) sum = sum + loads[part];
     const double size = std::hypot(there.number(0, "x_lbf"), there.number(0, "z_lbf"));
     const auto add = [&](const char* column, double value, double unit, bool of_size) {
       const std::vector<std::string>& columns = there.columns();

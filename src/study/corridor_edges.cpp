@@ -20,9 +20,7 @@ struct Edge {
   Trimmed beyond;    // the trim just outside
 };
 
-const char* limit_word(const Trimmed& t) {
-  return trim_detail::kLimitNames[static_cast<unsigned>(t.limits.exceeded[0].limit)].name;
-}
+const char* limit_word(const Trimmed& t) { return limit_name(t.limits.exceeded[0].limit).name; }
 
 // From a speed at which `flies` holds towards one at which it may not: in coarse steps to the first failure,
 // then by halving.

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "tiltrotor/analysis/trim/trim.hpp"
-#include "tiltrotor/model/aircraft_data.hpp"
+#include "tiltrotor/model/aircraft/aircraft_data.hpp"
 
 namespace tiltrotor::study {
 

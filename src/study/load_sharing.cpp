@@ -26,24 +26,24 @@ constexpr struct {
 
 constexpr Carrier carrier_of(Component component) {
   switch (component) {
-    case rotor_right:
-    case rotor_left:
+    case Component::rotor_right:
+    case Component::rotor_left:
       return rotors;
-    case wing_free:
+    case Component::wing_free:
       return wing;
-    case wing_wake_right:
-    case wing_wake_left:
+    case Component::wing_wake_right:
+    case Component::wing_wake_left:
       return wake_on_wing;
-    case htail:
+    case Component::htail:
       return tail;
-    case pylon:
-    case spinners:
-    case pylon_side:
-    case fuselage:
-    case fin_right:
-    case fin_left:
+    case Component::pylon:
+    case Component::spinners:
+    case Component::pylon_side:
+    case Component::fuselage:
+    case Component::fin_right:
+    case Component::fin_left:
       return rest;
-    case component_count:
+    case Component::count:
       break;
   }
   throw "a component without a carrier";  // reached by the compiler alone

@@ -17,7 +17,7 @@
 #include "text/identity.hpp"
 #include "text/progress.hpp"
 #include "text/sink.hpp"
-#include "tiltrotor/model/aircraft_data.hpp"
+#include "tiltrotor/model/aircraft/aircraft_data.hpp"
 
 namespace tiltrotor::study {
 
@@ -63,8 +63,11 @@ PageHead page_head(const std::vector<Section>& sections, double seconds) {
   int counts[4] = {};
   for (const Section& s : sections) {
     pictures += s.pictures.size();
-    for (const Finding& f : s.findings) ++counts[f.verdict];
+    for (const Finding& f : s.findings) ++counts[static_cast<std::size_t>(f.verdict)];
   }
+  const auto count = [&counts](Finding::Verdict verdict) {
+    return std::to_string(counts[static_cast<std::size_t>(verdict)]);
+  };
   PageHead head;
   const std::string name = aircraft_identity().name;
   head.title = name + " flight dynamics: the study";
@@ -78,9 +81,8 @@ PageHead page_head(const std::vector<Section>& sections, double seconds) {
   head.facts = {
       text::identity_text() + "; run of " + text::date_text(),
       std::to_string(pictures) + " figures, computed in " + fixed(seconds, 1) + " s",
-      "statements: " + std::to_string(counts[Finding::holds]) + " hold, " +
-          std::to_string(counts[Finding::partly]) + " hold in part, " +
-          std::to_string(counts[Finding::differs]) + " differ",
+      "statements: " + count(Finding::holds) + " hold, " + count(Finding::partly) + " hold in part, " +
+          count(Finding::differs) + " differ",
       std::string(
           "aircraft: 13000 lb, centre of gravity at station 301.2 in, sea level, standard day, unless "
           "said otherwise")};

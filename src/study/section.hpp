@@ -24,7 +24,12 @@ struct NumberedTable {
 
 // Something published or expected, and what this run found.
 struct Finding {
-  enum Verdict { holds, partly, differs, remark };
+  enum class Verdict : unsigned char { holds, partly, differs, remark };
+  static constexpr Verdict holds = Verdict::holds;
+  static constexpr Verdict partly = Verdict::partly;
+  static constexpr Verdict differs = Verdict::differs;
+  static constexpr Verdict remark = Verdict::remark;
+
   Verdict verdict;
   std::string statement;
   std::string found;  // numbers of this run, with the cause where it differs

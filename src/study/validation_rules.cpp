@@ -17,9 +17,9 @@ bool fits(const std::string& pattern, const std::string& quantity) {
 }
 
 Tolerance::Demand demand_of(const std::string& word) {
-  if (word.empty()) return Tolerance::equal;
-  if (word == "at_least") return Tolerance::at_least;
-  if (word == "at_most") return Tolerance::at_most;
+  if (word.empty()) return Tolerance::Demand::equal;
+  if (word == "at_least") return Tolerance::Demand::at_least;
+  if (word == "at_most") return Tolerance::Demand::at_most;
   throw std::runtime_error("validation_tolerances.csv: unknown demand '" + word + "'");
 }
 
@@ -42,7 +42,7 @@ Tolerance tolerance_of(const std::string& set, const std::string& quantity, doub
 
 std::string cause_of(const Tolerance& tolerance, const std::string& set, const std::string& quantity,
                      double mast_deg, double difference) {
-  if (tolerance.demand != Tolerance::equal && shortfall(tolerance, difference, 0) == 0)
+  if (tolerance.demand != Tolerance::Demand::equal && shortfall(tolerance, difference, 0) == 0)
     return "Nothing is left: the bound is met.";
   static const Table causes = reference_points("validation_causes");
   const char* side = difference > 0 ? "above" : "below";
@@ -64,9 +64,9 @@ double shortfall(const Tolerance& tolerance, double here, double reference) {
   const double difference = here - reference;
   if (!std::isfinite(difference)) return kMissing;
   switch (tolerance.demand) {
-    case Tolerance::at_least:
+    case Tolerance::Demand::at_least:
       return std::max(0.0, -difference);
-    case Tolerance::at_most:
+    case Tolerance::Demand::at_most:
       return std::max(0.0, difference);
     default:
       return std::fabs(difference);

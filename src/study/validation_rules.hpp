@@ -6,9 +6,13 @@
 namespace tiltrotor::study {
 
 struct Tolerance {
-  enum Demand { equal, at_least, at_most };  // what the reference is: the number, or a bound
-  bool judged;                               // false: information
-  double absolute, fraction;                 // the larger counts
+  enum class Demand : unsigned char {
+    equal,
+    at_least,
+    at_most
+  };                          // what the reference is: the number, or a bound
+  bool judged;                // false: information
+  double absolute, fraction;  // the larger counts
   Demand demand;
   std::string cause;  // of what is left
 };

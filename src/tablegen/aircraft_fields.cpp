@@ -169,7 +169,6 @@ const std::vector<Field> kFields = {
     {"controls.long_travel", "stick_long_travel_half", "in"},
     {"controls.lat_travel", "stick_lat_travel_half", "in"},
     {"controls.pedal_travel", "pedal_travel_half", "in"},
-    {"controls.lever_travel", "collective_travel", "in"},
     {"controls.elevator_limit", "elevator_limit", "rad"},
     {"controls.rudder_limit", "rudder_limit", "rad"},
     {"controls.flap_limit", "rotor_flap_limit", "rad"},

@@ -2,7 +2,7 @@
 
 #include "tablegen/composer.hpp"
 #include "tablegen/fault.hpp"
-#include "tiltrotor/model/aircraft.hpp"
+#include "tiltrotor/model/aircraft/aircraft.hpp"
 
 namespace tablegen {
 
@@ -109,16 +109,21 @@ void Composer::pylon_and_fuselage() {
   put_odd("fuselage.yaw_beta", "N_beta", "ft3", "m3");
 }
 
+Composer::MastStack Composer::stacked_by_mast(const std::vector<Composition::Part>& parts) {
+  MastStack stack;
+  for (const Composition::Part& part : parts) {
+    check_same_columns(part.file, parts.front().file);
+    stack.mast_deg.push_back(part.mast_deg);
+    stack.surface.push_back(surface(part.file, "V"));
+  }
+  return stack;
+}
+
 void Composer::horizontal_tail() {
   const std::vector<Composition::Part> wash = files_.by_mast("htail.rotor_wash");
-  std::vector<double> mast;
-  std::vector<Surface> stack;
-  for (const Composition::Part& part : wash) {
-    check_same_columns(part.file, wash.front().file);
-    mast.push_back(part.mast_deg);
-    stack.push_back(surface(part.file, "V"));
-  }
-  put_stack("htail.rotor_wash", wash.front().file + " and the other mast angles", {mast}, stack);
+  const MastStack by_file = stacked_by_mast(wash);
+  put_stack("htail.rotor_wash", wash.front().file + " and the other mast angles", {by_file.mast_deg},
+            by_file.surface);
 
   const std::string wash_beta = files_.file("htail.rotor_wash_beta");
   const Surface by_mast_angle = surface(wash_beta, "bm");
@@ -138,13 +143,7 @@ void Composer::horizontal_tail() {
 // column for each mast angle.
 void Composer::pressure_ratio() {
   const std::vector<Composition::Part> first = files_.by_mast("htail.pressure_ratio");
-  std::vector<double> mast;
-  std::vector<Surface> stack;
-  for (const Composition::Part& part : first) {
-    check_same_columns(part.file, first.front().file);
-    mast.push_back(part.mast_deg);
-    stack.push_back(surface(part.file, "V"));
-  }
+  auto [mast, stack] = stacked_by_mast(first);
   const std::string name = files_.file("htail.pressure_ratio", "all speeds");
   const Surface above = surface(name, "bm");
   if (!(mast.back() < above.y.front()))
@@ -209,8 +208,6 @@ void Composer::controls() {
   put_stack("controls.pedal_cyclic", pedal, {by_mast_angle.knot}, stack);
 
   put_single("controls.lateral_collective", "dtheta0_dXLT", "deg/in", "rad/in");
-  put_single("controls.lever", "dtheta0_dXCOL", "deg/in", "rad/in", "controls.collective");
-  put_single("controls.collective_floor", "theta0LL_75R", "deg", "rad", "controls.collective");
   put_single("controls.lateral_cyclic_gain", "A1_bm_gain", "ND", "ND");
   put_single("controls.lateral_cyclic", "A1_V", "degrees", "rad");
 }

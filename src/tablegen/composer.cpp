@@ -4,7 +4,7 @@
 #include <filesystem>
 
 #include "tablegen/fault.hpp"
-#include "tiltrotor/model/aircraft.hpp"
+#include "tiltrotor/model/aircraft/aircraft.hpp"
 
 namespace tablegen {
 

@@ -32,6 +32,12 @@ class Composer {
               const std::string& to);
   // All columns, named prefix and number, over that number times `scale`.
   Surface surface(const std::string& name, const std::string& prefix, double scale = 1);
+  // Files of one table, one for each mast angle, with a column for each speed.
+  struct MastStack {
+    std::vector<double> mast_deg;
+    std::vector<Surface> surface;
+  };
+  MastStack stacked_by_mast(const std::vector<Composition::Part>& parts);
   // Columns of several files must be the same when the files make one table.
   void check_same_columns(const std::string& name, const std::string& as);
 

@@ -201,7 +201,7 @@ void emit_aircraft(std::ostream& out, const Identity& aircraft, const Entries& e
       << ": do not edit, change the CSV files.\n"
          "// Per table: _x smooth axes (those not written before), _p linear axes, _node values and slopes "
          "of the C1 interpolant.\n\n"
-         "#include \"tiltrotor/model/aircraft.hpp\"\n\n"
+         "#include \"tiltrotor/model/aircraft/aircraft.hpp\"\n\n"
          "namespace tiltrotor {\n\nnamespace tables_of_"
       << array_name(aircraft.folder)
       << " {\n\n"

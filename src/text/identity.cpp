@@ -5,7 +5,7 @@
 
 #include "library/analyses.hpp"
 #include "text/json.hpp"
-#include "tiltrotor/model/aircraft_data.hpp"
+#include "tiltrotor/model/aircraft/aircraft_data.hpp"
 
 namespace tiltrotor::text {
 

@@ -8,8 +8,8 @@
 #include "check.hpp"
 #include "csv_file.hpp"
 #include "tiltrotor/analysis/instances.hpp"
-#include "tiltrotor/model/aircraft_data.hpp"
-#include "tiltrotor/model/presets.hpp"
+#include "tiltrotor/model/aircraft/aircraft_data.hpp"
+#include "tiltrotor/model/variables/presets.hpp"
 
 namespace analysis_case {
 

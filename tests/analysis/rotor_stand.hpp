@@ -3,8 +3,8 @@
 
 #include "check.hpp"
 #include "tiltrotor/analysis/isolated_rotor.hpp"
-#include "tiltrotor/model/aircraft_data.hpp"
-#include "tiltrotor/model/presets.hpp"
+#include "tiltrotor/model/aircraft/aircraft_data.hpp"
+#include "tiltrotor/model/variables/presets.hpp"
 
 namespace rotor_stand {
 

@@ -6,7 +6,7 @@
 
 using namespace tiltrotor;
 using namespace rotor_stand;
-namespace d = isolated_rotor_detail;
+namespace d = rotor_equilibrium;
 
 namespace {
 

@@ -7,7 +7,7 @@
 #include "check.hpp"
 #include "tiltrotor/analysis/instances.hpp"
 #include "tiltrotor/math/algebra/eigen.hpp"
-#include "tiltrotor/model/aircraft_data.hpp"
+#include "tiltrotor/model/aircraft/aircraft_data.hpp"
 
 namespace {
 

@@ -233,7 +233,7 @@ TEST_OF_XV15(trim_download_over_the_thrust) {
     const double thrust = r.thrust[right] + r.thrust[left];
     CHECK_EQ(thrust > tenth, k.pulls);
     // Symmetric flight: twice that of the right half, along the shaft, which leans forward by the mast angle.
-    const Vec3<double>& f = e.loads.component[wing_wake_right].force;
+    const Vec3<double>& f = e.loads[Component::wing_wake_right].force;
     const double cant = c.hub[right].thrust_axis_b.y;
     const double along = std::sqrt(1 - cant * cant);
     const double against = -2 * (along * (std::sin(c.mast) * f.x - std::cos(c.mast) * f.z) + cant * f.y);

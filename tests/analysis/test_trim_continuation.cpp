@@ -79,10 +79,10 @@ TEST_OF_XV15(trim_over_less_weight_is_the_trim_of_the_cold_start) {
     int iterations = 0;
     double carried = 0;
     trim_equations(c, work.equations);
-    CHECK(trim_detail::from_less_weight(c, level(speed), work, iterations, carried).status == TrimStatus::ok);
+    CHECK(trim_solver::from_less_weight(c, level(speed), work, iterations, carried).status == TrimStatus::ok);
     State<double> x;
     Controls<double> u;
-    trim_detail::unflatten_unknowns(level(speed), work, x, u);
+    trim_solver::unflatten_unknowns(level(speed), work, x, u);
     CHECK_NEAR(u.collective, cold.controls.collective, 1e-8);
     CHECK_NEAR(u.long_stick, cold.controls.long_stick, 1e-7);
     CHECK_NEAR(x.pitch, cold.state.pitch, 1e-8);
@@ -104,7 +104,7 @@ TEST(trim_over_less_weight_leaves_the_equations) {
     double carried = 1;
     trim_equations(c, whole);
     trim_equations(c, work.equations);
-    CHECK(trim_detail::from_less_weight(c, level(k.speed), work, iterations, carried).status == k.status);
+    CHECK(trim_solver::from_less_weight(c, level(k.speed), work, iterations, carried).status == k.status);
     CHECK_EQ(carried < 1, k.status == TrimStatus::rotor_stall);
     CHECK(!work.equations.relieved);
     CHECK_EQ(work.equations.carried, 1.0);

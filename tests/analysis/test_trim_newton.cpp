@@ -179,11 +179,11 @@ TEST(trim_upside_down_is_none) {
       work.z[0] = roll;
       work.z[1] = pitch;
       TrimResult<double> r{};
-      const trim_detail::NewtonOutcome<double> solved{TrimStatus::ok, 1e-12, 0};
-      trim_detail::judge_outcome(c, level(80), solved, work, r);
+      const trim_solver::NewtonOutcome<double> solved{TrimStatus::ok, 1e-12, 0};
+      trim_solver::judge_outcome(c, level(80), solved, work, r);
       CHECK_EQ(is_trimmed(r.status), std::cos(roll) > 0 && std::cos(pitch) > 0);
-      const trim_detail::NewtonOutcome<double> unsolved{TrimStatus::singular, 1, 0};
-      trim_detail::judge_outcome(c, level(80), unsolved, work, r);
+      const trim_solver::NewtonOutcome<double> unsolved{TrimStatus::singular, 1, 0};
+      trim_solver::judge_outcome(c, level(80), unsolved, work, r);
       CHECK(r.status == TrimStatus::singular);
     }
   }

@@ -4,7 +4,7 @@
 
 #include "capi/flying.hpp"
 #include "tiltrotor/analysis/instances.hpp"
-#include "tiltrotor/model/aircraft_data.hpp"
+#include "tiltrotor/model/aircraft/aircraft_data.hpp"
 
 using namespace capi;
 

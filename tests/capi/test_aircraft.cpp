@@ -2,7 +2,7 @@
 #include <string>
 
 #include "capi/flying.hpp"
-#include "tiltrotor/model/aircraft_data.hpp"
+#include "tiltrotor/model/aircraft/aircraft_data.hpp"
 
 using namespace capi;
 

@@ -7,7 +7,7 @@
 
 #include "capi/flying.hpp"
 #include "run_program.hpp"
-#include "tiltrotor/model/aircraft_data.hpp"
+#include "tiltrotor/model/aircraft/aircraft_data.hpp"
 
 using namespace capi;
 

@@ -9,7 +9,7 @@
 #include "check.hpp"
 #include "cli/scratch_folder.hpp"
 #include "run_program.hpp"
-#include "tiltrotor/model/options.hpp"
+#include "tiltrotor/model/variables/options.hpp"
 
 using check::run_program;
 using check::run_tiltrotor;

@@ -200,6 +200,7 @@ void call_with_nothing(Workspace& workspace, fuzz::Bytes& in) {
   REQUIRE(tr_eigenvalues(nullptr, nullptr, in.byte(), nullptr, nullptr, 0) != TR_OK);
   REQUIRE(tr_modes(nullptr, nullptr, nullptr, 0, nullptr, 0, nullptr) != TR_OK);
   REQUIRE(tr_check_setup(nullptr, TR_API_VERSION, nullptr, in.byte()) != TR_OK);
+  REQUIRE(tr_hash(nullptr, in.byte(), nullptr) != TR_OK);
   const auto number = in.raw<std::int32_t>();
   REQUIRE(tr_aircraft_at(number) >= 0 && tr_aircraft_name(number) != nullptr &&
           tr_aircraft_description(number) != nullptr);

@@ -8,7 +8,7 @@
 #include "tiltrotor/math/differentiation/dual.hpp"
 #include "tiltrotor/math/smooth.hpp"
 #include "tiltrotor/math/tables/table.hpp"
-#include "tiltrotor/model/aircraft_data.hpp"
+#include "tiltrotor/model/aircraft/aircraft_data.hpp"
 
 namespace {
 
@@ -40,7 +40,7 @@ void solve(fuzz::Bytes& in) {
   if (!all_finite(a, n, n)) REQUIRE(factored == Status::not_finite);
   double x[kOrder];
   for (int i = 0; i < n; ++i) x[i] = in.number();
-  const Status solved = in.below(2) == 0 ? lu_solve(lu, x) : lu_solve_transposed(lu, x);
+  const Status solved = lu_solve(lu, x);
   REQUIRE(factored == Status::ok || solved == Status::bad_argument);
   if (solved == Status::ok) REQUIRE(entries_finite(x, n));
   const double condition = lu_reciprocal_condition(lu);

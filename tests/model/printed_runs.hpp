@@ -74,7 +74,7 @@ struct Replay {
 inline Replay replay(const Point& p) {
   Replay r{};
   r.c = flight_cases::configuration(0, flight_cases::linear_tables());
-  r.in.velocity = {p.u_fps * kFoot, 0, p.w_fps * kFoot};
+  r.in.velocity_b = {p.u_fps * kFoot, 0, p.w_fps * kFoot};
   r.in.mean_wash[right] = r.in.mean_wash[left] = p.wash_fps * kFoot;
   const double tip = r.c.tip_speed;
   const double radius = 12.5 * kFoot;
@@ -82,7 +82,7 @@ inline Replay replay(const Point& p) {
       2 * p.rotor_force_lb * kPound / (r.c.air.density * kPi<double> * tip * tip * radius * radius);
   r.in.advance_ratio = p.advance_ratio;
   r.in.elevator = p.elevator_deg * kRadPerDeg<double>;
-  r.stream = free_stream(r.c, r.in.velocity);
+  r.stream = free_stream(r.c, r.in.velocity_b);
   for (const int side : {right, left}) r.wake[side] = wing_in_wake(r.c, r.in, r.stream, side);
   return r;
 }

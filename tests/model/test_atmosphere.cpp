@@ -1,6 +1,6 @@
 // Air against the printed tables of the International Standard Atmosphere (ISO 2533, geopotential altitude)
 // and the sea-level values of the printed GTRS runs.
-#include "tiltrotor/model/atmosphere.hpp"
+#include "tiltrotor/model/setup/atmosphere.hpp"
 
 #include "check.hpp"
 

@@ -104,7 +104,8 @@ TEST(blade_grid_azimuth_weights) {
     CHECK_NEAR(sine, 0.0, 1e-14);
     CHECK_NEAR(cosine2, 1.5, 1e-13);
   }
-  const AzimuthStations<double> blades = individual_azimuth<double>(3, 0.4);
+  AzimuthStations<double> blades;
+  individual_azimuth(3, 0.4, blades);
   CHECK_EQ(blades.count, 3);
   CHECK_EQ(blades.weight, 1.0);
   for (int k = 0; k < 3; ++k) {

@@ -123,6 +123,6 @@ TEST(configuration_moves_through_a_conversion) {
     CHECK(c.hub[right].arm_b.x > hub_x);  // the hub swings forward
     CHECK(c.hub[right].arm_b.x - hub_x < 0.5 * kRadPerDeg<double> * 1.5);
     hub_x = c.hub[right].arm_b.x;
-    CHECK_NEAR(c.nacelle_axis.x, std::sin(mast * kRadPerDeg<double>), 1e-15);
+    CHECK_NEAR(c.nacelle_axis_b.x, std::sin(mast * kRadPerDeg<double>), 1e-15);
   }
 }

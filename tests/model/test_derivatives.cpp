@@ -229,7 +229,7 @@ Loads<Dual<double, 1>> sideslip_derivative(Component component, double mast_deg,
   x.velocity.y = T::variable(0.0, 0);
   Evaluation<T> out;
   evaluate_aircraft(c, x, converted<T>(s.u), out);
-  return out.loads.component[component];
+  return out.loads[component];
 }
 
 }  // namespace
@@ -245,7 +245,7 @@ TEST_OF_XV15(derivatives_fuselage_at_zero_sideslip) {
   const double foot = 0.3048;
   const double u = 40;
   const double w = 0;
-  const auto d = sideslip_derivative(fuselage, 0, u, w, true);
+  const auto d = sideslip_derivative(Component::fuselage, 0, u, w, true);
   const double beta = 10 * kRadPerDeg<double>;
   const double side_slope = -14.5 * foot * foot / beta;
   const double roll_slope = -75.0 * foot * foot * foot / beta;
@@ -265,15 +265,16 @@ TEST_OF_XV15(derivatives_fuselage_at_zero_sideslip) {
 TEST(derivatives_lateral_columns_at_zero_sideslip) {
   for (const double mast : kMasts) {
     const double speed = 30 + mast * 0.7;
-    for (const Component component : {fin_right, fin_left, wing_free, fuselage, rotor_right, rotor_left}) {
+    for (const Component component : {Component::fin_right, Component::fin_left, Component::wing_free,
+                                      Component::fuselage, Component::rotor_right, Component::rotor_left}) {
       const auto d = sideslip_derivative(component, mast, speed, 0.1 * speed, false);
       CHECK_LT(1e-3, std::abs(d.moment.x.d.get(0)));
       CHECK_LT(1e-3, std::abs(d.moment.z.d.get(0)));
-      if (component != wing_free) CHECK_LT(1e-2, std::abs(d.force.y.d.get(0)));
+      if (component != Component::wing_free) CHECK_LT(1e-2, std::abs(d.force.y.d.get(0)));
     }
     // Fins at the tail: a side force towards the lee, so weathercock yaw stability and positive roll damping
     // arms.
-    const auto fin = sideslip_derivative(fin_right, mast, 60 + mast, 0, false);
+    const auto fin = sideslip_derivative(Component::fin_right, mast, 60 + mast, 0, false);
     CHECK_LT(fin.force.y.d.get(0), 0.0);
     CHECK_LT(0.0, fin.moment.z.d.get(0));
   }

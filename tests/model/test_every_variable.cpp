@@ -34,7 +34,7 @@ TEST(derivatives_fill_every_rate_and_load) {
   with_every_set_of_states([&](const Options& options) {
     const Configuration<double> c = configuration(30, options);
     const StateAndControls<double> s = random_case(random, c);
-    static DerivativeWorkspace<double> work;
+    static DerivativeSteps<double> work;
     Evaluation<double> e;
     fill_with_nan(work);
     fill_with_nan(e);

@@ -1,7 +1,7 @@
 // Gimbal and coning equations: a single rigid blade followed through space by finite differences, closed
 // forms of the textbook rotor, the first-order limit, the coning balance.
 #include "settled_rotor.hpp"
-#include "tiltrotor/model/presets.hpp"
+#include "tiltrotor/model/variables/presets.hpp"
 
 using namespace flight_cases;
 using namespace settled_rotor;

@@ -8,7 +8,7 @@ namespace {
 
 Loads<double> at(const Configuration<double>& c, const Vec3<double>& velocity) {
   AirframeInput<double> in{};
-  in.velocity = velocity;
+  in.velocity_b = velocity;
   return fuselage_loads(c, in, free_stream(c, velocity));
 }
 

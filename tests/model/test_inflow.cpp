@@ -9,12 +9,12 @@ namespace {
 
 constexpr double kGain = 15 * kPi<double> / 64;
 
-InflowRates<double> rates(const Configuration<double>& c, double n0, double nc, double ns,
+InflowRates<double> rates(const Configuration<double>& c, double lambda_0, double lambda_c, double lambda_s,
                           const InflowForcing<double>& f) {
   RotorState<double> x{};
-  x.lambda_0 = n0;
-  x.lambda_c = nc;
-  x.lambda_s = ns;
+  x.lambda_0 = lambda_0;
+  x.lambda_c = lambda_c;
+  x.lambda_s = lambda_s;
   return inflow_rates(c, x, f);
 }
 
@@ -61,10 +61,10 @@ TEST(inflow_gain_matrix_by_inversion_and_rotation) {
 
 TEST_OF_XV15(inflow_hover_is_momentum_theory) {
   const Configuration<double> c = configuration(0);
-  for (const double n0 : {0.03, 0.0727, 0.1}) {
+  for (const double lambda_0 : {0.03, 0.0727, 0.1}) {
     // C_T = 2 lambda^2; the smoothed speed adds (1e-3)^2 under the root.
-    const double thrust = 2 * n0 * std::sqrt(n0 * n0 + 1e-6);
-    const InflowRates<double> r = rates(c, n0, 0, 0, {thrust, 0, 0, 0, 0, 0});
+    const double thrust = 2 * lambda_0 * std::sqrt(lambda_0 * lambda_0 + 1e-6);
+    const InflowRates<double> r = rates(c, lambda_0, 0, 0, {thrust, 0, 0, 0, 0, 0});
     CHECK_NEAR(r.lambda_0, 0.0, 1e-13);
     CHECK_EQ(r.lambda_c, 0.0);
     CHECK_EQ(r.lambda_s, 0.0);
@@ -83,22 +83,23 @@ TEST(inflow_axial_climb_and_forward_flight) {
   const Configuration<double> c = configuration(0);
   for (const double climb : {0.02, 0.1, 0.4}) {
     const double thrust = 0.01;
-    const double n0 = -climb / 2 + std::sqrt(climb * climb / 4 + thrust / 2);  // momentum theory
-    CHECK_NEAR(rates(c, n0, 0, 0, {thrust, 0, 0, 0, 0, climb}).lambda_0, 0.0,
+    const double lambda_0 = -climb / 2 + std::sqrt(climb * climb / 4 + thrust / 2);  // momentum theory
+    CHECK_NEAR(rates(c, lambda_0, 0, 0, {thrust, 0, 0, 0, 0, climb}).lambda_0, 0.0,
                1e-3 * thrust * c.setup.rotor_speed);
   }
   // Edgewise: thrust alone makes n_c/n_0 = 2 k X downstream; X -> 1 gives 1.47.
   const double mu = 0.3;
-  const double n0 = 0.01;
-  const double vt = std::sqrt(mu * mu + n0 * n0 + 1e-6);
-  const double plus = 0.5 * (n0 + std::sqrt(n0 * n0 + 25e-6));
+  const double lambda_0 = 0.01;
+  const double vt = std::sqrt(mu * mu + lambda_0 * lambda_0 + 1e-6);
+  const double plus = 0.5 * (lambda_0 + std::sqrt(lambda_0 * lambda_0 + 25e-6));
   const double x = mu / (vt + plus);
   for (const double direction : {0.0, 0.7, 2.5}) {
     const double cosine = std::cos(direction);
     const double sine = std::sin(direction);
-    const double thrust = 2 * vt * n0;
-    const InflowRates<double> r = rates(c, n0, 2 * kGain * x * n0 * cosine, 2 * kGain * x * n0 * sine,
-                                        {thrust, 0, 0, mu * cosine, mu * sine, 0});
+    const double thrust = 2 * vt * lambda_0;
+    const InflowRates<double> r =
+        rates(c, lambda_0, 2 * kGain * x * lambda_0 * cosine, 2 * kGain * x * lambda_0 * sine,
+              {thrust, 0, 0, mu * cosine, mu * sine, 0});
     CHECK_NEAR(r.lambda_0, 0.0, 1e-12);
     CHECK_NEAR(r.lambda_c, 0.0, 1e-12);
     CHECK_NEAR(r.lambda_s, 0.0, 1e-12);
@@ -117,12 +118,12 @@ TEST(inflow_turns_with_the_wind) {
     const InflowForcing<double> f{random.between(0, 0.02),     random.between(-2e-3, 2e-3),
                                   random.between(-2e-3, 2e-3), random.between(-0.3, 0.3),
                                   random.between(-0.3, 0.3),   random.between(-0.1, 0.3)};
-    const double n0 = random.between(0, 0.1);
-    const double nc = random.between(-0.03, 0.03);
-    const double ns = random.between(-0.03, 0.03);
-    const InflowRates<double> a = rates(c, n0, nc, ns, f);
+    const double lambda_0 = random.between(0, 0.1);
+    const double lambda_c = random.between(-0.03, 0.03);
+    const double lambda_s = random.between(-0.03, 0.03);
+    const InflowRates<double> a = rates(c, lambda_0, lambda_c, lambda_s, f);
     const InflowRates<double> b =
-        rates(c, n0, cosine * nc - sine * ns, sine * nc + cosine * ns,
+        rates(c, lambda_0, cosine * lambda_c - sine * lambda_s, sine * lambda_c + cosine * lambda_s,
               {f.c0, cosine * f.cc - sine * f.cs, sine * f.cc + cosine * f.cs,
                cosine * f.mu_x - sine * f.mu_y, sine * f.mu_x + cosine * f.mu_y, f.mu_z});
     CHECK_NEAR(b.lambda_0, a.lambda_0, 1e-12);
@@ -155,19 +156,22 @@ TEST(inflow_uniform_and_induced_power_factor) {
   options.induced_power_factor = 1.1;
   const Configuration<double> c = configuration(0, options);
   for (const double mu : {0.0, 0.15}) {
-    const double n0 = 0.05;
-    const double vt = std::sqrt(n0 * n0 + mu * mu + 1e-6);
-    const InflowRates<double> r = rates(c, n0, 0.02, -0.01, {2 * vt * n0 / 1.1, 0.001, 0.001, mu, 0, 0});
-    CHECK_NEAR(r.lambda_0, 0.0, 1e-12);  // n0 = kappa C0 / (2 V_T)
+    const double lambda_0 = 0.05;
+    const double vt = std::sqrt(lambda_0 * lambda_0 + mu * mu + 1e-6);
+    const InflowRates<double> r =
+        rates(c, lambda_0, 0.02, -0.01, {2 * vt * lambda_0 / 1.1, 0.001, 0.001, mu, 0, 0});
+    CHECK_NEAR(r.lambda_0, 0.0, 1e-12);  // lambda_0 = kappa C0 / (2 V_T)
     CHECK_EQ(r.lambda_c, 0.0);
     CHECK_EQ(r.lambda_s, 0.0);
   }
-  // In the three-state form the factor multiplies the mean gain alone: hover n0 = sqrt(kappa C0 / 2).
+  // In the three-state form the factor multiplies the mean gain alone: hover lambda_0 = sqrt(kappa C0 / 2).
   options.inflow = InflowShape::pitt_peters;
   const Configuration<double> three = configuration(0, options);
-  const double n0 = 0.07;
-  CHECK_NEAR(rates(three, n0, 0, 0, {2 * n0 * std::sqrt(n0 * n0 + 1e-6) / 1.1, 0, 0, 0, 0, 0}).lambda_0, 0.0,
-             1e-12);
+  const double lambda_0 = 0.07;
+  CHECK_NEAR(rates(three, lambda_0, 0, 0,
+                   {2 * lambda_0 * std::sqrt(lambda_0 * lambda_0 + 1e-6) / 1.1, 0, 0, 0, 0, 0})
+                 .lambda_0,
+             0.0, 1e-12);
 }
 
 // Exact hover and descent through the rotor's own wake: no division by nothing.
@@ -175,9 +179,9 @@ TEST(inflow_is_finite_everywhere) {
   using T = Dual<double, 5>;
   const Configuration<double> c = configuration(0);
   for (const double mz : {0.0, -0.03, -0.05, -0.0727, -0.1, -0.3}) {
-    for (const double n0 : {0.0, 0.0727}) {
+    for (const double lambda_0 : {0.0, 0.0727}) {
       RotorState<T> x{};
-      x.lambda_0 = T::variable(n0, 0);
+      x.lambda_0 = T::variable(lambda_0, 0);
       x.lambda_c = T::variable(0, 1);
       const InflowForcing<T> f{T(0.01),           T(0.0), T(0.0), T::variable(0, 2), T::variable(0, 3),
                                T::variable(mz, 4)};
@@ -186,8 +190,8 @@ TEST(inflow_is_finite_everywhere) {
         CHECK(std::isfinite(rate.v));
         for (int j = 0; j < 5; ++j) CHECK(std::isfinite(rate.d.get(j)));
       }
-      // In-plane wind at hover drives nc at once: the wake skew has a slope there.
-      if (n0 > 0 && mz == 0) CHECK_LT(0.1, r.lambda_c.d.get(2));
+      // In-plane wind at hover drives lambda_c at once: the wake skew has a slope there.
+      if (lambda_0 > 0 && mz == 0) CHECK_LT(0.1, r.lambda_c.d.get(2));
     }
   }
 }

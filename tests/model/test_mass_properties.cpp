@@ -1,9 +1,9 @@
 // CG and inertia against mast angle: printed values, the motion of the tilting mass about the conversion
 // axis, switches.
-#include "tiltrotor/model/mass_properties.hpp"
+#include "tiltrotor/model/setup/mass_properties.hpp"
 
 #include "check.hpp"
-#include "tiltrotor/model/aircraft_data.hpp"
+#include "tiltrotor/model/aircraft/aircraft_data.hpp"
 
 using namespace tiltrotor;
 

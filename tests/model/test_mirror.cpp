@@ -74,9 +74,9 @@ TEST(mirror_symmetric_flight) {
     const double force = std::abs(out.rotor[right].loads.force_a.z);
     for (std::size_t i = 0; i < r.size(); ++i) CHECK_NEAR(l[i], r[i], 1e-12 * (force + std::abs(r[i])));
     // A symmetric aircraft flies up and forward, not nowhere: the loads themselves are there.
-    CHECK_LT(1.0, std::abs(out.loads.component[rotor_right].force.z) +
-                      std::abs(out.loads.component[rotor_right].force.x));
-    CHECK_NEAR(out.loads.component[rotor_right].force.y, -out.loads.component[rotor_left].force.y,
+    CHECK_LT(1.0, std::abs(out.loads[Component::rotor_right].force.z) +
+                      std::abs(out.loads[Component::rotor_right].force.x));
+    CHECK_NEAR(out.loads[Component::rotor_right].force.y, -out.loads[Component::rotor_left].force.y,
                1e-9 * force);
   }
 }

@@ -2,7 +2,7 @@
 // are listed for each, all other numbers must stay bit for bit. Where a switch has a closed form, its size is
 // checked too.
 #include "flight_cases.hpp"
-#include "tiltrotor/model/presets.hpp"
+#include "tiltrotor/model/variables/presets.hpp"
 
 using namespace flight_cases;
 
@@ -77,21 +77,19 @@ unsigned changed(const Evaluation<double>& a, const Evaluation<double>& b) {
              a.rates.coning[side].rate == b.rates.coning[side].rate,
          coning_rates);
   }
-  const auto component = [&](int k, unsigned part) {
-    mark(same(a.loads.component[k], b.loads.component[k]), part);
-  };
-  component(rotor_right, hub_component);
-  component(rotor_left, hub_component);
-  component(wing_wake_right, wing_in_rotor_wake);
-  component(wing_wake_left, wing_in_rotor_wake);
-  component(wing_free, wing_in_free_stream);
-  component(pylon, pylon_interference);
-  component(spinners, spinner_drag);
-  component(pylon_side, side_plates);
-  component(fuselage, body);
-  component(htail, tailplane);
-  component(fin_right, fins);
-  component(fin_left, fins);
+  const auto component = [&](Component k, unsigned part) { mark(same(a.loads[k], b.loads[k]), part); };
+  component(Component::rotor_right, hub_component);
+  component(Component::rotor_left, hub_component);
+  component(Component::wing_wake_right, wing_in_rotor_wake);
+  component(Component::wing_wake_left, wing_in_rotor_wake);
+  component(Component::wing_free, wing_in_free_stream);
+  component(Component::pylon, pylon_interference);
+  component(Component::spinners, spinner_drag);
+  component(Component::pylon_side, side_plates);
+  component(Component::fuselage, body);
+  component(Component::htail, tailplane);
+  component(Component::fin_right, fins);
+  component(Component::fin_left, fins);
   mark(a.rates.downwash == b.rates.downwash, lagged_downwash);
   mark(a.rates.rates.x == b.rates.rates.x && a.rates.rates.y == b.rates.rates.y &&
            a.rates.rates.z == b.rates.rates.z,
@@ -122,6 +120,7 @@ TEST(options_defaults_are_the_first_choices) {
 }
 
 TEST(options_of_the_rotor) {
+  check_switch({}, kBladeLoads, [](Options& o) { o.grid = BladeGrid::realtime; });
   check_switch({}, kBladeLoads, [](Options& o) { o.grid_refinement = 2; });
   check_switch({}, kBladeLoads, [](Options& o) { o.azimuth_stations = 9; });
   check_switch({}, kBladeLoads, [](Options& o) { o.azimuth = AzimuthMode::individual; });
@@ -205,15 +204,15 @@ TEST(options_sizes_in_closed_form) {
   const Evaluation<double> base = evaluated(helicopter, Options{});
   // K_FW = 1.4 - 0.0035 x 40 deg against 1.07.
   const Evaluation<double> load = with(helicopter, [](Options& o) { o.wake_load = WakeLoadFactor::gtrs; });
-  CHECK_REL(load.loads.component[wing_wake_right].force.z / base.loads.component[wing_wake_right].force.z,
+  CHECK_REL(load.loads[Component::wing_wake_right].force.z / base.loads[Component::wing_wake_right].force.z,
             1.26 / 1.07, 1e-12);
   // Fin area 20.25 of 25.25 ft2; tail pressure 0.8 at mast 0.
   const Evaluation<double> fin = with(helicopter, [](Options& o) { o.fin_area = FinArea::report; });
-  CHECK_REL(fin.loads.component[fin_left].force.y / base.loads.component[fin_left].force.y, 20.25 / 25.25,
+  CHECK_REL(fin.loads[Component::fin_left].force.y / base.loads[Component::fin_left].force.y, 20.25 / 25.25,
             1e-12);
   const Evaluation<double> tail =
       with(helicopter, [](Options& o) { o.tail_pressure = TailPressure::constant; });
-  CHECK_REL(tail.loads.component[htail].moment.y / base.loads.component[htail].moment.y, 0.8, 1e-12);
+  CHECK_REL(tail.loads[Component::htail].moment.y / base.loads[Component::htail].moment.y, 0.8, 1e-12);
   // Inertia as flown: 1.46 and 1.30 times the printed one.
   Options still_flying;
   const Configuration<double> simulated = configuration(0, still_flying);

@@ -22,7 +22,7 @@ TEST_OF_XV15(pylon_printed_loads) {
 TEST_OF_XV15(pylon_spinner_drag_areas) {
   const double square_foot = kFoot * kFoot;
   AirframeInput<double> in{};
-  in.velocity = {50, 0, 0};
+  in.velocity_b = {50, 0, 0};
   const double q = 0.5 * 1.225 * 2500;
   const Configuration<double> airplane = configuration(90);
   const Configuration<double> helicopter = configuration(0);
@@ -34,7 +34,7 @@ TEST_OF_XV15(pylon_spinner_drag_areas) {
   // Waterline of the hubs 156 in against 81.65 in of the CG: drag up there raises the nose.
   CHECK_REL(across.moment.y, -across.force.x * (156.004 - 81.65) * kFoot / 12, 3e-4);
   // 45 deg: sin^3.
-  in.velocity = {50, 0, 50};
+  in.velocity_b = {50, 0, 50};
   const double tilted =
       std::hypot(spinner_loads(helicopter, in).force.x, spinner_loads(helicopter, in).force.z);
   CHECK_REL(tilted, 2 * q * 2 * (1 + 5.5 * std::pow(0.5, 1.5)) * square_foot, 1e-3);
@@ -44,7 +44,7 @@ TEST(pylon_interference_in_hover) {
   const Configuration<double> c = configuration(0);
   AirframeInput<double> in{};
   in.mean_wash[right] = in.mean_wash[left] = 17;
-  const FreeStream<double> stream = free_stream(c, in.velocity);
+  const FreeStream<double> stream = free_stream(c, in.velocity_b);
   const WingInWake<double> wake[2] = {wing_in_wake(c, in, stream, right), wing_in_wake(c, in, stream, left)};
   const Loads<double> loads = pylon_interference_loads(c, wake);
   // 13.5 ft2 (table 4-XV, mast 0) in a wash of 1.6 v0, pushing down.
@@ -57,9 +57,9 @@ TEST(pylon_interference_in_hover) {
 TEST(pylon_side_plates) {
   const Configuration<double> c = configuration(0, linear_tables());
   AirframeInput<double> in{};
-  in.velocity = {0, 10, 0};
+  in.velocity_b = {0, 10, 0};
   const Loads<double> r = pylon_side_loads(c, in);
-  in.velocity.y = -10;
+  in.velocity_b.y = -10;
   const Loads<double> l = pylon_side_loads(c, in);
   CHECK_EQ(l.force.y, -r.force.y);
   CHECK_LT(r.force.y, 0.0);
@@ -68,6 +68,6 @@ TEST(pylon_side_plates) {
   // Incidence of the flow to the mast: atan(10/1) with the 1 m/s of the smoothed axial speed.
   const double k_plat = 1;  // from 45 to 90 deg
   CHECK_REL(r.force.y, -0.5 * 1.225 * 100 * 2 * 24.05 * kFoot * kFoot * k_plat, 2e-3);
-  in.velocity = {40, 0, 3};
+  in.velocity_b = {40, 0, 3};
   CHECK_EQ(pylon_side_loads(c, in).force.y, 0.0);
 }

@@ -12,7 +12,7 @@
 
 #include "csv_file.hpp"
 #include "flight_cases.hpp"
-#include "tiltrotor/model/presets.hpp"
+#include "tiltrotor/model/variables/presets.hpp"
 
 using namespace flight_cases;
 

@@ -2,7 +2,7 @@
 // hand for both rotors, energy balance, symmetries, convergence, hover values of an independent second
 // program.
 #include "settled_rotor.hpp"
-#include "tiltrotor/model/presets.hpp"
+#include "tiltrotor/model/variables/presets.hpp"
 
 using namespace flight_cases;
 using namespace settled_rotor;
@@ -353,7 +353,9 @@ TEST_OF_XV15(rotor_individual_blades_average_to_the_mean) {
   constexpr int positions = 8;  // of three blades: 24 stations
   for (int k = 0; k < positions; ++k) {
     const double azimuth = 2 * kPi<double> * (k + 0.5) / 24;
-    const RotorResponse<double> r = rotor_response(c, in, individual_azimuth<double>(3, azimuth));
+    AzimuthStations<double> blades;
+    individual_azimuth(3, azimuth, blades);
+    const RotorResponse<double> r = rotor_response(c, in, blades);
     const auto now = flat(r);
     for (std::size_t i = 0; i < now.size(); ++i) sum[i] += now[i] / positions;
     lowest = std::min(lowest, r.loads.force_a.z);

@@ -9,7 +9,7 @@ namespace {
 
 AirframeInput<double> flight(double u, double v, double w, double wash) {
   AirframeInput<double> in{};
-  in.velocity = {u, v, w};
+  in.velocity_b = {u, v, w};
   in.mean_wash[right] = in.mean_wash[left] = wash;
   return in;
 }
@@ -103,7 +103,7 @@ TEST_OF_XV15(rotor_wake_download_in_hover) {
   const Configuration<double> c = configuration(0);
   const double wash = 56.3 * kFoot;
   const AirframeInput<double> in = flight(0, 0, 0, wash);
-  const WingInWake<double> part = wing_in_wake(c, in, free_stream(c, in.velocity), right);
+  const WingInWake<double> part = wing_in_wake(c, in, free_stream(c, in.velocity_b), right);
   const double q = 0.5 * 1.225 * std::pow(1.6 * wash, 2);
   CHECK_REL(part.pressure, q, 1e-12);
   CHECK_REL(part.loads.force.z, 1.07 * q * part.immersed.area * 1.44, 5e-3);

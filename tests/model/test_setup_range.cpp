@@ -4,7 +4,7 @@
 
 #include "check.hpp"
 #include "model/flight_cases.hpp"
-#include "tiltrotor/model/setup_explanation.hpp"
+#include "tiltrotor/model/setup/setup_explanation.hpp"
 #include "tiltrotor/model/variables/control_range.hpp"
 
 using namespace tiltrotor;

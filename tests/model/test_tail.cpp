@@ -9,16 +9,16 @@ using namespace printed_runs;
 namespace {
 
 Loads<double> tail(const Configuration<double>& c, const AirframeInput<double>& in) {
-  const FreeStream<double> stream = free_stream(c, in.velocity);
+  const FreeStream<double> stream = free_stream(c, in.velocity_b);
   return horizontal_tail_loads(c, in, stream, tail_wash_ratio(c, stream), in.downwash);
 }
 Loads<double> fin(const Configuration<double>& c, const AirframeInput<double>& in, int side) {
-  const FreeStream<double> stream = free_stream(c, in.velocity);
+  const FreeStream<double> stream = free_stream(c, in.velocity_b);
   return fin_loads(c, in, stream, tail_wash_ratio(c, stream), side);
 }
 AirframeInput<double> cruise(double u, double v, double w) {
   AirframeInput<double> in{};
-  in.velocity = {u, v, w};
+  in.velocity_b = {u, v, w};
   return in;
 }
 
@@ -58,10 +58,10 @@ TEST(tail_signs) {
   in.downwash = 0.05;  // downwash takes lift away
   CHECK_LT(neutral.force.z, tail(c, in).force.z);
   in.downwash = 0;
-  in.rates.y = 0.1;  // nose-up rate: more lift at the tail, damping
+  in.rates_b.y = 0.1;  // nose-up rate: more lift at the tail, damping
   CHECK_LT(tail(c, in).moment.y, neutral.moment.y);
-  in.rates.y = 0;
-  in.velocity.z = 6;  // more angle of attack: nose down, a stabilising surface
+  in.rates_b.y = 0;
+  in.velocity_b.z = 6;  // more angle of attack: nose down, a stabilising surface
   CHECK_LT(tail(c, in).moment.y, neutral.moment.y);
 }
 
@@ -71,7 +71,7 @@ TEST_OF_XV15(tail_pitch_rate_is_an_angle) {
   const Configuration<double> c = configuration(90, linear_tables());
   const AirframeInput<double> level = cruise(90, 0, 2);
   AirframeInput<double> pitching = level;
-  pitching.rates.y = 0.02;
+  pitching.rates_b.y = 0.02;
   AirframeInput<double> deflected = level;
   const double arm = (560 * 0.0254 - c.mass.sl_cg);
   deflected.downwash = -0.02 * arm / 90;  // the same angle by upwash
@@ -100,16 +100,16 @@ TEST(tail_fins_sideslip_and_rudder) {
   CHECK_LT(0.0, rudder.moment.z);  // right pedal, nose right
   CHECK_LT(rudder.force.y, 0.0);
   in.rudder = 0;
-  in.rates.z = 0.1;
+  in.rates_b.z = 0.1;
   CHECK_LT((fin(c, in, right) + fin(c, in, left)).moment.z, 0.0);  // yaw damping
   // Exchanged sides.
   AirframeInput<double> a = cruise(80, 5, 3);
-  a.rates = {0.1, 0.05, -0.1};
+  a.rates_b = {0.1, 0.05, -0.1};
   a.rudder = 0.1;
   a.mean_wash[right] = 3;
   a.mean_wash[left] = 5;
   AirframeInput<double> b = cruise(80, -5, 3);
-  b.rates = {-0.1, 0.05, 0.1};
+  b.rates_b = {-0.1, 0.05, 0.1};
   b.rudder = -0.1;
   b.mean_wash[right] = 5;
   b.mean_wash[left] = 3;

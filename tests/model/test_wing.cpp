@@ -16,7 +16,7 @@ struct Flow {
 Flow flow(const Configuration<double>& c, const AirframeInput<double>& in) {
   Flow f;
   f.in = in;
-  const FreeStream<double> stream = free_stream(c, in.velocity);
+  const FreeStream<double> stream = free_stream(c, in.velocity_b);
   for (const int side : {right, left}) f.wake[side] = wing_in_wake(c, in, stream, side);
   f.wing = free_wing(c, in, stream, f.wake);
   return f;
@@ -24,7 +24,7 @@ Flow flow(const Configuration<double>& c, const AirframeInput<double>& in) {
 
 AirframeInput<double> cruise(double u, double w) {
   AirframeInput<double> in{};
-  in.velocity = {u, 0, w};
+  in.velocity_b = {u, 0, w};
   in.rotor_force = 0.005;
   in.advance_ratio = 0.1;
   return in;
@@ -64,7 +64,7 @@ TEST_OF_XV15(wing_area_is_split) {
   const Flow none = flow(c, in);
   const double lift_all = none.wing.loads.force.z;
   // Remove the wake of one side by putting its area to zero: the free wing grows by that area.
-  const FreeStream<double> stream = free_stream(c, in.velocity);
+  const FreeStream<double> stream = free_stream(c, in.velocity_b);
   Flow bare = none;
   bare.wake[right].immersed.area = bare.wake[left].immersed.area = 0;
   const Loads<double> whole = free_wing(c, in, stream, bare.wake).loads;
@@ -127,7 +127,7 @@ TEST_OF_XV15(wing_lateral_terms) {
   const Loads<double> level = flow(c, in).wing.loads;
   CHECK_NEAR(level.moment.x, 0.0, 1e-9);
   CHECK_NEAR(level.moment.z, 0.0, 1e-9);
-  in.rates.x = 0.2;
+  in.rates_b.x = 0.2;
   const Loads<double> rolling = flow(c, in).wing.loads;
   CHECK_LT(rolling.moment.x, -1000.0);  // damped
   // Roll damping by the printed derivative: Cl_p about -0.774, q S b^2/(2V) p.
@@ -135,10 +135,10 @@ TEST_OF_XV15(wing_lateral_terms) {
   const double q = 0.5 * 1.225 * (80 * 80 + 16);
   const double span = 32.17 * kFoot;
   CHECK_REL(rolling.moment.x, q * 181 * kFoot * kFoot * span * span / (2 * speed) * -0.774 * 0.2, 0.12);
-  in.rates.x = 0;
-  in.rates.z = 0.2;
+  in.rates_b.x = 0;
+  in.rates_b.z = 0.2;
   CHECK_LT(0.0, flow(c, in).wing.loads.moment.x);  // nose right: the left wing is faster
-  in.rates.z = 0;
+  in.rates_b.z = 0;
   in.aileron = 0.1;
   const Loads<double> aileron = flow(c, in).wing.loads;
   CHECK_LT(1000.0, aileron.moment.x);  // rolls right

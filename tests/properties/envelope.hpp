@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "tiltrotor/analysis/instances.hpp"
-#include "tiltrotor/model/aircraft_data.hpp"
+#include "tiltrotor/model/aircraft/aircraft_data.hpp"
 #include "tiltrotor/tiltrotor.h"
 
 namespace envelope {
@@ -96,7 +96,7 @@ inline tr_setup random_setup(Generator& random, bool& valid) {
   return setup;
 }
 
-inline double bound(int state) { return std::min(response_detail::state_bound<double>(state), 1e6); }
+inline double bound(int state) { return std::min(state_bound<double>(state), 1e6); }
 
 inline tr_state random_state(Generator& random, Corner corner, double hover_wash) {
   tr_state s{};
@@ -150,12 +150,20 @@ inline tr_state random_state(Generator& random, Corner corner, double hover_wash
   return s;
 }
 
-inline void try_state(tr_sim& sim, tr_work& work, const tr_state& state, Corner corner, bool linearize_too,
-                      StateCounts& counts, Breaches& breaches, const std::string& where) {
-  const auto expect = [&](bool kept, const char* what) { breaches.expect(kept, where + ": " + what); };
+struct StateTrial {
+  tr_state state;
+  Corner corner;
+  bool linearize_too;
+  std::string where;  // seed and number, for a breach
+};
+
+inline void try_state(tr_sim& sim, tr_work& work, const StateTrial& trial, StateCounts& counts,
+                      Breaches& breaches) {
+  const Corner corner = trial.corner;
+  const auto expect = [&](bool kept, const char* what) { breaches.expect(kept, trial.where + ": " + what); };
   ++counts.tried[corner];
   const tr_sim before = sim;
-  const tr_status set = tr_set_state(&sim, &state);
+  const tr_status set = tr_set_state(&sim, &trial.state);
   if (corner == beyond || corner == not_a_number) {
     expect(set == (corner == beyond ? TR_OUT_OF_RANGE : TR_NOT_FINITE), "accepted");
     expect(std::memcmp(&sim, &before, sizeof sim) == 0, "a refused state left traces");
@@ -184,7 +192,7 @@ inline void try_state(tr_sim& sim, tr_work& work, const tr_state& state, Corner 
     expect(stepped == TR_OUT_OF_RANGE || stepped == TR_NOT_FINITE, "unknown status of a step");
     expect(std::memcmp(&sim, &here, sizeof sim) == 0, "a failed step left traces");
   }
-  if (!linearize_too) return;
+  if (!trial.linearize_too) return;
   constexpr std::size_t capacity = TR_MAX_LINEAR_STATES * TR_MAX_LINEAR_STATES;
   static tr_real a[capacity];
   static tr_real b[TR_MAX_LINEAR_STATES * TR_CONTROLS];
@@ -219,10 +227,10 @@ inline StateCounts try_states(std::uint64_t seed, long count, Breaches& breaches
     }
     for (long k = first; k < std::min(first + 100, count); ++k) {
       const auto corner = static_cast<Corner>(k % corner_count);
-      const tr_state state = random_state(random, corner, 12);
-      try_state(
-          sim, *work, state, corner, k % 211 == 0, counts, breaches,
-          "seed " + std::to_string(seed) + " state " + std::to_string(k) + " (" + kCornerNames[corner] + ")");
+      const StateTrial trial = {
+          random_state(random, corner, 12), corner, k % 211 == 0,
+          "seed " + std::to_string(seed) + " state " + std::to_string(k) + " (" + kCornerNames[corner] + ")"};
+      try_state(sim, *work, trial, counts, breaches);
     }
   }
   breaches.expect(std::memcmp(&bystander, &bystander_before, sizeof bystander) == 0,
@@ -331,7 +339,7 @@ inline void fly(std::uint64_t index, double duration, FlightCounts& counts, Brea
     flatten(s.state, x);
     bool in_range = true;
     for (int i = 0; i < state_count; ++i)
-      in_range = in_range && std::fabs(x[i]) <= response_detail::state_bound<double>(i);  // false for NaN
+      in_range = in_range && std::fabs(x[i]) <= state_bound<double>(i);  // false for NaN
     expect(in_range, "a state out of range or not a number passed for good");
     if (status == Status::ok) {
       if (!in_range) return;

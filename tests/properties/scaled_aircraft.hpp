@@ -13,7 +13,7 @@
 
 #include "check.hpp"
 #include "model/flight_cases.hpp"
-#include "tiltrotor/model/aircraft_data.hpp"
+#include "tiltrotor/model/aircraft/aircraft_data.hpp"
 #include "tiltrotor/model/preparation.hpp"
 
 namespace scaled {

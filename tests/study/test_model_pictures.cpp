@@ -4,7 +4,7 @@
 
 #include "check.hpp"
 #include "study/sections.hpp"
-#include "tiltrotor/model/loads.hpp"
+#include "tiltrotor/model/variables/loads.hpp"
 
 using namespace tiltrotor;
 using study::Section;

@@ -10,7 +10,7 @@
 
 #include "check.hpp"
 #include "run_program.hpp"
-#include "tiltrotor/model/aircraft_data.hpp"
+#include "tiltrotor/model/aircraft/aircraft_data.hpp"
 
 namespace {
 

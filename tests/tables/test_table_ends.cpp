@@ -12,7 +12,7 @@
 #include "tiltrotor/math/differentiation/complex_step.hpp"
 #include "tiltrotor/math/differentiation/dual.hpp"
 #include "tiltrotor/math/tables/table_slopes.hpp"
-#include "tiltrotor/model/aircraft_data.hpp"
+#include "tiltrotor/model/aircraft/aircraft_data.hpp"
 
 namespace {
 

@@ -1,7 +1,7 @@
 // A file of a C++ program that includes the headers and is compiled with whatever flags: its functions, never
 // called, must not take the place of those behind the C interface.
 #include <tiltrotor/analysis/linear/linear_model.hpp>
-#include <tiltrotor/model/aircraft_data.hpp>
+#include <tiltrotor/model/aircraft/aircraft_data.hpp>
 #include <tiltrotor/model/derivative.hpp>
 #include <tiltrotor/model/preparation.hpp>
 

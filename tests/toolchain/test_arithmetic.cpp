@@ -4,7 +4,7 @@
 #include <cfenv>
 
 #include "check.hpp"
-#include "tiltrotor/model/aircraft_data.hpp"
+#include "tiltrotor/model/aircraft/aircraft_data.hpp"
 #include "tiltrotor/model/preparation.hpp"
 #include "tiltrotor/tiltrotor.h"
 

@@ -33,7 +33,7 @@ TEST(build_a_row_forgotten_does_not_compile) {
   const struct {
     const char *file, *row;
   } rows[] = {
-      {"include/tiltrotor/model/loads.hpp", "\"fin_left\""},
+      {"include/tiltrotor/model/variables/loads.hpp", "\"fin_left\""},
       {"src/cli/state_columns.cpp", "{\"psi\", \"yaw_deg\", \"deg\"},"},
       {"include/tiltrotor/analysis/trim/trim_explanation.hpp", "\"turn rate must be within 60 deg/s\","}};
   for (const auto& [file, row] : rows) {

@@ -18,7 +18,7 @@ namespace {
 
 constexpr unsigned kAll = (1u << kInstructionCount) - 1;
 #ifdef __x86_64__
-constexpr unsigned kOlder = 1u << k_sse3;  // of the list, what qemu64 has
+constexpr unsigned kOlder = instruction_bit(InstructionPlace::sse3);  // of the list, what qemu64 has
 #else
 constexpr unsigned kOlder = 0;
 #endif

@@ -37,7 +37,7 @@ struct IsolatedRotor {
   R residual;  // largest scaled rate left over
 };
 
-namespace isolated_rotor_detail {
+namespace rotor_equilibrium {
 
 inline constexpr int kMaxIterations = 60;  // of one start
 
@@ -46,11 +46,9 @@ bool valid(const Aircraft<R>& aircraft, const RotorFlow<R>& flow) {
   const R speed = aircraft.limits.speed;
   const R pitch = R(90) * kRadPerDeg<R>;
   const R cyclic = R(30) * kRadPerDeg<R>;
-  return configuration_detail::within(flow.axial, -speed, speed) &&
-         configuration_detail::within(flow.in_plane, -speed, speed) &&
-         configuration_detail::within(flow.collective, -pitch, pitch) &&
-         configuration_detail::within(flow.lateral_cyclic, -cyclic, cyclic) &&
-         configuration_detail::within(flow.long_cyclic, -cyclic, cyclic);
+  return is_within(flow.axial, -speed, speed) && is_within(flow.in_plane, -speed, speed) &&
+         is_within(flow.collective, -pitch, pitch) && is_within(flow.lateral_cyclic, -cyclic, cyclic) &&
+         is_within(flow.long_cyclic, -cyclic, cyclic);
 }
 
 template <class R>
@@ -103,7 +101,7 @@ MomentumRange range(const Configuration<R>& c, const IsolatedRotor<R>& rotor) {
                                    v.z, v.x, rotor.input.state.lambda_0 * c.tip_speed));
 }
 
-}  // namespace isolated_rotor_detail
+}  // namespace rotor_equilibrium
 
 // Equilibrium by damped Newton iteration on the exact Jacobian, from a start by momentum theory; where that
 // ends outside the range of momentum theory or nowhere, once more from a rotor without inflow, of which the
@@ -117,7 +115,7 @@ MomentumRange range(const Configuration<R>& c, const IsolatedRotor<R>& rotor) {
 template <class R>
 Status isolated_rotor(const Configuration<R>& c, const RotorFlow<R>& flow, IsolatedRotorWorkspace<R>& work,
                       IsolatedRotor<R>& rotor) {
-  using namespace isolated_rotor_detail;
+  using namespace rotor_equilibrium;
   rotor = IsolatedRotor<R>{};
   if (!finite(flow)) return Status::not_finite;
   if (!valid(*c.aircraft, flow)) return Status::out_of_range;
@@ -133,21 +131,21 @@ Status isolated_rotor(const Configuration<R>& c, const RotorFlow<R>& flow, Isola
   rotor.input.long_cyclic = flow.long_cyclic;
 
   R* const z = work.newton.z;
-  const auto start = [&](R n0) {
+  const auto start = [&](R lambda_0) {
     for (int j = 0; j < kRotorUnknowns; ++j) z[j] = R(0);
     if (flow.cyclic == CyclicUse::cancels_tilt) {
       z[0] = flow.lateral_cyclic;
       z[1] = flow.long_cyclic;
     }
-    z[2] = n0;
+    z[2] = lambda_0;
     if (set.coning) z[2 + set.harmonics] = c.coning;
   };
   // By momentum theory; below the windmill; above every root.
   const R starts[] = {first_inflow(c, flow, solidity), R(0), R(-1.2) * flow.axial / c.tip_speed};
   IsolatedRotor<R> best = rotor;
   Status status = Status::not_converged;
-  for (const R n0 : starts) {
-    start(n0);
+  for (const R lambda_0 : starts) {
+    start(lambda_0);
     const Status ended = solve(c, set, flow.cyclic, work, rotor);
     rotor.momentum = range(c, rotor);
     const bool found = ended == Status::ok && rotor.momentum == MomentumRange::holds;

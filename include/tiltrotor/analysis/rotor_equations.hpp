@@ -43,7 +43,7 @@ struct IsolatedRotorWorkspace {
   NewtonWorkspace<R, kRotorUnknowns> newton;
 };
 
-namespace isolated_rotor_detail {
+namespace rotor_equilibrium {
 
 // Which unknowns there are: always the two angles and the mean inflow.
 struct Unknowns {
@@ -96,34 +96,47 @@ void residuals(const Configuration<Real<T>>& c, const Unknowns& set, const Rotor
   if (set.coning) residual[2 + set.harmonics] = response.coning_acceleration * per_omega2;
 }
 
-// Mean inflow by momentum theory, thrust from the angle of attack at the reference radius.
+template <class R>
+struct EquilibriumBounds {
+  // Of the first guess: thrust coefficient beyond which the blades stall, flow through the disk over tip speed,
+  // rounds, each a quarter of the way to momentum theory.
+  static constexpr R largest_thrust = R(0.02);
+  static constexpr R least_flow = R(0.01);
+  static constexpr int inflow_rounds = 40;
+  // Of a Newton step: angles, rad, and inflow over tip speed.
+  static constexpr R angle_step = R(5) * kRadPerDeg<R>;
+  static constexpr R inflow_step = R(0.02);
+};
+
+// Mean inflow by momentum theory, lambda_0 = CT/(2 |mu, axial + lambda_0|), thrust from the angle of attack at
+// the reference radius, CT = sigma a alpha/6 (a uniform blade's lift, integrated over r^2).
 template <class R>
 R first_inflow(const Configuration<R>& c, const RotorFlow<R>& flow, R solidity) {
+  const EquilibriumBounds<R> bounds{};
   const R reference = c.aircraft->rotor.twist_reference;
   const R mu = flow.in_plane / c.tip_speed;
   const R axial = flow.axial / c.tip_speed;
-  const R largest = R(0.02);  // thrust coefficient: beyond it the blades stall
-  const R least_flow = R(0.01);
-  R n0 = R(0);
-  for (int k = 0; k < 40; ++k) {
-    const R angle = flow.collective - std::atan2(axial + n0, reference);
+  R lambda_0 = R(0);
+  for (int k = 0; k < bounds.inflow_rounds; ++k) {
+    const R angle = flow.collective - std::atan2(axial + lambda_0, reference);
     R ct = solidity * c.aircraft->rotor.lift_slope * angle / R(6);
-    ct = ct > largest ? largest : ct < -largest ? -largest : ct;
-    const R speed = std::sqrt(mu * mu + square(axial + n0));
-    n0 = R(0.75) * n0 + R(0.125) * ct / (speed > least_flow ? speed : least_flow);
+    ct = ct > bounds.largest_thrust    ? bounds.largest_thrust
+         : ct < -bounds.largest_thrust ? -bounds.largest_thrust
+                                       : ct;
+    const R speed = std::sqrt(mu * mu + square(axial + lambda_0));
+    const R aim = R(0.5) * ct / (speed > bounds.least_flow ? speed : bounds.least_flow);
+    lambda_0 = R(0.75) * lambda_0 + R(0.25) * aim;
   }
-  return n0;
+  return lambda_0;
 }
 
-// Shortens the step so that no angle changes by more than 5 deg and no inflow by more than 0.02.
+// Shortens the step, its direction kept, until no unknown changes by more than its largest step.
 template <class R>
 void limit_step(const Unknowns& set, R* step) {
-  const R angle = R(5) * kRadPerDeg<R>;
-  const R inflow = R(0.02);
   R factor = R(1);
   for (int j = 0; j < set.count(); ++j) {
     const bool is_inflow = j >= 2 && j < 2 + set.harmonics;
-    const R limit = is_inflow ? inflow : angle;
+    const R limit = is_inflow ? EquilibriumBounds<R>::inflow_step : EquilibriumBounds<R>::angle_step;
     if (std::fabs(step[j]) * factor > limit) factor = limit / std::fabs(step[j]);
   }
   for (int j = 0; j < set.count(); ++j) step[j] *= factor;
@@ -164,10 +177,10 @@ struct RotorProblem {
       for (int j = 0; j < n; ++j) slopes(i, j) = seeded.residual[i].d.get(j);
     }
   }
-  void limit_step(R* step) const { isolated_rotor_detail::limit_step(set, step); }
+  void limit_step(R* step) const { rotor_equilibrium::limit_step(set, step); }
   bool permits(const R*) const { return true; }
 };
 
-}  // namespace isolated_rotor_detail
+}  // namespace rotor_equilibrium
 
 }  // namespace tiltrotor

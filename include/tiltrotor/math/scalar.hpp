@@ -77,6 +77,12 @@ R length_of(R x, R y) {
   return std::sqrt((x * unit) * (x * unit) + (y * unit) * (y * unit)) / unit;
 }
 
+// Ends included; false for NaN.
+template <class R>
+constexpr bool is_within(R x, R low, R high) {
+  return x >= low && x <= high;
+}
+
 template <class R>
 inline constexpr R kPi = static_cast<R>(3.14159265358979323846264338327950288L);
 template <class R>

@@ -8,7 +8,8 @@
 namespace tiltrotor {
 
 // `velocity_b`: of the CG relative to the air, m/s. A moving mast carries the hub along an arc about the
-// conversion axis and pitches the hub frame nose down.
+// conversion axis and pitches the hub frame nose down. Derived here; mast geometry NASA CR-166536 p. B-31:
+// V_H = C_HB [ V + omega x r_hub + bM' l (cos bM, 0, sin bM) ],  omega_H = C_HB omega - (0, bM', 0).
 template <class T, class C>
 void rotor_input(const Configuration<C>& c, const State<T>& x, const Vec3<T>& velocity_b,
                  const BladeControls<T>& controls, int side, RotorInput<T>& in) {
@@ -31,7 +32,7 @@ void rotor_input(const Configuration<C>& c, const State<T>& x, const Vec3<T>& ve
   in.long_cyclic = controls.long_cyclic[side];
 }
 
-// In-plane advance ratio of a hub.
+// In-plane advance ratio of a hub: mu = sqrt(Vx^2 + Vy^2)/(Omega R), smooth at rest.
 template <class T, class C>
 T advance_ratio(const Configuration<C>& c, const Vec3<T>& hub_velocity_a) {
   using R = Real<T>;
@@ -41,7 +42,8 @@ T advance_ratio(const Configuration<C>& c, const Vec3<T>& hub_velocity_a) {
   return sqrt(mu_x * mu_x + mu_y * mu_y + square(c.aircraft->smooth.advance_ratio));
 }
 
-// `advance`: advance ratio of each rotor.
+// `advance`: advance ratio of each rotor. C_RF = sum |F| / (rho pi Omega^2 R^4): NASA CR-166536 p. A-38;
+// their mean advance ratio goes with it into alpha_WFS (p. A-70).
 template <class T, class C>
 void airframe_input(const Configuration<C>& c, const State<T>& x, const Vec3<T>& velocity_b,
                     const BladeControls<T>& controls, const RotorResponse<T> (&rotor)[2],
@@ -49,8 +51,8 @@ void airframe_input(const Configuration<C>& c, const State<T>& x, const Vec3<T>&
   using R = Real<T>;
   const C unit_force = c.air.density * kPi<R> * square(c.tip_speed * c.aircraft->rotor.radius);
   const auto size = [](const Vec3<T>& force) { return sqrt(dot(force, force)); };
-  in.velocity = velocity_b;
-  in.rates = x.rates;
+  in.velocity_b = velocity_b;
+  in.rates_b = x.rates;
   for (const Side side : {right, left}) in.mean_wash[side] = c.tip_speed * x.rotor[side].lambda_0;
   in.rotor_force = (size(rotor[right].loads.force_a) + size(rotor[left].loads.force_a)) * (R(1) / unit_force);
   in.advance_ratio = R(0.5) * (advance[right] + advance[left]);

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "tiltrotor/model/component_inputs.hpp"
-#include "tiltrotor/model/derivative_workspace.hpp"
+#include "tiltrotor/model/derivative_steps.hpp"
 #include "tiltrotor/model/state_rates.hpp"
 
 namespace tiltrotor {
@@ -18,99 +18,67 @@ struct Evaluation {
   T wing_downwash;            // at the tail, not lagged, rad
 };
 
-namespace derivative_detail {
-
-// Partials of a configuration reach a component beside its input: it must then be evaluated on T itself.
-template <class T, class C>
-inline constexpr bool kScalarsFit = kIsPlain<C> ||
-                                    (std::is_same_v<C, T> && std::is_same_v<LocalDual<RotorInput, T>, T> &&
-                                     std::is_same_v<LocalDual<AirframeInput, T>, T>);
-
-// The components on scalars of their own, which carry as many directions as a component sees.
-template <class T, class C>
-void local_rotor_response(const Configuration<C>& c, const RotorInput<T>& in, Real<T> azimuth,
-                          LocalRotorWorkspace<T>& work, RotorResponse<T>& out) {
-  const bool averaged = c.setup.options.azimuth == AzimuthMode::averaged;
-  if (!averaged) individual_azimuth(c.aircraft->rotor.blades, azimuth, work.blades);
-  const AzimuthStations<Real<T>>& stations = averaged ? c.azimuth : work.blades;
-  preaccumulate(in, work.chain, out, [&](const auto& local, auto& found) {
-    rotor_response(c, local, stations, work.rotor, found);
-  });
-}
-template <class T, class C, class Record>
-void local_airframe_response(const Configuration<C>& c, const AirframeInput<T>& in,
-                             LocalAirframeWorkspace<T>& work, AirframeResponse<T>& out, Record& record) {
-  preaccumulate(in, work.chain, out, [&](const auto& local, auto& found) {
-    airframe_response(c, local, work.airframe, found, record);
-  });
-}
-
-}  // namespace derivative_detail
-
-// xdot and, in `work`, what leads to it; `record(component, loads)` sees the loads of every component.
+// xdot and, in `steps`, what leads to it; `record(component, loads)` sees the loads of every component.
 // `azimuth`: position of the right rotor's first blade (rad), used in the individual-blade mode alone; the
 // left rotor mirrors it.
 template <class T, class C, class Record>
 void recorded_derivative(const Configuration<C>& c, const State<T>& x, const Controls<T>& u, Real<T> azimuth,
-                         DerivativeWorkspace<T>& work, State<T>& rates, Record&& record) {
-  static_assert(derivative_detail::kScalarsFit<T, C>,
-                "a configuration with partials has the scalar of the state, of at most 16 directions");
+                         DerivativeSteps<T>& steps, State<T>& rates, Record&& record) {
   out_of_line([&] {
-    work.velocity_b = x.velocity - u.gust;
-    work.controls = mix_controls(c, u, work.velocity_b);
+    steps.velocity_b = x.velocity - u.gust;
+    steps.controls = mix_controls(c, u, steps.velocity_b);
   });
 
   for (const Side side : {right, left}) {
-    rotor_input(c, x, work.velocity_b, work.controls, side, work.rotor_input);
-    derivative_detail::local_rotor_response(c, work.rotor_input, azimuth, work.local.rotor, work.rotor[side]);
+    rotor_input(c, x, steps.velocity_b, steps.controls, side, steps.rotor_input);
+    local_rotor_response(c, steps.rotor_input, azimuth, steps.local.rotor, steps.rotor[side]);
     out_of_line([&] {
-      work.advance_ratio[side] = advance_ratio(c, work.rotor_input.velocity_a);
-      work.hub_loads[side] = hub_loads(c, side, x.rotor[side], work.rotor[side].loads);
+      steps.advance_ratio[side] = advance_ratio(c, steps.rotor_input.velocity_a);
+      steps.hub_loads[side] = hub_loads(c, side, x.rotor[side], steps.rotor[side].loads);
     });
-    record(side == right ? rotor_right : rotor_left, work.hub_loads[side]);
+    record(side == right ? Component::rotor_right : Component::rotor_left, steps.hub_loads[side]);
   }
 
-  airframe_input(c, x, work.velocity_b, work.controls, work.rotor, work.advance_ratio, work.airframe_input);
-  derivative_detail::local_airframe_response(c, work.airframe_input, work.local.airframe, work.airframe,
-                                             record);
+  airframe_input(c, x, steps.velocity_b, steps.controls, steps.rotor, steps.advance_ratio,
+                 steps.airframe_input);
+  local_airframe_response(c, steps.airframe_input, steps.local.airframe, steps.airframe, record);
 
-  out_of_line([&] { work.total = work.hub_loads[right] + work.hub_loads[left] + work.airframe.total; });
-  out_of_line([&] { rigid_body_rates(c, x, work.total, rates); });
+  out_of_line([&] { steps.total = steps.hub_loads[right] + steps.hub_loads[left] + steps.airframe.total; });
+  out_of_line([&] { rigid_body_rates(c, x, steps.total, rates); });
   out_of_line([&] {
-    for (const Side side : {right, left}) rotor_rates(c, x, work.rotor[side], side, rates);
-    rates.downwash = downwash_rate(c, x, work.velocity_b, work.airframe.downwash);
+    for (const Side side : {right, left}) rotor_rates(c, x, steps.rotor[side], side, rates);
+    rates.downwash = downwash_rate(c, x, steps.velocity_b, steps.airframe.downwash);
   });
 }
 
 // Everything, by component.
 template <class T, class C>
 void evaluate_aircraft(const Configuration<C>& c, const State<T>& x, const Controls<T>& u,
-                       DerivativeWorkspace<T>& work, Evaluation<T>& out, Real<T> azimuth = Real<T>(0)) {
-  recorded_derivative(c, x, u, azimuth, work, out.rates, [&out](Component component, const Loads<T>& loads) {
-    out.loads.component[component] = loads;
-  });
-  for (const Side side : {right, left}) out.rotor[side] = work.rotor[side];
-  out.wing_alpha = work.airframe.wing_alpha;
-  out.wing_downwash = work.airframe.downwash;
+                       DerivativeSteps<T>& steps, Evaluation<T>& out, Real<T> azimuth = Real<T>(0)) {
+  recorded_derivative(c, x, u, azimuth, steps, out.rates,
+                      [&out](Component component, const Loads<T>& loads) { out.loads[component] = loads; });
+  for (const Side side : {right, left}) out.rotor[side] = steps.rotor[side];
+  out.wing_alpha = steps.airframe.wing_alpha;
+  out.wing_downwash = steps.airframe.downwash;
 }
 template <class T, class C>
 void evaluate_aircraft(const Configuration<C>& c, const State<T>& x, const Controls<T>& u, Evaluation<T>& out,
                        Real<T> azimuth = Real<T>(0)) {
-  DerivativeWorkspace<T> work;
-  evaluate_aircraft(c, x, u, work, out, azimuth);
+  DerivativeSteps<T> steps;
+  evaluate_aircraft(c, x, u, steps, out, azimuth);
 }
 
 // xdot alone.
 template <class T, class C>
-void derivative(const Configuration<C>& c, const State<T>& x, const Controls<T>& u,
-                DerivativeWorkspace<T>& work, State<T>& rates, Real<T> azimuth = Real<T>(0)) {
-  recorded_derivative(c, x, u, azimuth, work, rates, [](Component, const auto&) {});
+void derivative(const Configuration<C>& c, const State<T>& x, const Controls<T>& u, DerivativeSteps<T>& steps,
+                State<T>& rates, Real<T> azimuth = Real<T>(0)) {
+  recorded_derivative(c, x, u, azimuth, steps, rates, [](Component, const auto&) {});
 }
 template <class T, class C>
 void derivative(const Configuration<C>& c, const State<T>& x, const Controls<T>& u, State<T>& rates,
                 Real<T> azimuth = Real<T>(0)) {
-  DerivativeWorkspace<T> work;
-  derivative(c, x, u, work, rates, azimuth);
+  DerivativeSteps<T> steps;
+  derivative(c, x, u, steps, rates, azimuth);
 }
 
 }  // namespace tiltrotor

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "tiltrotor/math/arithmetic.hpp"
-#include "tiltrotor/model/configuration.hpp"
 #include "tiltrotor/model/rotor/radial_inflow.hpp"
+#include "tiltrotor/model/setup/configuration.hpp"
 
 namespace tiltrotor {
 

@@ -2,8 +2,8 @@
 // aircraft: Ixy = Iyz = 0.
 #pragma once
 
-#include "tiltrotor/model/configuration.hpp"
-#include "tiltrotor/model/loads.hpp"
+#include "tiltrotor/model/setup/configuration.hpp"
+#include "tiltrotor/model/variables/loads.hpp"
 
 namespace tiltrotor {
 

@@ -172,12 +172,6 @@ Status change_step(Simulation<R>& s, R dt) {
 
 namespace response_detail {
 
-// Beyond this a flight has diverged.
-template <class R>
-constexpr R state_bound(int index) {
-  return static_cast<R>(kStateVariables[index].facts().bound);
-}
-
 // Right side of the active states at constant controls.
 template <class R, class Policy>
 struct RightSide {
@@ -325,7 +319,7 @@ Status advance(const Configuration<R>& c, SimulationWorkspace<R, Policy>& work, 
     if (sum < 0) continue;
     travel.sum[sum] += static_cast<double>(work.x[k]);
     work.x[k] = static_cast<R>(travel.sum[sum]);
-    if (!(std::fabs(travel.sum[sum]) <= static_cast<double>(response_detail::state_bound<R>(index)))) {
+    if (!(std::fabs(travel.sum[sum]) <= static_cast<double>(state_bound<R>(index)))) {
       s.fault_state = index;
       s.status = Status::out_of_range;
     }

@@ -17,7 +17,7 @@
 #include <cmath>
 
 #include "tiltrotor/math/algebra/matrix.hpp"
-#include "tiltrotor/model/configuration.hpp"
+#include "tiltrotor/model/setup/configuration.hpp"
 #include "tiltrotor/model/variables/controls.hpp"
 #include "tiltrotor/model/variables/state.hpp"
 

@@ -156,7 +156,7 @@ struct SensitivityWorkspace {
   Configuration<T> configuration;
   State<T> x;
   Controls<T> u;
-  DerivativeWorkspace<T> derivative;
+  DerivativeSteps<T> derivative;
   Evaluation<T> evaluation;
 };
 

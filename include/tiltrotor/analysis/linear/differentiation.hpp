@@ -137,7 +137,7 @@ template <class T, bool = std::is_trivially_default_constructible_v<T>&& std::is
 struct ModelWorkspace {
   union {
     T x[state_count];
-    DerivativeWorkspace<T> derivative;
+    DerivativeSteps<T> derivative;
   };
   union {
     T u[control_count];
@@ -149,7 +149,7 @@ struct ModelWorkspace {
 template <class T>
 struct ModelWorkspace<T, false> {
   T x[state_count];
-  DerivativeWorkspace<T> derivative;
+  DerivativeSteps<T> derivative;
   T u[control_count];
   State<T> rates;
   State<T> state;

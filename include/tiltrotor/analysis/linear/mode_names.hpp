@@ -31,7 +31,7 @@ enum class ModeKind : unsigned char {
   count
 };
 
-namespace mode_detail {
+namespace mode_names_detail {
 inline constexpr const char* kAxisWords[] = {"longitudinal", "lateral", "rotor"};
 inline constexpr const char* kKindWords[] = {"phugoid",
                                              "aperiodic_phugoid",
@@ -51,13 +51,13 @@ inline constexpr const char* kKindWords[] = {"phugoid",
                                              "coning"};
 static_assert(sizeof(kKindWords) / sizeof(kKindWords[0]) == static_cast<unsigned>(ModeKind::count),
               "one word per kind");
-}  // namespace mode_detail
+}  // namespace mode_names_detail
 
 constexpr const char* axis_word(ModeAxis axis) {
-  return mode_detail::kAxisWords[static_cast<unsigned>(axis)];
+  return mode_names_detail::kAxisWords[static_cast<unsigned>(axis)];
 }
 constexpr const char* kind_word(ModeKind kind) {
-  return mode_detail::kKindWords[static_cast<unsigned>(kind)];
+  return mode_names_detail::kKindWords[static_cast<unsigned>(kind)];
 }
 
 // What the name of a mode is made of. Two modes of one set never have the same.
@@ -102,8 +102,6 @@ struct ModeShares {
   R lateral_body() const { return v + p + roll + r; }
   R body() const { return longitudinal_body() + lateral_body(); }
 };
-
-namespace mode_detail {
 
 // The share a rigid-body state counts for.
 template <class R>
@@ -182,7 +180,5 @@ void add_share(const SplitCoordinate& coordinate, R part, ModeShares<R>& shares)
       rigid_share(coordinate.state, shares) += part;
   }
 }
-
-}  // namespace mode_detail
 
 }  // namespace tiltrotor

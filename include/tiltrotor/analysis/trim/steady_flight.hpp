@@ -2,7 +2,7 @@
 #pragma once
 
 #include "tiltrotor/math/algebra/matrix.hpp"
-#include "tiltrotor/model/configuration.hpp"
+#include "tiltrotor/model/setup/configuration.hpp"
 #include "tiltrotor/model/variables/state.hpp"
 
 namespace tiltrotor {
@@ -32,16 +32,13 @@ template <class R>
 SteadyFlightField first_invalid(const Aircraft<R>& aircraft, const SteadyFlight<R>& flight) {
   const R angle = R(60) * kRadPerDeg<R>;
   const R vertical = R(0.5) * kPi<R> * (R(1) + R(2) * std::numeric_limits<R>::epsilon());
-  if (!configuration_detail::within(flight.speed, R(0), aircraft.limits.speed))
-    return SteadyFlightField::speed;
-  if (!configuration_detail::within(flight.climb, -vertical, vertical)) return SteadyFlightField::climb;
-  if (!configuration_detail::within(flight.turn_rate, -angle, angle)) return SteadyFlightField::turn_rate;
-  if (!configuration_detail::within(flight.sideslip, -angle, angle)) return SteadyFlightField::sideslip;
+  if (!is_within(flight.speed, R(0), aircraft.limits.speed)) return SteadyFlightField::speed;
+  if (!is_within(flight.climb, -vertical, vertical)) return SteadyFlightField::climb;
+  if (!is_within(flight.turn_rate, -angle, angle)) return SteadyFlightField::turn_rate;
+  if (!is_within(flight.sideslip, -angle, angle)) return SteadyFlightField::sideslip;
   const R gust = R(100);
   const Vec3<R>& g = flight.gust;
-  const bool held = configuration_detail::within(g.x, -gust, gust) &&
-                    configuration_detail::within(g.y, -gust, gust) &&
-                    configuration_detail::within(g.z, -gust, gust);
+  const bool held = is_within(g.x, -gust, gust) && is_within(g.y, -gust, gust) && is_within(g.z, -gust, gust);
   if (!held) return SteadyFlightField::gust;
   if (flight.speed == R(0) && flight.climb != R(0)) return SteadyFlightField::climb;
   if (flight.sideslip != R(0) && (flight.speed == R(0) || is_vertical(flight)))

@@ -77,7 +77,15 @@ template <class R, class Policy>
 TrimStatus trim_from(const Configuration<R>& c, const SteadyFlight<R>& flight, TrimWorkspace<R, Policy>& work,
                      TrimResult<R>& result, const TrimOptions& options = {});
 
-namespace trim_detail {
+// Pitch of the blade's chord at the axis of rotation above that at the reference radius.
+template <class R>
+R blade_root_twist(const Configuration<R>& c) {
+  const RotorTables<R>& rotor = c.aircraft->rotor;
+  return lookup(rotor.twist, Interpolation::linear, R(0)) -
+         lookup(rotor.twist, Interpolation::linear, rotor.twist_reference);
+}
+
+namespace trim_solver {
 
 template <class R, class Policy>
 void unflatten_unknowns(const SteadyFlight<R>& flight, const TrimWorkspace<R, Policy>& work, State<R>& state,
@@ -107,14 +115,6 @@ void flatten_unknowns(const State<R>& state, const Controls<R>& controls, TrimWo
   }
 }
 
-// Pitch of the blade's chord at the axis of rotation above that at the reference radius.
-template <class R>
-R root_twist(const Configuration<R>& c) {
-  const RotorTables<R>& rotor = c.aircraft->rotor;
-  return lookup(rotor.twist, Interpolation::linear, R(0)) -
-         lookup(rotor.twist, Interpolation::linear, rotor.twist_reference);
-}
-
 // Everything in the result that follows from work.z.
 template <class R, class Policy>
 void describe(const Configuration<R>& c, const SteadyFlight<R>& flight, TrimWorkspace<R, Policy>& work,
@@ -128,7 +128,7 @@ void describe(const Configuration<R>& c, const SteadyFlight<R>& flight, TrimWork
   result.angle_of_attack = flight.speed > R(0) ? atan2(v.z, v.x) : R(0);
   result.wing_angle_of_attack = e.wing_alpha;
   result.sideslip = flight.speed > R(0) ? steady_sideslip(flight, v) : R(0);
-  result.collective_root = result.controls.collective + root_twist(c);
+  result.collective_root = result.controls.collective + blade_root_twist(c);
   R force_z = R(0);
   for (const Loads<R>& loads : e.loads.component) force_z += loads.force.z;
   result.load_factor = -force_z / (c.mass.mass * kGravity<R>);
@@ -139,7 +139,7 @@ void describe(const Configuration<R>& c, const SteadyFlight<R>& flight, TrimWork
   }
   R download = R(0);
   for (int side = 0; side < 2; ++side) {
-    const Loads<R>& wake = e.loads.component[side == right ? wing_wake_right : wing_wake_left];
+    const Loads<R>& wake = e.loads[side == right ? Component::wing_wake_right : Component::wing_wake_left];
     download -= dot(wake.force, c.hub[side].thrust_axis_b);
   }
   const R thrust = result.thrust[right] + result.thrust[left];
@@ -207,16 +207,16 @@ bool accepts(const Configuration<R>& c, const SteadyFlight<R>& flight, const Tri
   return true;
 }
 
-}  // namespace trim_detail
+}  // namespace trim_solver
 
 template <class R, class Policy>
 TrimStatus trim(const Configuration<R>& c, const SteadyFlight<R>& flight, TrimWorkspace<R, Policy>& work,
                 TrimResult<R>& result, const TrimOptions& options) {
   result = TrimResult<R>{};
-  if (!trim_detail::accepts(c, flight, options, work, result)) return result.status;
+  if (!trim_solver::accepts(c, flight, options, work, result)) return result.status;
   const int n = work.equations.count;
   trim_first_guess(c, flight, work.equations, work.z);
-  auto outcome = trim_detail::newton(c, flight, work, options.max_iterations, result.iterations);
+  auto outcome = trim_solver::newton(c, flight, work, options.max_iterations, result.iterations);
   result.attempts = 1;
 
   if (outcome.status != TrimStatus::ok && options.continuation) {
@@ -225,15 +225,15 @@ TrimStatus trim(const Configuration<R>& c, const SteadyFlight<R>& flight, TrimWo
     const bool level = flight.climb == R(0) && flight.turn_rate == R(0) && flight.sideslip == R(0);
     if (!level) {
       ++result.attempts;
-      outcome = trim_detail::from_level_flight(c, flight, work, result.iterations);
+      outcome = trim_solver::from_level_flight(c, flight, work, result.iterations);
     }
     for (int side = 0; side < 2 && outcome.status != TrimStatus::ok; ++side) {
       ++result.attempts;
-      outcome = trim_detail::from_other_speed(c, flight, side == 0 ? R(-1) : R(1), work, result.iterations);
+      outcome = trim_solver::from_other_speed(c, flight, side == 0 ? R(-1) : R(1), work, result.iterations);
     }
     if (outcome.status != TrimStatus::ok && !is_wingborne(c, flight.speed)) {
       ++result.attempts;
-      outcome = trim_detail::from_less_weight(c, flight, work, result.iterations, result.weight_carried);
+      outcome = trim_solver::from_less_weight(c, flight, work, result.iterations, result.weight_carried);
     }
     if (outcome.status != TrimStatus::ok) {
       const bool stalled = outcome.status == TrimStatus::rotor_stall;
@@ -242,11 +242,11 @@ TrimStatus trim(const Configuration<R>& c, const SteadyFlight<R>& flight, TrimWo
       for (int j = 0; j < n; ++j) work.z[j] = work.first_z[j];
     }
   }
-  trim_detail::judge_outcome(c, flight, outcome, work, result);
+  trim_solver::judge_outcome(c, flight, outcome, work, result);
   const bool doubtful =
       result.status == TrimStatus::vortex_ring || result.status == TrimStatus::not_converged;
   if (doubtful && options.continuation && is_steep_descent(c, flight)) {
-    trim_detail::try_windmill(c, flight, outcome, work, result);
+    trim_solver::try_windmill(c, flight, outcome, work, result);
   }
   return result.status;
 }
@@ -254,13 +254,13 @@ TrimStatus trim(const Configuration<R>& c, const SteadyFlight<R>& flight, TrimWo
 template <class R, class Policy>
 TrimStatus trim_from(const Configuration<R>& c, const SteadyFlight<R>& flight, TrimWorkspace<R, Policy>& work,
                      TrimResult<R>& result, const TrimOptions& options) {
-  if (!trim_detail::accepts(c, flight, options, work, result)) return result.status;
-  trim_detail::flatten_unknowns(result.state, result.controls, work);
+  if (!trim_solver::accepts(c, flight, options, work, result)) return result.status;
+  trim_solver::flatten_unknowns(result.state, result.controls, work);
   if (is_finite(work.z[kRollRow]) && is_finite(work.z[kPitchRow]))
     find_attitude(flight, work.z[kRollRow], work.z[kPitchRow]);
   result.attempts = 1;
-  const auto outcome = trim_detail::newton(c, flight, work, options.max_iterations, result.iterations);
-  trim_detail::judge_outcome(c, flight, outcome, work, result);
+  const auto outcome = trim_solver::newton(c, flight, work, options.max_iterations, result.iterations);
+  trim_solver::judge_outcome(c, flight, outcome, work, result);
   return result.status;
 }
 

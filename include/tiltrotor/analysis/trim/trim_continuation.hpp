@@ -3,7 +3,7 @@
 
 #include "tiltrotor/analysis/trim/trim_newton.hpp"
 
-namespace tiltrotor::trim_detail {
+namespace tiltrotor::trim_solver {
 
 inline constexpr int kStageIterations =
     12;  // Newton steps of one stage of a continuation, and of a start nearby
@@ -148,4 +148,4 @@ NewtonOutcome<R> from_less_weight(const Configuration<R>& c, const SteadyFlight<
   return outcome;
 }
 
-}  // namespace tiltrotor::trim_detail
+}  // namespace tiltrotor::trim_solver

@@ -50,12 +50,24 @@ inline constexpr int kRollRow = 0;
 inline constexpr int kPitchRow = 1;
 inline constexpr int kCollectiveRow = 2;
 
-inline namespace trim_limits_of_step {
+// Largest Newton steps: of an angle, rad, and of an inflow over tip speed. Largest ones of sticks and pedal are
+// the aircraft's (TrimGuessTables::stick_step).
 template <class R>
 inline constexpr R kAngleStep = R(3) * kRadPerDeg<R>;
 template <class R>
 inline constexpr R kInflowStep = R(0.02);
-}  // namespace trim_limits_of_step
+
+// Bounds of the first guess, which is no part of a trim.
+template <class R>
+struct GuessBounds {
+  static constexpr R bank = R(60) * kRadPerDeg<R>;  // largest of a turn, rad
+  static constexpr R least_load = R(0.02);          // thrust over weight
+  static constexpr R least_flow = R(1e-3);          // through the disk, over tip speed
+  static constexpr int inflow_rounds = 40;          // each half of the way to momentum theory
+  // Descent along the shaft, over the induced speed of hover, from which on rotors may be windmills. Momentum
+  // theory has their wake from 2 on; the attitude of a first guess is rough.
+  static constexpr R steep_descent = R(1.5);
+};
 
 // The unknowns that are alive under the configuration's options. Forces are scaled by g, moments by 1
 // rad/s^2, flapping by Omega^2 (Omega when it is of first order), inflow by Omega, downwash by 1 rad/s.
@@ -187,18 +199,17 @@ R blade_angle(const TrimGuessTables<R>& guess, R cm) {
 template <class R>
 void trim_first_guess(const Configuration<R>& c, const SteadyFlight<R>& flight,
                       const TrimEquations<R>& equations, R* z, R carried = R(1)) {
+  const GuessBounds<R> bounds{};
   const R sm = sin(c.mast);
   const R cm = cos(c.mast);
   const R weight = carried * c.mass.mass * kGravity<R>;
-  const R bank_limit = R(60) * kRadPerDeg<R>;
   R bank = atan2(flight.speed * cos(flight.climb) * flight.turn_rate, kGravity<R>);
-  bank = bank > bank_limit ? bank_limit : bank < -bank_limit ? -bank_limit : bank;
+  bank = bank > bounds.bank ? bounds.bank : bank < -bounds.bank ? -bounds.bank : bank;
 
   const TrimGuessTables<R>& guess = c.aircraft->guess;
   const R wing_share = flight.speed < guess.wing_speed ? flight.speed / guess.wing_speed : R(1);
   R load = (guess.hover_load - guess.wing_load * sm * sm * wing_share) / cos(bank) + sm * sin(flight.climb);
-  const R least_load = R(0.02);
-  load = load < least_load ? least_load : load;
+  load = load < bounds.least_load ? bounds.least_load : load;
   const R radius = c.aircraft->rotor.radius;
   const R ct =
       R(0.5) * weight * load / (c.air.density * kPi<R> * radius * radius * c.tip_speed * c.tip_speed);
@@ -207,17 +218,18 @@ void trim_first_guess(const Configuration<R>& c, const SteadyFlight<R>& flight,
   // climb.
   const R mu = flight.speed * std::fabs(cos(c.mast + flight.climb * (R(1) - sm * sm))) / c.tip_speed;
   const R through = flight.speed * sin(c.mast + flight.climb * (R(1) - sm * sm)) / c.tip_speed;
-  R n0 = guess.hover_inflow;
-  for (int k = 0; k < 40; ++k) {
-    const R flow = std::sqrt(mu * mu + (through + n0) * (through + n0));
-    const R floor = R(1e-3);
-    n0 = R(0.5) * n0 + R(0.25) * ct / (flow > floor ? flow : floor);
+  // Momentum theory: lambda_0 = CT/(2 |mu, through + lambda_0|).
+  R lambda_0 = guess.hover_inflow;
+  for (int k = 0; k < bounds.inflow_rounds; ++k) {
+    const R flow = std::sqrt(mu * mu + (through + lambda_0) * (through + lambda_0));
+    const R aim = R(0.5) * ct / (flow > bounds.least_flow ? flow : bounds.least_flow);
+    lambda_0 = R(0.5) * lambda_0 + R(0.5) * aim;
   }
 
   const R reference = c.aircraft->rotor.twist_reference;
   const bool wingborne = c.setup.mast_deg >= c.aircraft->wing.borne_mast_deg;
   const R level_pitch = (wingborne ? guess.pitch_airplane_deg : guess.pitch_helicopter_deg) * kRadPerDeg<R>;
-  const R collective = atan2(through + n0, reference) + blade_angle(guess, cm);
+  const R collective = atan2(through + lambda_0, reference) + blade_angle(guess, cm);
   for (int j = 0; j < equations.count; ++j) {
     const TrimEquation<R>& row = equations.row[j];
     z[j] = R(0);
@@ -225,7 +237,7 @@ void trim_first_guess(const Configuration<R>& c, const SteadyFlight<R>& flight,
     if (row.state == kStateIndex.pitch) z[j] = level_pitch + flight.climb * sm * sm;
     if (row.control == kControlIndex.collective) z[j] = collective;
     if (row.state == kStateIndex.rotor[right].lambda_0 || row.state == kStateIndex.rotor[left].lambda_0)
-      z[j] = n0;
+      z[j] = lambda_0;
     if (row.state == kStateIndex.coning[right].angle || row.state == kStateIndex.coning[left].angle)
       z[j] = c.coning;
   }
@@ -248,10 +260,11 @@ R hover_induced_speed(const Configuration<R>& c) {
 // Descent along the shaft so fast that the rotors may be windmills.
 template <class R>
 bool is_steep_descent(const Configuration<R>& c, const SteadyFlight<R>& flight) {
-  return shaft_speed(c, flight) < R(-1.5) * hover_induced_speed(c);
+  return shaft_speed(c, flight) < -GuessBounds<R>::steep_descent * hover_induced_speed(c);
 }
 
-// First guess of rotors that windmill: the least root of momentum theory, v^2 + V v + v_h^2 = 0.
+// First guess of rotors that windmill: the least root of momentum theory, v^2 + V v + v_h^2 = 0, V the speed up
+// the shaft, v and v_h induced speeds, m/s.
 template <class R>
 void trim_windmill_guess(const Configuration<R>& c, const SteadyFlight<R>& flight,
                          const TrimEquations<R>& equations, R* z) {

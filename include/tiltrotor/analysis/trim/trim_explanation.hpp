@@ -6,7 +6,7 @@
 
 namespace tiltrotor {
 
-namespace trim_detail {
+namespace trim_explanation_detail {
 
 inline constexpr const char* kFieldWords[] = {
     "configuration or options",
@@ -42,7 +42,7 @@ void write_limits(const LimitCheck<R>& check, Sentence& sentence) {
     return excess.limit == TrimLimit::long_stick ? value + std::fabs(excess.bound) : value;
   };
   const LimitExcess<R>& first = check.exceeded[0];
-  const LimitName& limit = kLimitNames[static_cast<unsigned>(first.limit)];
+  const LimitName& limit = limit_name(first.limit);
   write_value(limit, shown(first, first.value), sentence);
   sentence << " is beyond " << limit.rating;
   sentence.fixed(limit.factor * static_cast<double>(shown(first, first.bound))) << " " << limit.unit;
@@ -54,11 +54,11 @@ void write_limits(const LimitCheck<R>& check, Sentence& sentence) {
     }
     sentence << (k == 1 ? ", also " : ", ");
     const LimitExcess<R>& more = check.exceeded[k];
-    write_value(kLimitNames[static_cast<unsigned>(more.limit)], shown(more, more.value), sentence);
+    write_value(limit_name(more.limit), shown(more, more.value), sentence);
   }
 }
 
-}  // namespace trim_detail
+}  // namespace trim_explanation_detail
 
 // Writes at most capacity - 1 characters and a terminating zero; returns the length. 160 characters are
 // enough but for a long list of limits, which then ends in their number.
@@ -76,7 +76,7 @@ int explain(const TrimResult<R>& r, char* text, int capacity) {
     case TrimStatus::power_limit:
     case TrimStatus::torque_limit:
       sentence << "trimmed, but ";
-      trim_detail::write_limits(r.limits, sentence);
+      trim_explanation_detail::write_limits(r.limits, sentence);
       break;
     case TrimStatus::rotor_stall:
       sentence << "no trim: the aircraft carries at most ";
@@ -104,13 +104,13 @@ int explain(const TrimResult<R>& r, char* text, int capacity) {
           << " left in the rate of " << kStateVariables[r.residual_state].name;
       if (r.limits.count > 0) {
         sentence << "; at the last point ";
-        trim_detail::write_limits(r.limits, sentence);
+        trim_explanation_detail::write_limits(r.limits, sentence);
       }
       break;
     case TrimStatus::not_finite:
       if (r.invalid != SteadyFlightField::none) {
         sentence << "bad input, not a finite number: ";
-        trim_detail::write_field(r, sentence);
+        trim_explanation_detail::write_field(r, sentence);
         break;
       }
       sentence << "the rate of " << kStateVariables[r.residual_state].name
@@ -119,7 +119,7 @@ int explain(const TrimResult<R>& r, char* text, int capacity) {
     case TrimStatus::out_of_range:
     case TrimStatus::count:
       sentence << "bad input: ";
-      trim_detail::write_field(r, sentence);
+      trim_explanation_detail::write_field(r, sentence);
       break;
   }
   return sentence.length();

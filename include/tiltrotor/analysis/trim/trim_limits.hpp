@@ -3,10 +3,10 @@
 #pragma once
 
 #include "tiltrotor/analysis/trim/momentum_range.hpp"
-#include "tiltrotor/model/atmosphere.hpp"
 #include "tiltrotor/model/control_mixing.hpp"
 #include "tiltrotor/model/derivative.hpp"
 #include "tiltrotor/model/rigid_body.hpp"
+#include "tiltrotor/model/setup/atmosphere.hpp"
 
 namespace tiltrotor {
 
@@ -45,12 +45,6 @@ enum class TrimLimit : unsigned char {
   count
 };
 
-namespace trim_detail {
-inline constexpr const char* kStatusWords[] = {
-    "ok",           "wing_stall",  "control_limit", "flap_limit", "vortex_ring", "power_limit",
-    "torque_limit", "rotor_stall", "not_converged", "singular",   "not_finite",  "out_of_range"};
-static_assert(sizeof(kStatusWords) / sizeof(kStatusWords[0]) == static_cast<unsigned>(TrimStatus::count),
-              "one word per status");
 struct LimitName {
   const char* word;  // as printed in the `limits` column
   const char* name;
@@ -58,6 +52,13 @@ struct LimitName {
   double factor;            // units in one of LimitExcess
   const char* rating = "";  // of the bound
 };
+
+namespace trim_limits_detail {
+inline constexpr const char* kStatusWords[] = {
+    "ok",           "wing_stall",  "control_limit", "flap_limit", "vortex_ring", "power_limit",
+    "torque_limit", "rotor_stall", "not_converged", "singular",   "not_finite",  "out_of_range"};
+static_assert(sizeof(kStatusWords) / sizeof(kStatusWords[0]) == static_cast<unsigned>(TrimStatus::count),
+              "one word per status");
 inline constexpr LimitName kLimitNames[] = {
     {"none", "none", "", 1},
     {"descent_right", "right rotor descent", "v_h", 1, "vortex ring from "},
@@ -77,20 +78,37 @@ inline constexpr LimitName kLimitNames[] = {
     {"torque_left", "left mast torque", "kN m", 1e-3, "steady rating "}};
 static_assert(sizeof(kLimitNames) / sizeof(kLimitNames[0]) == static_cast<unsigned>(TrimLimit::count),
               "one name per limit");
-}  // namespace trim_detail
+}  // namespace trim_limits_detail
 
 // One word, as printed in the `status` column.
 constexpr const char* trim_status_word(TrimStatus status) {
   return static_cast<unsigned>(status) < static_cast<unsigned>(TrimStatus::count)
-             ? trim_detail::kStatusWords[static_cast<unsigned>(status)]
+             ? trim_limits_detail::kStatusWords[static_cast<unsigned>(status)]
              : "unknown";
+}
+constexpr const LimitName& limit_name(TrimLimit limit) {
+  return trim_limits_detail::kLimitNames[static_cast<unsigned>(limit)];
 }
 // Whether state and controls solve the equations of motion, inside the limits or not.
 constexpr bool is_trimmed(TrimStatus status) {
-  return status == TrimStatus::ok || status == TrimStatus::wing_stall ||
-         status == TrimStatus::control_limit || status == TrimStatus::flap_limit ||
-         status == TrimStatus::vortex_ring || status == TrimStatus::power_limit ||
-         status == TrimStatus::torque_limit;
+  switch (status) {
+    case TrimStatus::ok:
+    case TrimStatus::wing_stall:
+    case TrimStatus::control_limit:
+    case TrimStatus::flap_limit:
+    case TrimStatus::vortex_ring:
+    case TrimStatus::power_limit:
+    case TrimStatus::torque_limit:
+      return true;
+    case TrimStatus::rotor_stall:
+    case TrimStatus::not_converged:
+    case TrimStatus::singular:
+    case TrimStatus::not_finite:
+    case TrimStatus::out_of_range:
+    case TrimStatus::count:
+      break;
+  }
+  return false;
 }
 
 // The stall of the free wing is a limit where the aircraft rests on the wing: not in helicopter mode, where
@@ -156,8 +174,8 @@ void check_descent(const Configuration<R>& c, const State<R>& x, const Vec3<R>& 
   check.add(TrimStatus::vortex_ring, limit, -flow.axial / hover, kVortexRingOnset<R>);
 }
 
-// The lower limit of the power lever (Gearing::collective_floor) is no limit: the rotor governor adds to what
-// the lever asks for. Cost: a few comparisons.
+// The lower collective limit of the power lever (table 8a-IV) is no limit: the rotor governor adds to what the
+// lever asks for. Cost: a few comparisons.
 template <class R>
 LimitCheck<R> check_limits(const Configuration<R>& c, R speed, R wing_angle, const State<R>& x,
                            const Controls<R>& u, const BladeControls<R>& blades,

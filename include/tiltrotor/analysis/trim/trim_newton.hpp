@@ -18,7 +18,7 @@ struct TrimWorkspace : NewtonWorkspace<R, kMaxTrimUnknowns> {
   Evaluation<R> evaluation;
 };
 
-namespace trim_detail {
+namespace trim_solver {
 
 // Largest scaled residual of a converged trim. In single precision the rounding of the loads sets it.
 template <class R>
@@ -92,6 +92,6 @@ NewtonOutcome<R> newton(const Configuration<R>& c, const SteadyFlight<R>& flight
   return {trim_status(found.status), found.residual, found.worst};
 }
 
-}  // namespace trim_detail
+}  // namespace trim_solver
 
 }  // namespace tiltrotor

@@ -119,6 +119,7 @@ inline void substitute(const LU<R, N>& lu, R* x) {
   for (int i = 0; i < n; ++i) x[i] = y[i];
 }
 
+// The same for A^T x = b, which the estimate of the condition needs.
 template <class R, int N>
 inline void substitute_transposed(const LU<R, N>& lu, R* x) {
   const int n = lu.size;
@@ -187,14 +188,6 @@ template <class R, int N>
 inline Status lu_solve(const LU<R, N>& lu, R* b) {
   if (lu.size < 1 || lu.size > N) return Status::bad_argument;
   lu_detail::substitute(lu, b);
-  return lu_detail::finite_or_nan(b, lu.size);
-}
-
-// The same for A^T x = b.
-template <class R, int N>
-inline Status lu_solve_transposed(const LU<R, N>& lu, R* b) {
-  if (lu.size < 1 || lu.size > N) return Status::bad_argument;
-  lu_detail::substitute_transposed(lu, b);
   return lu_detail::finite_or_nan(b, lu.size);
 }
 

@@ -66,14 +66,6 @@ constexpr Matrix<R, N, N> identity() {
   return a;
 }
 
-template <class R, int Rows, int Cols>
-constexpr Matrix<R, Cols, Rows> transpose(const Matrix<R, Rows, Cols>& a) {
-  Matrix<R, Cols, Rows> t{};
-  for (int i = 0; i < Rows; ++i)
-    for (int j = 0; j < Cols; ++j) t(j, i) = a(i, j);
-  return t;
-}
-
 // c = a b. `c` is another matrix than `a` and `b`.
 template <class R, int Rows, int Inner, int Cols>
 constexpr void multiply(const Matrix<R, Rows, Inner>& a, const Matrix<R, Inner, Cols>& b,

@@ -10,8 +10,6 @@ struct ControlTables {
   Table<R, 1> long_cyclic;                  // 8a-I: rad/in against mast (deg)
   Table<R, 1, 1> pedal_cyclic;              // 8a-II: rad/in against airspeed (kt); linear axis mast (deg)
   Table<R, 1> lateral_collective;           // 8a-III: rad/in against mast (deg)
-  Table<R, 1> lever;                        // 8a-IV: rad/in
-  Table<R, 1> collective_floor;             // 8a-IV: lower limit of the pitch at 0.75 R, rad
   Table<R, 1> lateral_cyclic_gain;          // 8a-VII: gain against mast (deg)
   Table<R, 1> lateral_cyclic;               // 8a-VIII: rad against airspeed (kt)
   R cyclic_rigging;                         // cyclic_rigging, longitudinal, + disks forward, rad
@@ -20,7 +18,6 @@ struct ControlTables {
   R aileron;                                // aileron_gearing_mean, rad/in
   R rudder;                                 // rudder_gearing, rad/in
   R long_travel, lat_travel, pedal_travel;  // half travel, in
-  R lever_travel;                           // collective_travel, in
   R elevator_limit, rudder_limit, aileron_limit;  // rad (aileron: mean of flaperon roll limits)
   R flap_limit;                                   // rotor_flap_limit: gimbal tilt, rad
   R power_limit;                                  // transmission_limit_helicopter, one rotor, W

@@ -3,16 +3,16 @@
 
 #include "tiltrotor/math/smooth.hpp"
 #include "tiltrotor/math/vector.hpp"
-#include "tiltrotor/model/configuration.hpp"
-#include "tiltrotor/model/loads.hpp"
+#include "tiltrotor/model/setup/configuration.hpp"
+#include "tiltrotor/model/variables/loads.hpp"
 
 namespace tiltrotor {
 
 // What the airframe components see of the aircraft: 14 numbers.
 template <class T>
 struct AirframeInput {
-  Vec3<T> velocity;             // CG relative to the air, B, m/s
-  Vec3<T> rates;                // rad/s
+  Vec3<T> velocity_b;           // CG relative to the air, m/s
+  Vec3<T> rates_b;              // rad/s
   T mean_wash[2];               // v0 = lambda_0 Omega R of each rotor, m/s
   T rotor_force;                // C_RF: resultant forces of both rotors over rho pi Omega^2 R^4
   T advance_ratio;              // mean in-plane advance ratio of the rotors
@@ -22,8 +22,8 @@ struct AirframeInput {
   static constexpr int kCount = 14;
   template <class Self, class Visit>
   static constexpr void each(Self& s, Visit&& visit) {
-    Vec3<T>::each(s.velocity, visit);
-    Vec3<T>::each(s.rates, visit);
+    Vec3<T>::each(s.velocity_b, visit);
+    Vec3<T>::each(s.rates_b, visit);
     visit(s.mean_wash[right]);
     visit(s.mean_wash[left]);
     visit(s.rotor_force);
@@ -70,15 +70,15 @@ template <class R>
 inline constexpr R kKnot = R(0.5144444);
 
 template <class T, class C>
-FreeStream<T> free_stream(const Configuration<C>& c, const Vec3<T>& velocity) {
+FreeStream<T> free_stream(const Configuration<C>& c, const Vec3<T>& velocity_b) {
   using R = Real<T>;
   const SmoothingWidths<R>& e = c.aircraft->smooth;
   FreeStream<T> f;
-  f.speed = total_speed(velocity, e.airspeed);
+  f.speed = total_speed(velocity_b, e.airspeed);
   f.speed_kt = f.speed * (R(1) / kKnot<R>);
   f.mach = smooth_min(T(f.speed * (R(1) / c.air.speed_of_sound)), e.mach_limit, e.mach);
-  f.alpha = angle_of_attack(velocity, e);
-  f.beta = sideslip_angle(velocity, e.lateral_plane_speed);
+  f.alpha = angle_of_attack(velocity_b, e);
+  f.beta = sideslip_angle(velocity_b, e.lateral_plane_speed);
   f.alpha_deg = f.alpha * kDegPerRad<R>;
   f.abs_beta_deg = smooth_abs_zero(f.beta, e.angle) * kDegPerRad<R>;
   return f;
@@ -94,7 +94,8 @@ T flow_from_ahead(const T& alpha, const SmoothingWidths<Real<T>>& e) {
   return R(1) - smooth_step(T((size - e.rear_flow_start) * (R(1) / (kPi<R> - e.rear_flow_start))));
 }
 
-// Force of lift L, drag D and side force Y' (wind axes at alpha, beta) in body axes:
+// Force of lift L, drag D and side force Y' (wind axes at alpha, beta) in body axes, derived here from the
+// two rotations, with the signs of NASA CR-166536.
 // X = L sa - (D cb + Y' sb) ca,  Y = Y' cb - D sb,  Z = -L ca - (D cb + Y' sb) sa.
 template <class T>
 Vec3<T> wind_force(const T& lift, const T& drag, const T& side, const T& alpha, const T& beta) {

@@ -29,12 +29,12 @@ static_assert(lists_its_members<AirframeResponse>(), "each member of AirframeRes
 template <class T, class C, class Record>
 void airframe_response(const Configuration<C>& c, const AirframeInput<T>& in, AirframeWorkspace<T>& work,
                        AirframeResponse<T>& out, Record&& record) {
-  const FreeStream<T>& stream = work.stream = free_stream(c, in.velocity);
+  const FreeStream<T>& stream = work.stream = free_stream(c, in.velocity_b);
 
   for (const Side side : {right, left}) wing_in_wake(c, in, stream, side, work.wake[side]);
   out.total = work.wake[right].loads + work.wake[left].loads;
-  record(wing_wake_right, work.wake[right].loads);
-  record(wing_wake_left, work.wake[left].loads);
+  record(Component::wing_wake_right, work.wake[right].loads);
+  record(Component::wing_wake_left, work.wake[left].loads);
 
   const auto add = [&](Component component) {
     out.total = out.total + work.loads;
@@ -42,27 +42,27 @@ void airframe_response(const Configuration<C>& c, const AirframeInput<T>& in, Ai
   };
   free_wing(c, in, stream, work.wake, work.wing);
   work.loads = work.wing.loads;
-  add(wing_free);
+  add(Component::wing_free);
   out.wing_alpha = work.wing.alpha;
   out.downwash = work.wing.downwash;
 
   work.loads = pylon_interference_loads(c, work.wake);
-  add(pylon);
+  add(Component::pylon);
   work.loads = spinner_loads(c, in);
-  add(spinners);
+  add(Component::spinners);
   work.loads = pylon_side_loads(c, in);
-  add(pylon_side);
+  add(Component::pylon_side);
   work.loads = fuselage_loads(c, in, stream);
-  add(fuselage);
+  add(Component::fuselage);
 
   work.wash_ratio = tail_wash_ratio(c, stream);
   work.downwash = c.setup.options.downwash_lag ? in.downwash : work.wing.downwash;
   work.loads = horizontal_tail_loads(c, in, stream, work.wash_ratio, work.downwash);
-  add(htail);
+  add(Component::htail);
   work.loads = fin_loads(c, in, stream, work.wash_ratio, right);
-  add(fin_right);
+  add(Component::fin_right);
   work.loads = fin_loads(c, in, stream, work.wash_ratio, left);
-  add(fin_left);
+  add(Component::fin_left);
 }
 
 }  // namespace tiltrotor

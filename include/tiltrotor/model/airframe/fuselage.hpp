@@ -16,7 +16,7 @@ Loads<T> fuselage_loads(const Configuration<C>& c, const AirframeInput<T>& in, c
   const T& abs_beta_deg = stream.abs_beta_deg;
   const T cos_beta = cos(stream.beta);
   const T cos2 = cos_beta * cos_beta;
-  const T q = R(0.5) * c.air.density * dot(in.velocity, in.velocity);
+  const T q = R(0.5) * c.air.density * dot(in.velocity_b, in.velocity_b);
 
   // Alpha and beta tables both hold the value at zero sideslip: it is subtracted once.
   const auto even = [&](const Table<R, 1>& along_alpha, const Table<R, 1>& along_beta, R zero) {

@@ -15,7 +15,7 @@ Loads<T> horizontal_tail_loads(const Configuration<C>& c, const AirframeInput<T>
   const Options& o = c.setup.options;
   const Vec3<C> arm = station_arm(c.mass, h.surface.sl, R(0), h.surface.wl);
   const T wash = wash_ratio * (R(0.5) * (in.mean_wash[right] + in.mean_wash[left]));
-  const Vec3<T> v = in.velocity + rate_cross_arm(in.rates, arm) + along(wash, c.nacelle_axis);
+  const Vec3<T> v = in.velocity_b + rate_cross_arm(in.rates_b, arm) + along(wash, c.nacelle_axis_b);
   const T alpha = angle_of_attack(v, e);
   const T beta = sideslip_angle(v, e.lateral_plane_speed);
 
@@ -30,7 +30,7 @@ Loads<T> horizontal_tail_loads(const Configuration<C>& c, const AirframeInput<T>
   const T fast_weight = tail_mach_weight(c, stream.mach);
 
   const T abs_beta = smooth_min(smooth_abs_zero(beta, e.angle), h.beta_limit * kRadPerDeg<R>, e.angle);
-  const T lift = slow + fast_weight * (fast - slow) + (h.lift_beta * c.nacelle_axis.z * R(-1)) * abs_beta;
+  const T lift = slow + fast_weight * (fast - slow) + (h.lift_beta * c.nacelle_axis_b.z * R(-1)) * abs_beta;
   const T drag = lookup(h.drag, o.tables, drag_alpha_deg, stream.mach);  // 5-III
 
   const T arguments[2] = {stream.alpha_deg, stream.speed_kt};
@@ -40,7 +40,7 @@ Loads<T> horizontal_tail_loads(const Configuration<C>& c, const AirframeInput<T>
                                                              : C(R(1));
   // Body velocity, not the local one: the pressure ratio holds the rest (p. A-87).
   const T q = (R(0.5) * c.air.density * loss) * ratio *
-              (in.velocity.x * in.velocity.x + in.velocity.z * in.velocity.z);
+              (in.velocity_b.x * in.velocity_b.x + in.velocity_b.z * in.velocity_b.z);
   const T scale = q * h.surface.area * tail_sideslip_factor(c, stream);
   // Turned by the angle of the flow, without the incidence (p. A-88).
   return force_at(arm, scale * wind_force(lift, drag, T(R(0)), T(alpha - downwash), beta));

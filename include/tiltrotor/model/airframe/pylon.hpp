@@ -14,8 +14,8 @@ Loads<T> spinner_loads(const Configuration<C>& c, const AirframeInput<T>& in) {
   const SmoothingWidths<R>& e = c.aircraft->smooth;
   const PylonTables<R>& p = c.aircraft->pylon;
   const T wash = R(0.5) * (in.mean_wash[right] + in.mean_wash[left]);
-  const Vec3<T> v = in.velocity + along(wash, c.nacelle_axis);
-  const T axial = component(v, c.nacelle_axis);
+  const Vec3<T> v = in.velocity_b + along(wash, c.nacelle_axis_b);
+  const T axial = component(v, c.nacelle_axis_b);
   const T speed2 = dot(v, v);
   const T sine2 = (speed2 - axial * axial) / (speed2 + square(e.airspeed));
   const T sine3 = sine2 * sqrt(sine2 + square(e.spinner_sine));
@@ -34,7 +34,7 @@ Loads<T> pylon_interference_loads(const Configuration<C>& c, const WingInWake<T>
   const T pressure = R(0.5) * (wake[right].pressure + wake[left].pressure);
   const Vec3<T> v = T(R(0.5)) * (wake[right].velocity + wake[left].velocity);
   const T scale = -(area * pressure / total_speed(v, c.aircraft->smooth.drag_speed));
-  return force_at(c.pivot_arm, scale * v);
+  return force_at(c.pivot_arm_b, scale * v);
 }
 
 // Side force of the pylons as lateral flat plates (p. A-77).
@@ -43,12 +43,12 @@ Loads<T> pylon_side_loads(const Configuration<C>& c, const AirframeInput<T>& in)
   using R = Real<T>;
   const SmoothingWidths<R>& e = c.aircraft->smooth;
   const PylonTables<R>& p = c.aircraft->pylon;
-  const T& v = in.velocity.y;
+  const T& v = in.velocity_b.y;
   const T incidence = atan2(smooth_abs(v, e.side_plate_speed),
-                            smooth_abs(component(in.velocity, c.nacelle_axis), e.side_plate_axial));
+                            smooth_abs(component(in.velocity_b, c.nacelle_axis_b), e.side_plate_axial));
   const T factor = lookup(p.side_plate, c.setup.options.tables, T(incidence * kDegPerRad<R>));  // 4-XVI
   const T y = -(c.air.density * p.side_area) * v * smooth_abs(v, e.airspeed) * factor;
-  return force_at(c.pivot_arm, Vec3<T>{T(R(0)), y, T(R(0))});
+  return force_at(c.pivot_arm_b, Vec3<T>{T(R(0)), y, T(R(0))});
 }
 
 }  // namespace tiltrotor

@@ -18,7 +18,8 @@ T tail_wash_ratio(const Configuration<C>& c, const FreeStream<T>& stream) {
     const T arguments[2] = {stream.alpha_deg, stream.speed_kt};
     ratio = lookup(h.rotor_wash, mode, c.tail_wash_mast, arguments);
   } else {
-    // Fit along alpha near 0 of an older report: K = h0 + h1 bM + (h2 + h3 bM) r^2, bM in degrees.
+    // Fit along alpha near 0, an older form of table 2-I at second hand (choices.csv: htail_wash_fit_*):
+    // K = h0 + h1 bM + (h2 + h3 bM) r^2,  r = (V - u0 + h4 bM)/u0, bM in degrees, V and u0 in ft/s.
     const C& mast_deg = c.setup.mast_deg;
     const R foot = R(0.3048);
     const T r = (stream.speed * (R(1) / foot) - h.wash_fit_speed + h.wash_fit[4] * mast_deg) *
@@ -29,7 +30,8 @@ T tail_wash_ratio(const Configuration<C>& c, const FreeStream<T>& stream) {
   return ratio * lookup(h.rotor_wash_beta, mode, c.tail_wash_beta_mast, abs_beta_deg);
 }
 
-// Effectiveness of elevator or rudder: K = X_K(M) - D_K max(|delta| - 15 deg, 0)/15 deg (X_K: table 5-IV).
+// Effectiveness of elevator or rudder: K = X_K(M) - D_K max(|delta| - 15 deg, 0)/15 deg (X_K: table 5-IV;
+// equation pp., D_K pp. B-56, B-69).
 template <class T, class C>
 T control_effectiveness(const Configuration<C>& c, const TailSurface<Real<T>>& surface, const T& mach,
                         const T& deflection) {

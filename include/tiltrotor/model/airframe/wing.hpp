@@ -51,9 +51,9 @@ LateralCoefficients<T> wing_lateral_coefficients(const Configuration<C>& c, cons
   const T ca = cos(stream.alpha);
   const T sb = sin(beta);
   const T cbeta = cos(beta);
-  const T p_wind = in.rates.x * ca * cbeta + in.rates.y * sb + in.rates.z * sa * cbeta;
-  const T r_wind = in.rates.z * ca - in.rates.x * sa;
-  const T half_span_over_speed = (w.span / R(2)) / total_speed(in.velocity, c.aircraft->smooth.rate_speed);
+  const T p_wind = in.rates_b.x * ca * cbeta + in.rates_b.y * sb + in.rates_b.z * sa * cbeta;
+  const T r_wind = in.rates_b.z * ca - in.rates_b.x * sa;
+  const T half_span_over_speed = (w.span / R(2)) / total_speed(in.velocity_b, c.aircraft->smooth.rate_speed);
   return {roll_beta * beta + half_span_over_speed * (roll_p * p_wind + roll_r * r_wind),
           yaw_beta * beta + half_span_over_speed * (yaw_p * p_wind + yaw_r * r_wind)};
 }
@@ -96,7 +96,7 @@ void free_wing_flow(const Configuration<C>& c, const AirframeInput<T>& in, FreeW
   const SmoothingWidths<R>& e = c.aircraft->smooth;
   const Vec3<C> arm = station_arm(c.mass, w.sl, R(0), w.wl);
   const Vec3<T> v =
-      c.setup.options.wing_rate_velocity ? in.velocity + rate_cross_arm(in.rates, arm) : in.velocity;
+      c.setup.options.wing_rate_velocity ? in.velocity_b + rate_cross_arm(in.rates_b, arm) : in.velocity_b;
   const T advance = smooth_max(in.advance_ratio, w.advance_floor, e.advance_floor);
   out.rotor_wash = c.wing.rotor_wash * in.rotor_force / (advance * advance);
   out.alpha = wrapped(T(angle_of_attack(v, e) - w.rotor_wash_angle * out.rotor_wash));
@@ -158,7 +158,7 @@ void free_wing(const Configuration<C>& c, const AirframeInput<T>& in, const Free
   wing_detail::free_wing_flow(c, in, out);
   out.coefficients = wing_coefficients(c, out.alpha, stream.mach);
   const C rotor_lift = c.setup.options.rotor_lift_on_wing
-                           ? C(R(2) * c.aircraft->wing.rotor_wash_lift * square(c.nacelle_axis.z))
+                           ? C(R(2) * c.aircraft->wing.rotor_wash_lift * square(c.nacelle_axis_b.z))
                            : C(R(0));  // rotor-induced lift: K_RW of p. B-33, cos^2 a choice
   out.coefficients.lift = out.coefficients.lift * (R(1) + rotor_lift * out.rotor_wash);
   wing_detail::free_wing_forces(c, in, wake, out);

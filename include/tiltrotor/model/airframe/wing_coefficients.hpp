@@ -23,7 +23,10 @@ T blend_flaps(const WingConstants<C>& w, At&& at) {
 }
 
 // Weight of the mast-0 drag table. The difference to mast 90 is the cross-flow drag of the upright pylons, so
-// it goes with sin^3 of the angle between mast and flow: 1 at mast 0, 0 at mast 90, exact there.
+// it goes with sin^3 of the angle between mast and flow: 1 at mast 0, 0 at mast 90, exact there. The
+// cross-flow law is that of the spinners (pp. ), its use here a choice (choices.csv: crossflow_*,
+// smooth_crossflow*):
+// k0 = [ s3(90 deg - bM + a) - (bM/90) s3(a) ] / cos^3 a,  s3 = sin^3 |.|,  a = alpha within 25 deg.
 template <class T, class C>
 T upright_pylon_weight(const Configuration<C>& c, const T& alpha) {
   using R = Real<T>;

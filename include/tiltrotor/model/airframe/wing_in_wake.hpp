@@ -2,8 +2,8 @@
 // centre of pressure from replaying the printed runs of NASA CR-166537, load factor in choices.csv).
 #pragma once
 
+#include "tiltrotor/model/airframe/rotor_wake.hpp"
 #include "tiltrotor/model/airframe/wing_coefficients.hpp"
-#include "tiltrotor/model/rotor/rotor_wake.hpp"
 
 namespace tiltrotor {
 
@@ -26,7 +26,7 @@ void wing_in_wake(const Configuration<C>& c, const AirframeInput<T>& in, const F
   const Vec3<C> line = station_arm(c.mass, wing.sl, R(0), wing.wl);
   out.immersed = immersed_wing(c, in, side);
   Vec3<T> arm = {T(line.x), side_sign<R>(side) * out.immersed.lateral, T(line.z)};
-  out.velocity = in.velocity + cross(in.rates, arm) + along(out.immersed.wash, c.nacelle_axis);
+  out.velocity = in.velocity_b + cross(in.rates_b, arm) + along(out.immersed.wash, c.nacelle_axis_b);
   out.pressure = R(0.5) * c.air.density * dot(out.velocity, out.velocity);
 
   const T alpha = angle_of_attack(out.velocity, e);

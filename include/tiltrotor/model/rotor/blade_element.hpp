@@ -7,7 +7,7 @@
 
 #include "tiltrotor/math/differentiation/batch.hpp"
 #include "tiltrotor/math/smooth.hpp"
-#include "tiltrotor/model/configuration.hpp"
+#include "tiltrotor/model/setup/configuration.hpp"
 
 namespace tiltrotor {
 
@@ -90,6 +90,7 @@ TILTROTOR_INLINE SectionCoefficients<T> section_coefficients(const RotorTables<R
   if (!outside) return c;  // the blend starts with zero slope and curvature at the ends
   const T beyond = select(a >= high_deg, T(alpha_deg - high_deg), T(low_deg - alpha_deg));
   const T plate = smooth_step(T(beyond * (R(1) / rotor.stall_blend)));
+  // Flat plate beyond stall, cl = 1.1 sin 2 alpha, cd = 0.02 + 1.9 sin^2 alpha: choices.csv, plate_*.
   const T sine = sin(alpha);
   const T plate_lift = R(2) * rotor.plate_lift * sine * cos(alpha);
   const T plate_drag = rotor.plate_drag_min + rotor.plate_drag * sine * sine;
@@ -122,6 +123,7 @@ TILTROTOR_INLINE ElementLoads<T> element_loads(const Configuration<C>& c, int re
   const T alpha = wrapped_difference(flow.pitch, atan2(up, ut));
   const SectionCoefficients<T> k = section_coefficients(c.aircraft->rotor, c.setup.options.tables, region,
                                                         alpha, T(speed * (R(1) / c.air.speed_of_sound)));
+  // Blade-element theory, derived here without small angles; half_chord_dr = c dr/2.
   // dF_n = 1/2 rho U c dr (cl U_T - cd U_P),  dF_t = -1/2 rho U c dr (cl U_P + cd U_T)
   const T scale = (c.air.density * station.half_chord_dr) * speed;
   const T lift = station.lift_weight * k.lift;

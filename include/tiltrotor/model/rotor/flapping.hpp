@@ -5,7 +5,7 @@
 #pragma once
 
 #include "tiltrotor/math/vector.hpp"
-#include "tiltrotor/model/configuration.hpp"
+#include "tiltrotor/model/setup/configuration.hpp"
 
 namespace tiltrotor {
 
@@ -15,6 +15,8 @@ struct FlapRates {
   T b1c_acceleration, b1s_acceleration;  // rad/s^2
 };
 
+// Derived here: moment balance of a rigid blade about the hub centre, first order in hub rates, summed over
+// the blades times cos psi and sin psi.
 // b1c'' = -2 Omega b1s' - (K b1c + C b1c' - Mc)/J - 2 Omega wx
 // b1s'' = +2 Omega b1c' - (K b1s + C b1s' - Ms)/J - 2 Omega wy          J = N_b I_b / 2
 // The terms wy', -wx' of the hub's angular acceleration are added by the complete model when switched on.
@@ -36,7 +38,8 @@ FlapRates<T> flap_rates(const Configuration<C>& c, const RotorState<T>& x, const
 
 // First-order gimbal: tilt rates that balance the equations above without the acceleration, given the moments
 // at zero tilt rate. The aerodynamic damping J Omega gamma/8 is that of a uniform blade with the aircraft's
-// mean lift slope.
+// mean lift slope. Derived here: lift 1/2 rho a c (Omega r) (r b') dr of a tilting blade, moment to the tip,
+// gamma = rho a c R^4 / I_b.
 template <class T, class C>
 FlapRates<T> quasi_static_flap_rates(const Configuration<C>& c, const RotorState<T>& x,
                                      const Vec3<T>& hub_rates_a, const T& mc_still, const T& ms_still) {
@@ -58,6 +61,8 @@ FlapRates<T> quasi_static_flap_rates(const Configuration<C>& c, const RotorState
           inverse * (g * forcing.b1c_acceleration + d * forcing.b1s_acceleration), T(R(0)), T(R(0))};
 }
 
+// Derived here: the same balance summed over the blades; stiffness as a frequency of nu per rev (choices.csv:
+// coning_frequency), which holds the blade at its precone.
 // b0'' = -(Omega^2 + w0^2) b0 + w0^2 b_precone + M0/(N_b I_b),  w0^2 = (nu^2 - 1) Omega^2
 template <class T, class C>
 T coning_acceleration(const Configuration<C>& c, const ConingState<T>& x, const T& m0) {

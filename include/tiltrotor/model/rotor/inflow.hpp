@@ -7,7 +7,7 @@
 #pragma once
 
 #include "tiltrotor/math/smooth.hpp"
-#include "tiltrotor/model/configuration.hpp"
+#include "tiltrotor/model/setup/configuration.hpp"
 
 namespace tiltrotor {
 

@@ -4,11 +4,11 @@
 // nothing else of the aircraft: 18 numbers, with respect to which it is differentiated.
 #pragma once
 
-#include "tiltrotor/model/loads.hpp"
 #include "tiltrotor/model/rotor/flapping.hpp"
 #include "tiltrotor/model/rotor/inflow.hpp"
 #include "tiltrotor/model/rotor/rotor_loads.hpp"
 #include "tiltrotor/model/rotor/rotor_workspace.hpp"
+#include "tiltrotor/model/variables/loads.hpp"
 
 namespace tiltrotor {
 

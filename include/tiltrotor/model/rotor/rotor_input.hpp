@@ -44,7 +44,9 @@ T flap_angle(const RotorInput<T>& in, const Plain& cosine, const Plain& sine) {
   return in.coning.angle + in.state.b1c * cosine + in.state.b1s * sine;
 }
 
-// Flow seen by the blade at one azimuth, no small angles.
+// Flow seen by the blade at one azimuth, no small angles. Derived here: velocity of a point at radius r of a
+// blade at flap angle b, less that of the induced air, along the direction of rotation and the blade normal;
+// cyclic pitch and signs as in NASA CR-166536, theta = theta75 - A1 cos psi - B1 sin psi.
 // `shaped`: radial_inflow(); `cosine`, `sine`: of the azimuth, a plain number or a batch of blades.
 template <class T, class C, class Plain>
 BladeFlow<T> blade_flow(const Configuration<C>& c, const RotorInput<T>& in, const T& shaped,

@@ -23,7 +23,9 @@ struct RotorLoads {
   }
 };
 
-// Adds the loads of the blade at one azimuth, number `lane` of its group. `shaped`: radial_inflow().
+// Adds the loads of the blade at one azimuth, number `lane` of its group. Derived here: forces along the
+// blade normal (-sin b cos psi, -sin b sin psi, cos b) and the direction of rotation (-sin psi, cos psi, 0),
+// and their moments about the hub centre. `shaped`: radial_inflow().
 template <class T, class C>
 void add_blade(const Configuration<C>& c, const RotorInput<T>& in, const T& shaped, Real<T> cosine,
                Real<T> sine, const BladeGroup<T>& group, int lane, RotorLoads<T>& sum) {

@@ -1,7 +1,7 @@
 // Ranges of the controls, which are the aircraft's: what a program may command, and what a stored flight may hold.
 #pragma once
 
-#include "tiltrotor/model/aircraft.hpp"
+#include "tiltrotor/model/aircraft/aircraft.hpp"
 #include "tiltrotor/model/variables/controls.hpp"
 
 namespace tiltrotor {

@@ -9,7 +9,7 @@
 #pragma once
 
 #include "tiltrotor/math/vector.hpp"
-#include "tiltrotor/model/options.hpp"
+#include "tiltrotor/model/variables/options.hpp"
 #include "tiltrotor/model/variables/variables.hpp"
 
 namespace tiltrotor {
@@ -87,6 +87,12 @@ static_assert(sizeof(State<int>) == state_count * sizeof(int), "every member of 
 inline constexpr State<int> kStateIndex = places<State>();
 inline constexpr auto kStateVariables = variable_table<State>();
 static_assert(is_complete(kStateVariables), "names are unlike, sides have the same states");
+
+// Beyond this a flight has diverged; in the unit of the state.
+template <class R>
+constexpr R state_bound(int state) {
+  return static_cast<R>(kStateVariables[state].facts().bound);
+}
 
 // The states that are alive under a set of options, in order. The others stay constant.
 struct ActiveStates {

@@ -9,6 +9,7 @@
 
 namespace tiltrotor {
 
+// The one enumeration that is not scoped: a side is a place in arrays of two, x.rotor[right].
 enum Side { right = 0, left = 1 };
 inline constexpr int kNoSide = -1;
 

@@ -1,7 +1,7 @@
 // Named sets of switches. Each changes only the switches it names.
 #pragma once
 
-#include "tiltrotor/model/options.hpp"
+#include "tiltrotor/model/variables/options.hpp"
 
 namespace tiltrotor {
 

@@ -1,8 +1,9 @@
-// Gearing of the inceptors and rigging of the disks at one mast angle (NASA CR-166536 tables 8a-I, 8a-III, 8a-IV, 8a-VII).
+// Gearing of the inceptors and rigging of the disks at one mast angle (NASA CR-166536 tables 8a-I, 8a-III,
+// 8a-VII).
 #pragma once
 
-#include "tiltrotor/model/aircraft.hpp"
-#include "tiltrotor/model/options.hpp"
+#include "tiltrotor/model/aircraft/aircraft.hpp"
+#include "tiltrotor/model/variables/options.hpp"
 
 namespace tiltrotor {
 
@@ -12,8 +13,6 @@ struct Gearing {
   C long_cyclic;
   C rigging;  // longitudinal cyclic with the stick at neutral, + disks forward, rad
   C lateral_collective;
-  C lever;             // collective per inch of lever; 0 at mast 90
-  C collective_floor;  // rad
   C lateral_cyclic_gain;
   Real<C> elevator, aileron, rudder;
 };
@@ -30,8 +29,6 @@ Gearing<C> gearing(const Aircraft<Real<C>>& aircraft, const Options& options, co
   // A bias of theta1s = -1.5 deg (1 - cos mast): Kleinhesselink 2007, app. B p. 164.
   g.rigging = options.cyclic_rigging ? t.cyclic_rigging * (R(1) - cos(C(mast_deg * kRadPerDeg<R>))) : C(R(0));
   g.lateral_collective = at(t.lateral_collective);
-  g.lever = at(t.lever);
-  g.collective_floor = at(t.collective_floor);
   g.lateral_cyclic_gain = options.lateral_cyclic ? at(t.lateral_cyclic_gain) : C(R(0));
   g.elevator = options.elevator_gearing == ElevatorGearing::aircraft ? t.elevator : t.elevator_replay;
   g.aileron = t.aileron;

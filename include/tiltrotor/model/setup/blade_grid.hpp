@@ -1,10 +1,10 @@
 // Stations of the blade where the blade-element integrals are summed.
 #pragma once
 
-#include "tiltrotor/model/aircraft.hpp"
-#include "tiltrotor/model/options.hpp"
-#include "tiltrotor/model/rotor/azimuth_stations.hpp"
-#include "tiltrotor/model/rotor/quadrature.hpp"
+#include "tiltrotor/model/aircraft/aircraft.hpp"
+#include "tiltrotor/model/setup/azimuth_stations.hpp"
+#include "tiltrotor/model/setup/quadrature.hpp"
+#include "tiltrotor/model/variables/options.hpp"
 
 namespace tiltrotor {
 

@@ -31,7 +31,7 @@ Loads<T> force_at(const Vec3<C>& arm, const Vec3<T>& force) {
   return {force, arm_cross_force(arm, force)};
 }
 
-enum Component {
+enum class Component : unsigned char {
   rotor_right,
   rotor_left,
   wing_wake_right,
@@ -44,8 +44,9 @@ enum Component {
   htail,
   fin_right,
   fin_left,
-  component_count
+  count
 };
+inline constexpr int component_count = static_cast<int>(Component::count);
 
 inline constexpr const char* kComponentNames[] = {
     "rotor_right", "rotor_left", "wing_wake_right", "wing_wake_left", "wing_free", "pylon",
@@ -56,7 +57,9 @@ static_assert(sizeof(kComponentNames) / sizeof(kComponentNames[0]) == component_
 // Component loads of one evaluation, for the user who looks for a wrong sign.
 template <class T>
 struct LoadRecord {
-  Loads<T> component[component_count];
+  Loads<T> component[component_count];  // in the order of Component
+  Loads<T>& operator[](Component which) { return component[static_cast<int>(which)]; }
+  const Loads<T>& operator[](Component which) const { return component[static_cast<int>(which)]; }
 };
 
 }  // namespace tiltrotor

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "tiltrotor/math/sentence.hpp"
-#include "tiltrotor/model/setup_range.hpp"
+#include "tiltrotor/model/setup/setup_range.hpp"
 
 namespace tiltrotor {
 

@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-#include "tiltrotor/model/aircraft.hpp"
+#include "tiltrotor/model/aircraft/aircraft.hpp"
 
 namespace tiltrotor {
 

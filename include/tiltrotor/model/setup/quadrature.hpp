@@ -1,7 +1,7 @@
 // How to sum over blade and azimuth: intervals, rules and numbers of stations.
 #pragma once
 
-#include "tiltrotor/model/options.hpp"
+#include "tiltrotor/model/variables/options.hpp"
 
 namespace tiltrotor {
 

@@ -43,11 +43,5 @@ void individual_azimuth(int blades, R azimuth, AzimuthStations<R>& a) {
     a.sine[k] = sin(psi);
   }
 }
-template <class R>
-AzimuthStations<R> individual_azimuth(int blades, R azimuth) {
-  AzimuthStations<R> a;
-  individual_azimuth(blades, azimuth, a);
-  return a;
-}
 
 }  // namespace tiltrotor

@@ -2,8 +2,8 @@
 // setup it refuses.
 #pragma once
 
-#include "tiltrotor/model/aircraft.hpp"
-#include "tiltrotor/model/rotor/blade_grid.hpp"
+#include "tiltrotor/model/aircraft/aircraft.hpp"
+#include "tiltrotor/model/setup/blade_grid.hpp"
 
 namespace tiltrotor {
 
@@ -27,12 +27,7 @@ enum class SetupField : unsigned char {
   count
 };
 
-namespace configuration_detail {
-
-template <class R>
-bool within(R x, R low, R high) {
-  return x >= low && x <= high;  // false for NaN
-}
+namespace setup_range_detail {
 
 struct FieldName {
   const char* name;
@@ -54,15 +49,13 @@ inline constexpr FieldName kFieldNames[] = {{"", ""},
 static_assert(sizeof(kFieldNames) / sizeof(kFieldNames[0]) == static_cast<unsigned>(SetupField::count),
               "one name per field");
 
-}  // namespace configuration_detail
+}  // namespace setup_range_detail
 
 constexpr const char* setup_field_name(SetupField field) {
-  return field < SetupField::count ? configuration_detail::kFieldNames[static_cast<unsigned>(field)].name
-                                   : "";
+  return field < SetupField::count ? setup_range_detail::kFieldNames[static_cast<unsigned>(field)].name : "";
 }
 constexpr const char* setup_field_unit(SetupField field) {
-  return field < SetupField::count ? configuration_detail::kFieldNames[static_cast<unsigned>(field)].unit
-                                   : "";
+  return field < SetupField::count ? setup_range_detail::kFieldNames[static_cast<unsigned>(field)].unit : "";
 }
 
 // Range of one field, ends included, in the unit of the field. `azimuth_stations` may be 0, too.
@@ -130,8 +123,7 @@ SetupFault<R> first_out_of_range(const Aircraft<R>& aircraft, const FlightSetup<
   for (const auto& [field, value] : given) {
     const Bounds<R> range = setup_range(aircraft, field);
     const bool grid_default = field == SetupField::azimuth_stations && value == R(0);
-    if (!configuration_detail::within(value, range.low, range.high) && !grid_default)
-      return {field, value, range};
+    if (!is_within(value, range.low, range.high) && !grid_default) return {field, value, range};
   }
   return {SetupField::none, R(0), {R(0), R(0)}};
 }

@@ -1,8 +1,8 @@
 // CG and inertia against mast angle: the nacelles with their rotors swing about the conversion axis.
 #pragma once
 
-#include "tiltrotor/model/aircraft.hpp"
-#include "tiltrotor/model/options.hpp"
+#include "tiltrotor/model/aircraft/aircraft.hpp"
+#include "tiltrotor/model/variables/options.hpp"
 
 namespace tiltrotor {
 
@@ -13,6 +13,9 @@ struct MassProperties {
   Inertia<C> inertia;  // kg m^2
 };
 
+// The CG is derived here: with k = m_nacelles/m, f = k (SL_pivot - SL_nacelles) and h = k (WL_pivot -
+// WL_nacelles), SL = SL_0 + h sin bM + f (1 - cos bM),  WL = WL_0 + h (1 - cos bM) - f sin bM.
+// Inertia linear in mast angle: aircraft.csv says its source; design_1975: NASA TM X-62407 p. 12.
 // `sl_cg0`, `wl_cg0`: CG at mast 0, m. The inertia belongs to the gross weight of the tables; it is not
 // scaled.
 template <class C>

@@ -10,13 +10,13 @@
 #pragma once
 
 #include "tiltrotor/math/status.hpp"
-#include "tiltrotor/model/airframe/wing_constants.hpp"
-#include "tiltrotor/model/atmosphere.hpp"
-#include "tiltrotor/model/frames.hpp"
-#include "tiltrotor/model/gearing.hpp"
-#include "tiltrotor/model/mass_properties.hpp"
-#include "tiltrotor/model/rotor/blade_grid.hpp"
-#include "tiltrotor/model/setup_range.hpp"
+#include "tiltrotor/model/setup/atmosphere.hpp"
+#include "tiltrotor/model/setup/blade_grid.hpp"
+#include "tiltrotor/model/setup/gearing.hpp"
+#include "tiltrotor/model/setup/mass_properties.hpp"
+#include "tiltrotor/model/setup/setup_range.hpp"
+#include "tiltrotor/model/setup/wing_constants.hpp"
+#include "tiltrotor/model/variables/frames.hpp"
 
 namespace tiltrotor {
 
@@ -55,8 +55,8 @@ struct Configuration : FixedSetup<Real<C>> {
   C mast;                // rad
   Air<C> air;
   MassProperties<C> mass;
-  Vec3<C> nacelle_axis;  // (sin, 0, -cos) of the mast angle: thrust direction without cant
-  Vec3<C> pivot_arm;     // CG to conversion axis at the centre line, B, m
+  Vec3<C> nacelle_axis_b;  // (sin, 0, -cos) of the mast angle: thrust direction without cant
+  Vec3<C> pivot_arm_b;     // CG to conversion axis at the centre line, m
   HubFrame<C> hub[2];
   C tip_speed;   // m/s
   C coning;      // rad, when it is no state
@@ -108,8 +108,8 @@ void configure(Configuration<C>& c) {
 
   const MastTables<R>& mast = aircraft.mast;
   const SineCosine<C> tilt = sine_and_cosine(c.mast);
-  c.nacelle_axis = {tilt.sine, C(R(0)), -tilt.cosine};
-  c.pivot_arm = station_arm(c.mass, mast.sl_pivot, R(0), mast.wl_pivot);
+  c.nacelle_axis_b = {tilt.sine, C(R(0)), -tilt.cosine};
+  c.pivot_arm_b = station_arm(c.mass, mast.sl_pivot, R(0), mast.wl_pivot);
   const SineCosine<C> cant = sine_and_cosine(o.mast_cant ? C(mast.cant * tilt.cosine) : C(R(0)));
   for (int side = 0; side < 2; ++side) {
     const Vec3<C> pivot =

@@ -1,0 +1,39 @@
+// Rotor and airframe, each on the scalar of its own few directions: what one sees of the aircraft is seeded, the
+// result chained to the directions of the aircraft (math/differentiation/preaccumulate.hpp). On plain numbers,
+// and where nothing would be gained, the component is simply called.
+#pragma once
+
+#include "tiltrotor/model/local_workspace.hpp"
+
+namespace tiltrotor {
+
+// Partials of a configuration reach a component beside its input: it must then be evaluated on T itself.
+template <class T, class C>
+inline constexpr bool kScalarsFit = kIsPlain<C> ||
+                                    (std::is_same_v<C, T> && std::is_same_v<LocalDual<RotorInput, T>, T> &&
+                                     std::is_same_v<LocalDual<AirframeInput, T>, T>);
+
+// `azimuth`: of the first blade, rad; used in the individual-blade mode alone.
+template <class T, class C>
+void local_rotor_response(const Configuration<C>& c, const RotorInput<T>& in, Real<T> azimuth,
+                          LocalRotorWorkspace<T>& work, RotorResponse<T>& out) {
+  static_assert(kScalarsFit<T, C>,
+                "a configuration with partials has the scalar of the state, of at most 16 directions");
+  const bool averaged = c.setup.options.azimuth == AzimuthMode::averaged;
+  if (!averaged) individual_azimuth(c.aircraft->rotor.blades, azimuth, work.blades);
+  const AzimuthStations<Real<T>>& stations = averaged ? c.azimuth : work.blades;
+  preaccumulate(in, work.chain, out, [&](const auto& local, auto& found) {
+    rotor_response(c, local, stations, work.rotor, found);
+  });
+}
+template <class T, class C, class Record>
+void local_airframe_response(const Configuration<C>& c, const AirframeInput<T>& in,
+                             LocalAirframeWorkspace<T>& work, AirframeResponse<T>& out, Record& record) {
+  static_assert(kScalarsFit<T, C>,
+                "a configuration with partials has the scalar of the state, of at most 16 directions");
+  preaccumulate(in, work.chain, out, [&](const auto& local, auto& found) {
+    airframe_response(c, local, work.airframe, found, record);
+  });
+}
+
+}  // namespace tiltrotor
