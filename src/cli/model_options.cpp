@@ -85,6 +85,8 @@ std::vector<Switch> all_switches() {
       on_off("mast_cant", &O::mast_cant, "outboard cant of the masts"),
       number("hub_spring_factor", &O::hub_spring_factor, 0, 10, "times the gimbal spring"),
       words("inflow", &O::inflow, {"pitt_peters", "uniform"}, "three inflow states or the mean alone"),
+      words("descent_inflow", &O::descent_inflow, {"vortex_ring", "momentum"},
+            "mean inflow in the rotor's own wake"),
       words("apparent_mass", &O::apparent_mass, {"impermeable", "loaded"}, "8/(3 pi) or 128/(75 pi)"),
       on_off("disk_plane_inflow", &O::disk_plane_inflow, "through-flow normal to the tilted disk"),
       number("induced_power_factor", &O::induced_power_factor, 0, 2, "0: the aircraft's own"),

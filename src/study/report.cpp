@@ -115,6 +115,7 @@ bool run_report(const std::string& folder, ReportSummary summary) {
         [&] { return power_required(sweeps); },
         [&] { return load_sharing(sweeps); },
         isolated_rotor_tests,
+        rotor_descent,
         [&] { return control_response(sweeps); },
         frequency_responses,
         data_flow,

@@ -21,6 +21,7 @@ Section mast_locus();  // roots against mast angle at constant speed
 Section power_required(const Sweeps& sweeps);
 Section load_sharing(const Sweeps& sweeps);
 Section isolated_rotor_tests();
+Section rotor_descent();                         // mean inflow from climb to windmill, autorotation
 Section control_response(const Sweeps& sweeps);  // sensitivity, control power, damping
 Section frequency_responses();
 

@@ -61,6 +61,8 @@ const std::vector<Field> kFields = {
     {"inflow.apparent_mass_loaded", "apparent_mass_loaded", "ND"},
     {"inflow.apparent_mass_cyclic", "apparent_mass_cyclic", "ND"},
     {"inflow.induced_power", "induced_power_factor", "ND"},
+    {"inflow.windmill_descent", "windmill_descent", "ND"},
+    {"inflow.ring_in_plane", "ring_in_plane", "ND"},
 
     {"wake.axis_speed_factor", "wake_axis_speed_factor", "ND"},
     {"wake.fuselage_side", "wake_fuselage_side", "m"},

@@ -9,6 +9,7 @@ enum class BladeGrid : unsigned char { specification, realtime };     // radial 
 enum class AzimuthMode : unsigned char { averaged, individual };      // rotor average or each blade
 enum class FlapOrder : unsigned char { second, first };               // gimbal equations
 enum class InflowShape : unsigned char { pitt_peters, uniform };      // three states or the mean alone
+enum class DescentInflow : unsigned char { vortex_ring, momentum };   // mean inflow in the rotor's own wake
 enum class ApparentMass : unsigned char { impermeable, loaded };      // 8/(3 pi) or 128/(75 pi)
 enum class WakeModel : unsigned char { geometric, gtrs_empirical };   // immersed area of the wing
 enum class WashFactor : unsigned char { constant, vortex_cylinder };  // wash speed on the immersed wing
@@ -34,6 +35,7 @@ struct Options {
   bool mast_cant = true;
   double hub_spring_factor = 1;  // multiplies the hub spring
   InflowShape inflow = InflowShape::pitt_peters;
+  DescentInflow descent_inflow = DescentInflow::vortex_ring;
   ApparentMass apparent_mass = ApparentMass::impermeable;
   bool disk_plane_inflow = false;   // through-flow normal to the tilted disk instead of the shaft
   double induced_power_factor = 0;  // kappa_i; 0: the value of the aircraft's choices

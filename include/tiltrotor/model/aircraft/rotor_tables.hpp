@@ -47,6 +47,8 @@ struct InflowTables {
   R apparent_mass_loaded;   // choices: 128/(75 pi), the alternative
   R apparent_mass_cyclic;   // choices: 16/(45 pi)
   R induced_power;          // choices: induced_power_factor (kappa_i)
+  R windmill_descent;       // choices: over v_h, where the windmill's momentum theory begins
+  R ring_in_plane;          // choices: in-plane speed over induced velocity where vortex ring has faded
 };
 
 // Rotor wake on the wing and the immersed part of the wing.
