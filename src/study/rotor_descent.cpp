@@ -1,5 +1,5 @@
-// One rotor from climb through vortex ring and turbulent wake to the windmill: mean inflow, power and collective at
-// constant thrust, against model rotors in a wind tunnel.
+// One rotor from climb through vortex ring and turbulent wake to the windmill: mean inflow, power and
+// collective at constant thrust, against model rotors in a wind tunnel.
 
 #include <algorithm>
 #include <cmath>
@@ -22,7 +22,8 @@ namespace {
 constexpr double kClimb = 16, kDescent = 44, kStep = 0.5;  // m/s
 constexpr double kTolerance = 0.3;                         // v_h
 
-// Collective at which the rotor has the thrust, by secants from a neighbour; its thrust is off where there is none.
+// Collective at which the rotor has the thrust, by secants from a neighbour; the thrust is off where there is
+// none.
 IsolatedRotor<double> rotor_at_thrust(const Configured& c, double axial, double thrust, double& collective,
                                       IsolatedRotorWorkspace<double>& work) {
   constexpr int most_steps = 30;

@@ -1,6 +1,6 @@
 // Mean inflow in the rotor's own wake: the curve of its equilibrium, momentum theory untouched outside,
 // derivatives across every join, one stable equilibrium, measured rotors.
-// Expected: the report's formulas and Hermite's basis evaluated here, momentum theory, complex step, bisection.
+// Expected: the report's formulas and Hermite's basis evaluated here, momentum theory, complex step, search.
 #include <algorithm>
 #include <complex>
 #include <vector>
@@ -121,8 +121,8 @@ std::vector<double> equilibria(const Configuration<double>& c, double descent, d
 
 }  // namespace
 
-// From climb over hover, vortex ring and turbulent wake to the windmill: one equilibrium, on the curve, also with
-// the thrust down the shaft.
+// From climb over hover, vortex ring and turbulent wake to the windmill: one equilibrium, on the curve, also
+// with the thrust down the shaft.
 TEST_OF_XV15(vortex_ring_equilibrium_is_the_curve) {
   const SharpInflow sharp;
   double worst = 0;
@@ -244,8 +244,8 @@ TEST(vortex_ring_derivatives_are_exact_and_continuous) {
     close(by_dual(n0, edge - h, -t * n0), by_dual(n0, edge + h, -t * n0));
 }
 
-// At any thrust, descent and speed in the plane the mean inflow has one equilibrium, returns to it, and the harmonics
-// decay: momentum theory alone has up to three.
+// At any thrust, descent and speed in the plane the mean inflow has one equilibrium, returns to it, and the
+// harmonics decay: momentum theory alone has up to three.
 TEST(vortex_ring_has_one_stable_equilibrium) {
   const Configuration<double> c = configuration(0, mean_alone()), three = configuration(0);
   const Configuration<double> by_momentum = configuration(0, mean_alone(DescentInflow::momentum));
@@ -269,8 +269,8 @@ TEST(vortex_ring_has_one_stable_equilibrium) {
   CHECK(several > 10);
 }
 
-// In-plane speed does not blow the ring away at once: up to 0.4 v_h the inflow of the report, which keeps its points N and X
-// nearly; from 1.1 v_h on momentum theory.
+// In-plane speed does not blow the ring away at once: at 0.2 v_h the inflow is that of axial descent; from 1.1
+// v_h on it is that of momentum theory.
 TEST_OF_XV15(vortex_ring_fades_with_speed_in_the_plane) {
   const SharpInflow sharp(mean_alone()), by_momentum(mean_alone(DescentInflow::momentum));
   for (double d = 0.5; d < 1.3; d += 0.1) {

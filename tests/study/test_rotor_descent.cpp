@@ -32,8 +32,8 @@ double measured(const Table& points, double descent) {
 
 }  // namespace
 
-// Two readings of one report: inflow of the figure, and from the table's thrust and pitch of untwisted blades of
-// constant chord, CT = sigma a/2 (theta_75/3 - lambda/2) with sigma 0.05, a 5.75.
+// Two readings of one report: inflow of the figure, and from the table's thrust and pitch of untwisted blades
+// of constant chord, CT = sigma a/2 (theta_75/3 - lambda/2) with sigma 0.05, a 5.75.
 TEST_OF_XV15(report_measured_descents_agree_with_each_other) {
   const Table figure = reference_points("rotor_descent").where("twist_deg", std::string("0"));
   const Table runs = reference_points("rotor_descent_runs");
