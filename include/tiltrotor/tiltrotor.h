@@ -100,7 +100,7 @@ typedef enum tr_status {
   TR_ROTOR_STALL,       /* no trim: the rotors stall before the weight is carried */
   TR_DAMAGED,           /* not the bytes of tr_save, or changed since */
   TR_BAD_ARITHMETIC,    /* the processor does not round to nearest, or lacks instructions of the library */
-  TR_VORTEX_RING_STATE, /* trimmed, but a rotor descends in its own wake: momentum theory does not hold */
+  TR_VORTEX_RING_STATE, /* trimmed, but a rotor descends in its own wake: the mean of an unsteady flow */
   TR_POWER_LIMIT,       /* trimmed, but the rotors need more than take-off power, or drive the engines */
   TR_TORQUE_LIMIT,      /* trimmed, but a mast carries more than its largest steady torque */
   TR_STATUS_COUNT

@@ -120,6 +120,12 @@ std::string explanation(Status status, Rotor rotor) {
   return std::string(status_text(status)) + "; residual " + number_text(rotor.residual, 3);
 }
 
+// In its own wake a rotor has figures where the inflow law knows it.
+bool has_figures(Setting c, Status status) {
+  return status == Status::ok ||
+         (status == Status::vortex_ring && c.setup.options.descent_inflow == DescentInflow::vortex_ring);
+}
+
 int run(const Arguments& arguments) {
   const SetupOptions setup(arguments);
   const double mast_deg = arguments.number("--mast", 0, kMastRange);
@@ -137,7 +143,8 @@ int run(const Arguments& arguments) {
     const Status status = isolated_rotor(configuration, all[i].flow, work, rotor);
     Row row;
     for (const Column& column : numbers) {
-      row.emplace_back(status == Status::ok || column.always ? column.value(configuration, rotor) : nothing);
+      const bool shown = column.always || has_figures(configuration, status);
+      row.emplace_back(shown ? column.value(configuration, rotor) : nothing);
     }
     row.emplace_back(status_word(status));
     records.add(row);
@@ -184,9 +191,9 @@ Command rotor_command() {
       "times axial\n"
       "speed over power) where it propels. The mast angle sets coning and the default rotor speed. With "
       "the status\n"
-      "vortex_ring the rotor descends in its own wake, or no windmill balances its thrust: momentum theory "
-      "does not\n"
-      "hold, and no figures are printed.\n",
+      "vortex_ring the rotor descends in its own wake: figures are means of an unsteady flow. By momentum theory "
+      "alone\n"
+      "(--option descent_inflow=momentum) there are none, nor where no windmill balances the thrust.\n",
       "tiltrotor rotor --collective75 4:1:14 --rpm 589",
       options() + mast_option() + SetupOptions::rotor_list() + Output::list(),
       run};

@@ -98,6 +98,8 @@ std::vector<Switch> all_switches() {
       words("inflow_gradient", &O::inflow_gradient, {"pitt_peters", "coleman", "white_blake"},
             "fore-aft gradient of the inflow"),
       words("radial_inflow", &O::radial_inflow, {"annular", "constant"}, "mean inflow along the blade"),
+      words("descent_inflow", &O::descent_inflow, {"vortex_ring", "momentum"},
+            "mean inflow in the rotor's own wake"),
       words("apparent_mass", &O::apparent_mass, {"impermeable", "loaded"}, "8/(3 pi) or 128/(75 pi)"),
       on_off("disk_plane_inflow", &O::disk_plane_inflow, "through-flow normal to the tilted disk"),
       number("induced_power_factor", &O::induced_power_factor, 0, 2, "0: the aircraft's own"),

@@ -88,7 +88,7 @@ constexpr StatusWords kWords[] = {
     {"damaged", "not the bytes of a saved aircraft, or changed since they were saved"},
     {"bad_arithmetic",
      "the processor does not round to nearest, or lacks instructions of the compiled library"},
-    {"vortex_ring", "trimmed, but a rotor descends in its own wake, where momentum theory does not hold"},
+    {"vortex_ring", "trimmed, but a rotor descends in its own wake"},
     {"power_limit", "trimmed, but the rotors need more than take-off power, or drive the engines"},
     {"torque_limit", "trimmed, but a mast carries more than its largest steady torque"},
 };

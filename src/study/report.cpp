@@ -118,6 +118,7 @@ bool run_report(const std::string& folder, ReportSummary summary) {
         [&] { return load_sharing(sweeps); },
         isolated_rotor_tests,
         lateral_flapping,
+        rotor_descent,
         [&] { return control_response(sweeps); },
         frequency_responses,
         data_flow,

@@ -22,6 +22,7 @@ Section power_required(const Sweeps& sweeps);
 Section load_sharing(const Sweeps& sweeps);
 Section isolated_rotor_tests();
 Section lateral_flapping();                      // what each law of the inflow's gradient gives
+Section rotor_descent();                         // mean inflow from climb to windmill, autorotation
 Section control_response(const Sweeps& sweeps);  // sensitivity, control power, damping
 Section frequency_responses();
 

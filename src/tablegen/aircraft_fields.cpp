@@ -66,6 +66,8 @@ const std::vector<Field> kFields = {
     {"inflow.induced_power", "induced_power_factor", "ND"},
     {"inflow.shape_thrust", "inflow_shape_thrust", "ND"},
     {"inflow.shape_tip_mach", "inflow_shape_tip_mach", "ND"},
+    {"inflow.windmill_descent", "windmill_descent", "ND"},
+    {"inflow.ring_in_plane", "ring_in_plane", "ND"},
 
     {"wake.axis_speed_factor", "wake_axis_speed_factor", "ND"},
     {"wake.fuselage_side", "wake_fuselage_side", "m"},

@@ -1,5 +1,6 @@
-// Isolated rotors in descent: the windmill where there is one, otherwise the truth.
-// Expected: a search of every inflow for roots of the same balance; momentum theory for what they mean.
+// Isolated rotors in descent: vortex ring, turbulent wake and windmill; by momentum theory alone the windmill
+// where there is one, otherwise the truth.
+// Expected: a search of every inflow for roots of the same balance; momentum theory for what they mean; energy.
 #include <cfenv>
 #include <cmath>
 #include <vector>
@@ -19,6 +20,12 @@ namespace {
 Options realtime() {
   Options options;
   options.grid = BladeGrid::realtime;
+  return options;
+}
+
+Options by_momentum() {
+  Options options = realtime();
+  options.descent_inflow = DescentInflow::momentum;
   return options;
 }
 
@@ -54,7 +61,7 @@ std::vector<double> roots(const Configuration<double>& c, double axial, double c
 // deg; from 6 deg on they give more thrust than its wake can carry, and the one root left is no flow that
 // exists: 6 m/s down through a rotor that descends at 40, its wake faster still, against the air.
 TEST_OF_XV15(isolated_rotor_finds_the_windmill) {
-  rotor_stand::Stand stand(0, realtime());
+  rotor_stand::Stand stand(0, by_momentum());
   const Configuration<double>& c = stand.configuration;
   int windmills = 0, none = 0, two_stable = 0;
   for (const double axial : {-30.0, -36.0, -40.0, -44.0, -50.0, -60.0}) {
@@ -91,7 +98,7 @@ TEST_OF_XV15(isolated_rotor_finds_the_windmill) {
 // Collective down, rotor pulled up the shaft: the same with the signs turned, and never ok on the other
 // branch.
 TEST(isolated_rotor_pushed_against_its_thrust_says_so) {
-  rotor_stand::Stand stand(0, realtime());
+  rotor_stand::Stand stand(0, by_momentum());
   const Configuration<double>& c = stand.configuration;
   int beyond = 0, windmills = 0;
   for (double axial = 10; axial <= 60; axial += 10) {
@@ -110,7 +117,8 @@ TEST(isolated_rotor_pushed_against_its_thrust_says_so) {
 
 // What is printed without an equilibrium that could be flown is empty and explained.
 TEST(cli_rotor_without_a_windmill_prints_no_figures) {
-  const auto run = run_tiltrotor("rotor --collective75 4,8 --speed-axial -10,-40 --grid realtime");
+  const auto run = run_tiltrotor(
+      "rotor --collective75 4,8 --speed-axial -10,-40 --grid realtime --option descent_inflow=momentum");
   CHECK_EQ(run.exit_status, 1);
   const CsvText csv(run.out);
   const char* status[] = {"vortex_ring", "vortex_ring", "ok", "vortex_ring"};
@@ -123,6 +131,87 @@ TEST(cli_rotor_without_a_windmill_prints_no_figures) {
   CHECK(run.err.find("collective 8 deg, axial -40 m/s: no windmill found") != std::string::npos);
   CHECK(run.err.find("collective 8 deg, axial -10 m/s: the rotor descends in its own wake") !=
         std::string::npos);
+}
+
+// In axial flow the balance of the mean inflow is the whole problem: it has one root at any pitch and descent,
+// which the solver finds; the status is that of the boundaries -0.45 and -1.50 v_h.
+TEST_OF_XV15(isolated_rotor_descends_on_one_branch) {
+  rotor_stand::Stand stand(0, realtime());
+  const Configuration<double>& c = stand.configuration;
+  int in_ring = 0, windmills = 0;
+  for (double axial = 12; axial >= -60; axial -= 4) {
+    for (double collective = -4; collective <= 12; collective += 2) {
+      const Status status = stand.run(flow(collective, axial));
+      const double thrust = stand.rotor.figures.thrust, h = hover_speed(thrust, c);
+      const double v = stand.rotor.input.state.lambda_0 * c.tip_speed;
+      const std::vector<double> at = roots(c, axial, collective);
+      if (thrust < 100) continue;  // no thrust, no wake
+      if (!CHECK_EQ(at.size(), std::size_t{1})) {
+        NOTE(axial << " m/s, " << collective << " deg");
+        continue;
+      }
+      CHECK_NEAR(v, at[0], 0.1);
+      const double descent = -axial / h;
+      const bool ring = descent > 0.45 && descent < 1.5;
+      if (!CHECK(status == (ring ? Status::vortex_ring : Status::ok)))
+        NOTE(axial << " m/s, " << collective << " deg: " << status_word(status));
+      in_ring += ring;
+      windmills += descent > 2.3;
+      if (descent > 2.3) CHECK_NEAR(v, -axial / 2 - std::sqrt(axial * axial / 4 - h * h), 0.01 * h);
+    }
+  }
+  CHECK(in_ring > 10 && windmills > 10);
+}
+
+// At constant pitch a rotor that sinks faster gains thrust (heave is damped), but in vortex ring it loses
+// thrust; momentum theory knows no loss.
+TEST_OF_XV15(isolated_rotor_heave_damping_is_negative_in_vortex_ring) {
+  rotor_stand::Stand stand(0, realtime()), momentum(0, by_momentum());
+  const auto damping = [](rotor_stand::Stand& on, double descent) {
+    (void)on.run(flow(8, -descent - 0.5));
+    const double faster = on.rotor.figures.thrust;
+    (void)on.run(flow(8, -descent + 0.5));
+    return faster - on.rotor.figures.thrust;
+  };
+  for (const double descent : {-10.0, -5.0, 0.0, 3.0, 22.0, 26.0, 30.0}) {
+    if (!CHECK(damping(stand, descent) > 0)) NOTE(descent << " m/s");
+  }
+  for (const double descent : {8.0, 10.0, 12.0, 14.0, 16.0}) {
+    if (!CHECK(damping(stand, descent) < 0)) NOTE(descent << " m/s");
+    CHECK(damping(momentum, descent) > 0);
+  }
+}
+
+// Autorotation: power passes through zero while the rotor still draws a little air up through the disk, as much
+// as its profile power needs: between the descent without through-flow, 1.89 v_h, and the windmill's, 2.3.
+TEST_OF_XV15(isolated_rotor_autorotates) {
+  rotor_stand::Stand stand(0, realtime());
+  const Configuration<double>& c = stand.configuration;
+  for (const double collective : {0.0, 2.0, 4.0}) {
+    double low = 10, high = 45;  // m/s: power given, power taken
+    for (int k = 0; k < 40; ++k) {
+      const double middle = 0.5 * (low + high);
+      CHECK(stand.run(flow(collective, -middle)) != Status::not_converged);
+      (stand.rotor.figures.power > 0 ? low : high) = middle;
+    }
+    CHECK(stand.run(flow(collective, -low)) == Status::ok);
+    const double descent = low / hover_speed(stand.rotor.figures.thrust, c);
+    NOTE(collective << " deg: autorotation at " << low << " m/s, " << descent << " v_h");
+    CHECK(descent > 1.89 && descent < 2.3);
+  }
+}
+
+// The figures of vortex ring are printed, flagged and explained.
+TEST(cli_rotor_in_vortex_ring_prints_figures_and_says_so) {
+  const auto run = run_tiltrotor("rotor --collective75 8 --speed-axial -3,-12,-40 --grid realtime");
+  CHECK_EQ(run.exit_status, 1);
+  const CsvText csv(run.out);
+  const char* status[] = {"ok", "vortex_ring", "ok"};
+  for (std::size_t i = 0; i < 3; ++i) {
+    CHECK_EQ(csv.text(i, "status"), std::string(status[i]));
+    for (const char* column : {"n0", "thrust_n", "power_kw", "ct"}) CHECK(!csv.text(i, column).empty());
+  }
+  CHECK(run.err.find("axial -12 m/s: the rotor descends in its own wake") != std::string::npos);
 }
 
 // Over the whole range of flow, pitch and cyclic, found or not.

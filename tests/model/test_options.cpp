@@ -149,6 +149,23 @@ TEST(options_of_the_inflow) {
   check_switch({0}, mean_inflow, [](Options& o) { o.sideward_flight = true; });
 }
 
+// Outside vertical descent the switch changes nothing, in it the inflow alone.
+TEST(options_descent_inflow_acts_in_descent_alone) {
+  const auto alone = [](Options& o) { o.descent_inflow = DescentInflow::momentum; };
+  for (const double mast : {0.0, 30.0, 90.0}) check_switch({mast}, 0, alone);
+  Options momentum;
+  alone(momentum);
+  StateAndControls<double> s = state({0}, Options{});
+  s.x.velocity = {1, 0, 12};
+  s.x.rates = {0, 0, 0};
+  for (const int side : {right, left}) s.x.rotor[side].lambda_0 = 0.1;
+  Evaluation<double> a;
+  Evaluation<double> b;
+  evaluate_aircraft(configuration(0), s.x, s.u, a);
+  evaluate_aircraft(configuration(0, momentum), s.x, s.u, b);
+  CHECK_EQ(changed(a, b), static_cast<unsigned>(mean_inflow | cyclic_inflow));
+}
+
 TEST(options_of_the_wing) {
   check_switch(
       {0}, wing_in_rotor_wake | wing_in_free_stream | kAcceleration,

@@ -32,7 +32,7 @@ struct IsolatedRotor {
   RotorInput<R> input;  // flow, state and pitch in the rotor frame A
   RotorResponse<R> response;
   RotorFigures<R> figures;
-  MomentumRange momentum;  // whether momentum theory gives this inflow
+  MomentumRange momentum;  // whether the inflow law holds
   int iterations;
   R residual;  // largest scaled rate left over
 };
@@ -98,20 +98,24 @@ template <class R>
 MomentumRange range(const Configuration<R>& c, const IsolatedRotor<R>& rotor) {
   const Vec3<R>& v = rotor.input.velocity_a;
   return momentum_range(axial_flow(c.air.density, c.aircraft->rotor.radius, rotor.response.loads.force_a.z,
-                                   v.z, v.x, rotor.input.state.lambda_0 * c.tip_speed));
+                                   v.z, v.x, rotor.input.state.lambda_0 * c.tip_speed),
+                        c.setup.options.descent_inflow);
 }
 
 }  // namespace rotor_equilibrium
 
 // Equilibrium by damped Newton iteration on the exact Jacobian, from a start by momentum theory; where that
-// ends outside the range of momentum theory or nowhere, once more from a rotor without inflow, of which the
-// windmill's root is the next, and from an inflow above all roots. Where the blades at the windmill's inflow
-// give more thrust than its wake can carry, only a root without meaning is left. Residuals are scaled with
-// the rotor speed; the tolerance is 1e-11 in double. Status: ok; vortex_ring (in equilibrium, but no rotor
-// flies so: rotor.momentum says whether in its own wake or on the other branch); out_of_range (flow outside
+// ends nowhere, once more from a rotor without inflow and from an inflow above all roots. Residuals are scaled
+// with the rotor speed; the tolerance is 1e-11 in double. Status: ok; vortex_ring (in equilibrium in its own
+// wake, between the boundaries of momentum_range.hpp: the mean of an unsteady flow); out_of_range (flow outside
 // the ranges given at RotorFlow) and not_finite (NaN or infinity in it), nothing computed; not_converged (the
 // rotor is where the first start ended); singular, not_finite. `rotor` is defined whatever is returned. Cost:
 // typically 4 to 8 rotor Jacobians, at most 180 and 2340 plain evaluations.
+//
+// With descent_inflow=momentum the other starts are tried too where the first ends outside the range of
+// momentum theory: the first of them is next to the windmill's root. Where the blades at the windmill's inflow
+// give more thrust than its wake can carry, only a root without meaning is left. vortex_ring then means that
+// no rotor flies so: rotor.momentum says whether in its own wake or on the other branch.
 template <class R>
 Status isolated_rotor(const Configuration<R>& c, const RotorFlow<R>& flow, IsolatedRotorWorkspace<R>& work,
                       IsolatedRotor<R>& rotor) {
@@ -140,6 +144,7 @@ Status isolated_rotor(const Configuration<R>& c, const RotorFlow<R>& flow, Isola
     z[2] = lambda_0;
     if (set.coning) z[2 + set.harmonics] = c.coning;
   };
+  const bool one_root = c.setup.options.descent_inflow == DescentInflow::vortex_ring;
   // By momentum theory; below the windmill; above every root.
   const R starts[] = {first_inflow(c, flow, solidity), R(0), R(-1.2) * flow.axial / c.tip_speed};
   IsolatedRotor<R> best = rotor;
@@ -148,7 +153,7 @@ Status isolated_rotor(const Configuration<R>& c, const RotorFlow<R>& flow, Isola
     start(lambda_0);
     const Status ended = solve(c, set, flow.cyclic, work, rotor);
     rotor.momentum = range(c, rotor);
-    const bool found = ended == Status::ok && rotor.momentum == MomentumRange::holds;
+    const bool found = ended == Status::ok && (one_root || rotor.momentum == MomentumRange::holds);
     if (found || best.iterations == 0 || (ended == Status::ok && status != Status::ok)) {
       best = rotor;
       status = ended;

@@ -29,7 +29,7 @@ inline constexpr Row kStatusTable[] = {
     {"out_of_range", "an input lies outside the range for which the model is defined"},
     {"bad_argument", "an argument contradicts the function's contract, for example a size"},
     {"bad_arithmetic", "the processor or the compiled code does not round every operation once, to nearest"},
-    {"vortex_ring", "the rotor descends in its own wake, where momentum theory does not hold"},
+    {"vortex_ring", "the rotor descends in its own wake"},
 };
 
 static_assert(sizeof(kStatusTable) / sizeof(kStatusTable[0]) == static_cast<unsigned>(Status::count),

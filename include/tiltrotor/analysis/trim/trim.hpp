@@ -243,8 +243,9 @@ TrimStatus trim(const Configuration<R>& c, const SteadyFlight<R>& flight, TrimWo
     }
   }
   trim_solver::judge_outcome(c, flight, outcome, work, result);
+  const bool two_roots = c.setup.options.descent_inflow == DescentInflow::momentum;
   const bool doubtful =
-      result.status == TrimStatus::vortex_ring || result.status == TrimStatus::not_converged;
+      (result.status == TrimStatus::vortex_ring && two_roots) || result.status == TrimStatus::not_converged;
   if (doubtful && options.continuation && is_steep_descent(c, flight)) {
     trim_solver::try_windmill(c, flight, outcome, work, result);
   }

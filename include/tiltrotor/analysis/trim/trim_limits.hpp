@@ -15,7 +15,7 @@ enum class [[nodiscard]] TrimStatus : unsigned char{
     wing_stall,     // trimmed, but the wing is past its stall
     control_limit,  // trimmed, but a control is beyond its stop
     flap_limit,     // trimmed, but a gimbal is beyond its stop
-    vortex_ring,    // trimmed, but a rotor descends where momentum theory does not hold
+    vortex_ring,    // trimmed, but a rotor descends in its own wake (momentum_range.hpp)
     power_limit,    // trimmed, but the rotors need more than take-off power, or drive the engines
     torque_limit,   // trimmed, but a mast carries more than its largest steady torque
     rotor_stall,    // no trim: the rotors stall before the weight is carried
@@ -167,11 +167,11 @@ void check_descent(const Configuration<R>& c, const State<R>& x, const Vec3<R>& 
   const R in_plane = std::sqrt(square(in.velocity_a.x) + square(in.velocity_a.y));
   const AxialFlow<R> flow = axial_flow(c.air.density, c.aircraft->rotor.radius, thrust, in.velocity_a.z,
                                        in_plane, in.state.lambda_0 * c.tip_speed);
-  if (momentum_range(flow) == MomentumRange::holds) return;
+  if (momentum_range(flow, c.setup.options.descent_inflow) == MomentumRange::holds) return;
   const TrimLimit limit = side == right ? TrimLimit::descent_right : TrimLimit::descent_left;
   const R least = R(1e-3);  // m/s
   const R hover = flow.hover > least ? flow.hover : least;
-  check.add(TrimStatus::vortex_ring, limit, -flow.axial / hover, kVortexRingOnset<R>);
+  check.add(TrimStatus::vortex_ring, limit, -flow.axial / hover, VortexRing<R>::kOnset);
 }
 
 // The lower collective limit of the power lever (table 8a-IV) is no limit: the rotor governor adds to what the

@@ -49,6 +49,8 @@ struct InflowTables {
   R induced_power;          // choices: induced_power_factor (kappa_i)
   R shape_thrust;           // choices: inflow_shape_thrust, C_T of the hover that gives the radial shape
   R shape_tip_mach;         // choices: inflow_shape_tip_mach, of the same hover
+  R windmill_descent;       // choices: over v_h, where the windmill's momentum theory begins
+  R ring_in_plane;          // choices: in-plane speed over induced velocity where vortex ring has faded
 };
 
 // Rotor wake on the wing and the immersed part of the wing.

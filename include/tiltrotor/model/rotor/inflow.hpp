@@ -7,6 +7,7 @@
 #pragma once
 
 #include "tiltrotor/math/smooth.hpp"
+#include "tiltrotor/model/rotor/vortex_ring.hpp"
 #include "tiltrotor/model/setup/configuration.hpp"
 
 namespace tiltrotor {
@@ -76,14 +77,21 @@ InflowRates<T> inflow_rates(const Configuration<C>& c, const RotorState<T>& x, c
 
   const T through = f.mu_z + x.lambda_0;  // total through-flow, positive down through the disk
   const T in_plane2 = f.mu_x * f.mu_x + f.mu_y * f.mu_y;
-  const T vt = sqrt(in_plane2 + through * through + square(e.inflow_speed));
-  const T vm = (in_plane2 + through * (through + x.lambda_0)) / vt;
+  T mass_flow = in_plane2 + through * through + square(e.inflow_speed);  // V_T^2
+  T harmonics = in_plane2 + through * (through + x.lambda_0);            // V_T V_m
+  const T stream = sqrt(mass_flow);
+  const InflowTables<R>& ring = c.aircraft->inflow;
+  const bool in_ring = c.setup.options.descent_inflow == DescentInflow::vortex_ring &&
+                       add_vortex_ring(f.mu_z, x.lambda_0, in_plane2, ring.windmill_descent,
+                                       ring.ring_in_plane, mass_flow, harmonics);
+  const T vt = in_ring ? sqrt(mass_flow) : stream;
+  const T vm = harmonics / vt;
 
   if (c.setup.options.inflow == InflowShape::uniform) {
     return {(omega / m0) * (f.c0 - (R(2) / c.induced_power_factor) * vt * x.lambda_0), R(0) * x.lambda_c,
             R(0) * x.lambda_s};
   }
-  const T inverse_skew = R(1) / (vt + smooth_positive(through, e.through_flow));
+  const T inverse_skew = R(1) / (stream + smooth_positive(through, e.through_flow));
   const T xc = f.mu_x * inverse_skew;
   const T xs = f.mu_y * inverse_skew;
   const T k = inflow_gradient(c.setup.options.inflow_gradient, T(xc * xc + xs * xs));

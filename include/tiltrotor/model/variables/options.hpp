@@ -5,10 +5,11 @@
 
 namespace tiltrotor {
 
-enum class BladeGrid : unsigned char { specification, realtime };  // radial and azimuth stations
-enum class AzimuthMode : unsigned char { averaged, individual };   // rotor average or each blade
-enum class FlapOrder : unsigned char { second, first };            // gimbal equations
-enum class InflowShape : unsigned char { pitt_peters, uniform };   // three states or the mean alone
+enum class BladeGrid : unsigned char { specification, realtime };    // radial and azimuth stations
+enum class AzimuthMode : unsigned char { averaged, individual };     // rotor average or each blade
+enum class FlapOrder : unsigned char { second, first };              // gimbal equations
+enum class InflowShape : unsigned char { pitt_peters, uniform };     // three states or the mean alone
+enum class DescentInflow : unsigned char { vortex_ring, momentum };  // mean inflow in the rotor's own wake
 enum class InflowGradient : unsigned char { pitt_peters, coleman, white_blake };  // fore-aft
 enum class RadialInflow : unsigned char { annular, constant };        // mean inflow along the blade
 enum class ApparentMass : unsigned char { impermeable, loaded };      // 8/(3 pi) or 128/(75 pi)
@@ -39,6 +40,7 @@ struct Options {
   InflowShape inflow = InflowShape::pitt_peters;
   InflowGradient inflow_gradient = InflowGradient::pitt_peters;
   RadialInflow radial_inflow = RadialInflow::annular;
+  DescentInflow descent_inflow = DescentInflow::vortex_ring;
   ApparentMass apparent_mass = ApparentMass::impermeable;
   bool disk_plane_inflow = false;   // through-flow normal to the tilted disk instead of the shaft
   double induced_power_factor = 0;  // kappa_i; 0: the value of the aircraft's choices

@@ -23,6 +23,7 @@ inline void choose(DataSet set, Options& o) {
 // tests/model/test_reference.cpp and tests/analysis/: what has been found missing or wrong since is left out.
 inline void choose_reference(Options& o) {
   o.radial_inflow = RadialInflow::constant;
+  o.descent_inflow = DescentInflow::momentum;
   o.cyclic_rigging = false;
   o.nacelle_mass = NacelleMass::quoted;
   o.inertia = InertiaSet::simulation;
