@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "cli/errors.hpp"
+#include "text/nearest.hpp"
 
 namespace tiltrotor::cli {
 
@@ -62,6 +63,8 @@ void append_range(const std::vector<std::string>& parts, const std::string& text
 std::vector<double> parse_sweep(std::string_view text, const std::string& where, const Range& range) {
   std::vector<double> values;
   for (const std::string& item : split(text, ',')) {
+    if (item.empty() && !text.empty())
+      throw UsageError(where + ": '' is not a number; an item of " + quoted(text) + " is empty");
     const std::vector<std::string> parts = split(item, ':');
     if (parts.size() == 1) {
       values.push_back(parse_number(item, where, range));
