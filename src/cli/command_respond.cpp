@@ -205,7 +205,8 @@ OptionList output_list() {
 const std::string& description() {
   static const std::string text = std::string(
                                       "Flies the nonlinear model from trim. One row a step: the state, and "
-                                      "the controls that act from then on.\n\n") +
+                                      "the controls that act from then on; `limits` names those beyond their "
+                                      "stops.\n\n") +
                                   kInputGrammar;
   return text;
 }

@@ -176,7 +176,7 @@ void LinearOutput::add_table(const LinearCase& which, const Model& model) {
     return std::string(text.size() < width ? width - text.size() : 1, ' ') + text;
   };
   std::string text = (count_ > 0 ? "\n" : "") + std::string("case ") + which.name + ": mast " +
-                     number_text(which.mast_deg, digits) + " deg, " + number_text(which.speed, digits) +
+                     number_text(which.mast_deg) + " deg, " + number_text(which.speed) +
                      " m/s: " + which.status + "\n";
   if (which.valid) {
     text += cell("state") + cell("unit") + cell("x0") + " |" +

@@ -38,6 +38,9 @@ double to_decimals(double value, int decimals) {
 
 void append_range(const std::vector<std::string>& parts, const std::string& text, const std::string& where,
                   const Range& range, std::vector<double>& values) {
+  for (const std::string& part : parts)
+    if (part.empty())
+      throw UsageError(where + ": '' is not a number; a part of " + quoted(text) + " is empty");
   const double from = parse_number(parts[0], where, range);
   const double step = parse_number(parts[1], where);
   const double to = parse_number(parts[2], where, range);
