@@ -17,8 +17,8 @@
  * Errors: every function that can fail returns a tr_status. When it is not TR_OK, outputs are untouched
  * unless the function says otherwise, and the aircraft is as it was. Null pointers, NaN, infinities, short
  * arrays, numbers out of range, a wrong version and an aircraft that is not initialised are all found and
- * reported; so is a processor set to another rounding mode than to nearest, by every call that computes
- * (TR_BAD_ARITHMETIC). The content of a tr_sim that a call of tr_init has filled must not be written by
+ * reported; so is a processor set to another rounding mode than to nearest or to take the smallest numbers
+ * for zero, by every call that computes (TR_BAD_ARITHMETIC). The content of a tr_sim that a call of tr_init has filled must not be written by
  * anything else.
  *
  * Units: SI and radians unless the name says otherwise. Body axes x forward, y right, z down; attitude 3-2-1
@@ -99,7 +99,7 @@ typedef enum tr_status {
   TR_FLAP_LIMIT,        /* trimmed, but a gimbal is beyond its stop */
   TR_ROTOR_STALL,       /* no trim: the rotors stall before the weight is carried */
   TR_DAMAGED,           /* not the bytes of tr_save, or changed since */
-  TR_BAD_ARITHMETIC,    /* the processor does not round to nearest, or lacks instructions of the library */
+  TR_BAD_ARITHMETIC,    /* the processor does not round to nearest, flushes to zero, or lacks instructions */
   TR_VORTEX_RING_STATE, /* trimmed, but a rotor descends in its own wake: the mean of an unsteady flow */
   TR_POWER_LIMIT,       /* trimmed, but the rotors need more than take-off power, or drive the engines */
   TR_TORQUE_LIMIT,      /* trimmed, but a mast carries more than its largest steady torque */
@@ -245,7 +245,8 @@ tr_status tr_step(tr_sim* sim, tr_work* work, tr_real dt);
 
 /* Snapshot and restore. tr_set_state accepts finite states of |velocity| <= 300 m/s, |rates| <= 20 rad/s,
  * |roll| <= 1000 rad, |pitch| <= 89.5 deg, |yaw| <= 1e6 rad, |angles and inflow| <= 2, |their rates| <= 200
- * rad/s, |position| <= 1e9 m, |controls| <= 100, time 0..1e9 s, steps <= 1e15; no step leads beyond.
+ * rad/s, |position| <= 1e9 m, |controls| <= 100, |gust| <= 50 m/s, time 0..1e9 s, steps <= 1e15; no step
+ * leads beyond.
  * roll_rad, yaw_rad and position_m count where they round to their numbers in x; elsewhere x counts.
  * TR_NOT_FINITE, TR_OUT_OF_RANGE. Cost: a copy. */
 tr_status tr_get_state(const tr_sim* sim, tr_state* state);
@@ -272,7 +273,8 @@ typedef struct tr_outputs {
   tr_real airspeed_mps;                      /* relative to the air at the aircraft, gust included */
   tr_real angle_of_attack_rad, sideslip_rad; /* the same; of the body; 0 at rest */
   tr_real specific_force_mps2[3]; /* at the centre of gravity, body axes: what an accelerometer reads */
-  tr_real load_factor;            /* -specific force z over gravity */
+  tr_real load_factor; /* specific force normal to the motion through the air (at rest all) over gravity,
+                          < 0 where it pushes down */
   tr_real climb_rate_mps;         /* relative to the undisturbed air */
   tr_real thrust_n[2];            /* resultant force of a rotor on its hub */
   tr_real torque_nm[2];
@@ -291,7 +293,7 @@ tr_status tr_get_outputs(const tr_sim* sim, tr_outputs* outputs);
 /* Relative to the air at the aircraft. */
 typedef struct tr_flight {
   tr_real speed_mps;       /* 0..150 */
-  tr_real climb_rad;       /* of the flight path, + up, within 90 deg; 0 at speed 0 */
+  tr_real climb_rad;       /* of the flight path, + up, within 90 deg; 0 at speed 0, below 1e-12 m/s */
   tr_real turn_rate_radps; /* of the heading, + right, within 60 deg/s */
   tr_real sideslip_rad;    /* + wind from the right, within 60 deg; 0 at speed 0 and climb +-90 deg */
 } tr_flight;

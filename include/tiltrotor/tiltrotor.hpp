@@ -1,5 +1,6 @@
-// The whole library for a C++ program. It compiles the templates itself, with its own flags; link with
-// libtiltrotor-aircraft.a, which holds the tables.
+// The whole library for a C++ program. It compiles the templates itself, with its own flags, the same in all of
+// its files: of functions that several files compile the linker keeps one copy, from any of them, for all. Link
+// with libtiltrotor-aircraft.a, which holds the tables.
 //
 //   const Aircraft<double>& aircraft = aircraft_data<double>();
 //   static Configuration<double> c;      // mast angle, mass, altitude, switches; reconfigure() moves it

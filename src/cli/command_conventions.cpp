@@ -34,14 +34,17 @@ Inceptors   long_stick_in 0..9.6, neutral 4.8, larger is forward, in columns and
 Controls    long_cyclic > 0 tilts both disks forward; diff_* is (right - left)/2; elevator > 0 trailing edge down;
             aileron > 0 rolls right; rudder > 0 nose right.
 Sideslip    sideslip_deg > 0: wind from the right.
-Load factor load_factor of trim: force of air and rotors normal to the flight path over weight, 1 in level flight.
-            (The C interface gives what an accelerometer shows: minus the specific force along body z, over gravity.)
+Load factor load_factor, of trim and of the C interface alike: force of air and rotors normal to the motion through the
+            air over weight, 1 in level flight, < 0 where it pushes down; at rest all of the force.
 Loads       force on the aircraft and moment about the CG, body axes, without weight.
 Names       _R right, _L left rotor; eps: lagged wing downwash at the tail; b0, db0: coning (coning_states); north, east,
             down: position (position_states).
 Files       CSV is RFC 4180 in UTF-8, a byte-order mark allowed, one record a line. --states reads what trim and respond
-            print. Numbers of trim, modes, respond and rotor smaller than 1e-12 (but residual), and loads, rates and entries
-            of A and B smaller than 1e-14 of the terms beside them, are rounding and printed as 0.
+            print. Numbers of trim, modes, respond and rotor smaller than 1e-12 (but residual; heading and place, sums over
+            t seconds, 1e-12 t), and loads, rates and entries of A and B smaller than 1e-14 of the terms beside them, are
+            rounding and printed as 0. What was given is printed as it was given. A speed below 1e-12 m/s is rest.
+Model       model, in rows of trim and respond: the aircraft and the switches that differ from their defaults. --states
+            tells on stderr where a row was made with another model than it is computed with.
 )";
 
 // "States      u v w": names in the order of files and arrays.

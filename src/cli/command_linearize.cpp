@@ -8,6 +8,7 @@
 #include "cli/errors.hpp"
 #include "cli/linear_options.hpp"
 #include "cli/linear_output.hpp"
+#include "cli/output.hpp"
 #include "cli/states_option.hpp"
 #include "cli/trimmed_flights.hpp"
 
@@ -58,8 +59,10 @@ int at_given_states(const Arguments& arguments, const SetupOptions& setup) {
   Linearizer linearizer(arguments, given.file().size() == 1);
   const auto visit = [&](const StateRow& row, const Configuration<double>& configuration) -> int {
     const bool usable = row.fault.empty();
-    const LinearCase which{row.name, configuration.setup.mast_deg, airspeed(row.state, row.controls),
-                           usable ? "ok" : "no_state", usable};
+    // In the digits that files of states have.
+    double speed = 0;
+    read_number(number_text(airspeed(row.state, row.controls), Output::to_read), speed);
+    const LinearCase which{row.name, configuration.setup.mast_deg, speed, usable ? "ok" : "no_state", usable};
     if (usable) return linearizer.add(which, configuration, row.state, row.controls);
     linearizer.add_without_model(which);
     return exit_case_failed;

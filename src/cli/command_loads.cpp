@@ -22,7 +22,7 @@ void add_row(Records& records, const std::string& name, double mast_deg, const c
              const Loads<double>& loads) {
   const Vec3<double>& f = loads.force;
   const Vec3<double>& m = loads.moment;
-  records.add({name, mast_deg, component, f.x, f.y, f.z, m.x, m.y, m.z});
+  records.add({name, as_given(mast_deg), component, f.x, f.y, f.z, m.x, m.y, m.z});
 }
 
 int add_state(Records& records, const std::string& name, const Configuration<double>& configuration,

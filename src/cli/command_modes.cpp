@@ -39,8 +39,7 @@ bool neighbours(const TrimmedFlight& flight, double mast_deg, double speed) {
 void add_row(Records& records, const TrimmedFlight& flight, const char* status,
              const Mode<double>* mode = nullptr) {
   constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
-  const FlightSetup<double>& setup = flight.configuration.setup;
-  Row row = {flight.mast_deg, flight.flight.speed};
+  Row row = {as_given(flight.mast_deg), as_given(flight.flight.speed)};
   const Row numbers = mode != nullptr
                           ? Row{axis_word(mode->axis), mode->name,          mode->real,        mode->imag,
                                 mode->frequency,       mode->damping_ratio, mode->time_to_half}
@@ -48,7 +47,8 @@ void add_row(Records& records, const TrimmedFlight& flight, const char* status,
   row.insert(row.end(), numbers.begin(), numbers.end());
   const double branch = mode != nullptr ? mode->branch : nothing;
   for (const Cell& cell :
-       Row{status, setup.altitude, setup.mass, given_as(setup.sl_cg, kInch), branch, setup.flap_deg})
+       Row{status, as_given(flight.setting("altitude_m")), as_given(flight.setting("mass_kg")),
+           as_given(flight.setting("cg_sl_in")), branch, as_given(flight.setting("flap_deg"))})
     row.push_back(cell);
   records.add(row);
 }

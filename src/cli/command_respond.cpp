@@ -118,14 +118,15 @@ class Companions {
   ModeTracker<double> modes_;
 };
 
-int fly(const Configuration<double>& c, const Plan& plan, Simulation<double>& simulation, Analyses& analyses,
+int fly(const TrimmedFlight& flight, const Plan& plan, Simulation<double>& simulation, Analyses& analyses,
         Companions& companions, Records& records) {
+  const Configuration<double>& c = flight.configuration;
   const std::size_t steps = plan.steps + (plan.rest > 0 ? 1 : 0);
   Progress progress("respond", steps);
   int exit_status = exit_success;
   for (std::size_t step = 0;; ++step) {
     const std::string now = number_text(current_time(simulation), 6) + " s";
-    Row row = response_row(c, simulation);
+    Row row = response_row(flight, simulation);
     const Status linear = companions.accompany(step, c, simulation, analyses, row);
     records.add(row);
     if (linear != Status::ok) {
@@ -149,6 +150,8 @@ int run(const Arguments& arguments) {
   single_flight(arguments);
   const Plan plan = read_plan(arguments);
   Companions companions(arguments, plan);
+  if (arguments.given("--control-set") && !arguments.given("--matrices"))
+    throw UsageError(arguments.where("--control-set") + ": of the columns of --matrices, which is not given");
   Output output(arguments);
   if (arguments.given("--matrices")) {
     companions.open_matrices(arguments.text("--matrices", ""), arguments.where("--matrices"));
@@ -165,7 +168,7 @@ int run(const Arguments& arguments) {
     }
     if (status == Status::ok) {
       require_inputs(*simulation, arguments.where("--input"));
-      return fly(flight.configuration, plan, *simulation, *work, companions, records);
+      return fly(flight, plan, *simulation, *work, companions, records);
     }
     std::fprintf(stderr, "tiltrotor: respond: cannot start: %s\n", status_text(status));
     return exit_case_failed;
@@ -202,7 +205,8 @@ OptionList output_list() {
 const std::string& description() {
   static const std::string text = std::string(
                                       "Flies the nonlinear model from trim. One row a step: the state, and "
-                                      "the controls that act from then on.\n\n") +
+                                      "the controls that act from then on; `limits` names those beyond their "
+                                      "stops.\n\n") +
                                   kInputGrammar;
   return text;
 }

@@ -16,7 +16,6 @@ namespace tiltrotor::cli {
 namespace {
 
 constexpr double radian = kRadPerDeg<double>;
-constexpr double rpm_unit = kPi<double> / 30;
 constexpr double kilo = 1000;
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
@@ -24,14 +23,23 @@ constexpr Range collective_range{-90, 90, "deg"};
 Range hub_speed_range() { return {-kSpeedRange.high, kSpeedRange.high, "m/s"}; }
 constexpr Range cyclic_range{-30, 30, "deg"};
 
-struct Column {
-  const char* name;
-  double (*value)(const Configuration<double>&, const IsolatedRotor<double>&);
-  bool always = false;  // also without an equilibrium
+struct Case {
+  double rotor_speed;                                               // rad/s
+  double rpm, collective_deg, lateral_cyclic_deg, long_cyclic_deg;  // as given
+  RotorFlow<double> flow;
 };
 
-using Setting = const Configuration<double>&;
 using Rotor = const IsolatedRotor<double>&;
+
+struct Column {
+  const char* name;
+  double (*value)(Rotor);
+  bool always = false;                      // also without an equilibrium
+  double (*given)(const Case&) = nullptr;   // instead of the value, as it was given
+  bool (*is_given)(const Case&) = nullptr;  // null: always
+};
+
+bool cyclic_is_given(const Case& c) { return c.flow.cyclic == CyclicUse::given; }
 
 // Force without the rounding of a thrust beside which it is nothing.
 Vec3<double> in_plane(Rotor r) {
@@ -41,33 +49,35 @@ Vec3<double> in_plane(Rotor r) {
 
 // The column `status` follows them.
 const Column numbers[] = {
-    {"collective75_deg", [](Setting, Rotor r) { return given_as(r.input.collective, radian); }, true},
-    {"ct", [](Setting, Rotor r) { return r.figures.thrust_coefficient; }},
-    {"cp", [](Setting, Rotor r) { return r.figures.power_coefficient; }},
-    {"figure_of_merit", [](Setting, Rotor r) { return r.figures.figure_of_merit; }},
-    {"ct_sigma", [](Setting, Rotor r) { return r.figures.thrust_coefficient / r.figures.solidity; }},
-    {"thrust_n", [](Setting, Rotor r) { return r.figures.thrust; }},
-    {"power_kw", [](Setting, Rotor r) { return r.figures.power / kilo; }},
-    {"b1c_deg", [](Setting, Rotor r) { return r.input.state.b1c / radian; }},
-    {"b1s_deg", [](Setting, Rotor r) { return r.input.state.b1s / radian; }},
-    {"n0", [](Setting, Rotor r) { return r.input.state.lambda_0; }},
-    {"efficiency", [](Setting, Rotor r) { return r.figures.efficiency; }},
-    {"cp_sigma", [](Setting, Rotor r) { return r.figures.power_coefficient / r.figures.solidity; }},
-    {"nc", [](Setting, Rotor r) { return r.input.state.lambda_c; }},
-    {"ns", [](Setting, Rotor r) { return r.input.state.lambda_s; }},
-    {"lateral_cyclic_deg", [](Setting, Rotor r) { return given_as(r.input.lateral_cyclic, radian); }},
-    {"long_cyclic_deg", [](Setting, Rotor r) { return given_as(r.input.long_cyclic, radian); }},
-    {"coning_deg", [](Setting, Rotor r) { return r.input.coning.angle / radian; }},
-    {"force_aft_n", [](Setting, Rotor r) { return in_plane(r).x; }},
-    {"force_advancing_n", [](Setting, Rotor r) { return in_plane(r).y; }},
-    {"torque_nm", [](Setting, Rotor r) { return r.figures.torque; }},
-    {"rotor_rpm", [](Setting c, Rotor) { return given_as(c.setup.rotor_speed, rpm_unit); }, true},
-    {"speed_axial_mps", [](Setting, Rotor r) { return r.input.velocity_a.z; }, true},
-    {"speed_inplane_mps", [](Setting, Rotor r) { return 0.0 - r.input.velocity_a.x; }, true},
-    {"axial_ratio", [](Setting, Rotor r) { return r.figures.axial_ratio; }, true},
-    {"advance_ratio", [](Setting, Rotor r) { return r.figures.advance_ratio; }, true},
-    {"iterations", [](Setting, Rotor r) { return static_cast<double>(r.iterations); }, true},
-    {"residual", [](Setting, Rotor r) { return r.residual; }, true},
+    {"collective75_deg", nullptr, true, [](const Case& c) { return c.collective_deg; }},
+    {"ct", [](Rotor r) { return r.figures.thrust_coefficient; }},
+    {"cp", [](Rotor r) { return r.figures.power_coefficient; }},
+    {"figure_of_merit", [](Rotor r) { return r.figures.figure_of_merit; }},
+    {"ct_sigma", [](Rotor r) { return r.figures.thrust_coefficient / r.figures.solidity; }},
+    {"thrust_n", [](Rotor r) { return r.figures.thrust; }},
+    {"power_kw", [](Rotor r) { return r.figures.power / kilo; }},
+    {"b1c_deg", [](Rotor r) { return r.input.state.b1c / radian; }},
+    {"b1s_deg", [](Rotor r) { return r.input.state.b1s / radian; }},
+    {"n0", [](Rotor r) { return r.input.state.lambda_0; }},
+    {"efficiency", [](Rotor r) { return r.figures.efficiency; }},
+    {"cp_sigma", [](Rotor r) { return r.figures.power_coefficient / r.figures.solidity; }},
+    {"nc", [](Rotor r) { return r.input.state.lambda_c; }},
+    {"ns", [](Rotor r) { return r.input.state.lambda_s; }},
+    {"lateral_cyclic_deg", [](Rotor r) { return r.input.lateral_cyclic / radian; }, false,
+     [](const Case& c) { return c.lateral_cyclic_deg; }, cyclic_is_given},
+    {"long_cyclic_deg", [](Rotor r) { return r.input.long_cyclic / radian; }, false,
+     [](const Case& c) { return c.long_cyclic_deg; }, cyclic_is_given},
+    {"coning_deg", [](Rotor r) { return r.input.coning.angle / radian; }},
+    {"force_aft_n", [](Rotor r) { return in_plane(r).x; }},
+    {"force_advancing_n", [](Rotor r) { return in_plane(r).y; }},
+    {"torque_nm", [](Rotor r) { return r.figures.torque; }},
+    {"rotor_rpm", nullptr, true, [](const Case& c) { return c.rpm; }},
+    {"speed_axial_mps", nullptr, true, [](const Case& c) { return c.flow.axial; }},
+    {"speed_inplane_mps", nullptr, true, [](const Case& c) { return c.flow.in_plane; }},
+    {"axial_ratio", [](Rotor r) { return r.figures.axial_ratio; }, true},
+    {"advance_ratio", [](Rotor r) { return r.figures.advance_ratio; }, true},
+    {"iterations", [](Rotor r) { return static_cast<double>(r.iterations); }, true},
+    {"residual", [](Rotor r) { return r.residual; }, true},
 };
 
 std::vector<std::string> column_names() {
@@ -77,35 +87,36 @@ std::vector<std::string> column_names() {
   return names;
 }
 
-struct Case {
-  double rotor_speed;
-  RotorFlow<double> flow;
-};
-
 // Every combination; the collective changes fastest.
 std::vector<Case> cases(const Arguments& arguments, double default_rotor_speed) {
-  RotorFlow<double> flow{};
-  flow.lateral_cyclic = arguments.number("--lateral-cyclic", 0, cyclic_range) * radian;
-  flow.long_cyclic = arguments.number("--long-cyclic", 0, cyclic_range) * radian;
+  Case one{};
+  RotorFlow<double>& flow = one.flow;
+  one.lateral_cyclic_deg = arguments.number("--lateral-cyclic", 0, cyclic_range);
+  one.long_cyclic_deg = arguments.number("--long-cyclic", 0, cyclic_range);
+  flow.lateral_cyclic = one.lateral_cyclic_deg * radian;
+  flow.long_cyclic = one.long_cyclic_deg * radian;
   flow.cyclic = arguments.given("--cancel-tilt") ? CyclicUse::cancels_tilt : CyclicUse::given;
-  std::vector<double> rotor_speeds = {default_rotor_speed};
-  if (arguments.given("--rpm")) {
-    rotor_speeds = arguments.sweep("--rpm", "", kRotorSpeedRange);
-    for (double& speed : rotor_speeds) speed *= rpm_unit;
-  }
+  for (const char* name : {"--lateral-cyclic", "--long-cyclic"})
+    if (flow.cyclic == CyclicUse::cancels_tilt && arguments.given(name))
+      throw UsageError(arguments.where(name) + ": --cancel-tilt finds the cyclic; leave one of the two out");
+  std::vector<double> rotor_speeds = {given_as(default_rotor_speed, kRpm)};
+  if (arguments.given("--rpm")) rotor_speeds = arguments.sweep("--rpm", "", kRotorSpeedRange);
   const std::vector<double> axial = arguments.sweep("--speed-axial", "0", hub_speed_range());
   const std::vector<double> in_plane = arguments.sweep("--speed-inplane", "0", hub_speed_range());
   const std::vector<double> collective = arguments.sweep("--collective75", "0:1:16", collective_range);
   require_few(arguments.command(), {rotor_speeds.size(), axial.size(), in_plane.size(), collective.size()});
   std::vector<Case> all;
-  for (const double rotor_speed : rotor_speeds) {
+  for (const double rpm : rotor_speeds) {
     for (const double a : axial) {
       for (const double i : in_plane) {
         for (const double pitch : collective) {
+          one.rpm = rpm;
+          one.rotor_speed = arguments.given("--rpm") ? rpm * kRpm : default_rotor_speed;
+          one.collective_deg = pitch;
           flow.axial = a;
           flow.in_plane = i;
           flow.collective = pitch * radian;
-          all.push_back({rotor_speed, flow});
+          all.push_back(one);
         }
       }
     }
@@ -113,17 +124,23 @@ std::vector<Case> cases(const Arguments& arguments, double default_rotor_speed) 
   return all;
 }
 
+// In its own wake a rotor has figures where the inflow law knows it.
+bool has_figures(const Options& options, Status status) {
+  return status == Status::ok ||
+         (status == Status::vortex_ring && options.descent_inflow == DescentInflow::vortex_ring);
+}
+
+Cell cell(const Column& column, const Case& which, bool has_figures, Rotor rotor) {
+  if (!has_figures && !column.always) return nothing;
+  const bool is_given = column.given != nullptr && (column.is_given == nullptr || column.is_given(which));
+  return is_given ? Cell(as_given(column.given(which))) : Cell(column.value(rotor));
+}
+
 std::string explanation(Status status, Rotor rotor) {
   if (status == Status::vortex_ring && rotor.momentum == MomentumRange::other_branch)
     return "no windmill found: in the equilibrium found the wake goes down against the air that comes up";
   if (status == Status::vortex_ring) return status_text(status);
   return std::string(status_text(status)) + "; residual " + number_text(rotor.residual, 3);
-}
-
-// In its own wake a rotor has figures where the inflow law knows it.
-bool has_figures(Setting c, Status status) {
-  return status == Status::ok ||
-         (status == Status::vortex_ring && c.setup.options.descent_inflow == DescentInflow::vortex_ring);
 }
 
 int run(const Arguments& arguments) {
@@ -142,16 +159,13 @@ int run(const Arguments& arguments) {
     IsolatedRotor<double> rotor;
     const Status status = isolated_rotor(configuration, all[i].flow, work, rotor);
     Row row;
-    for (const Column& column : numbers) {
-      const bool shown = column.always || has_figures(configuration, status);
-      row.emplace_back(shown ? column.value(configuration, rotor) : nothing);
-    }
+    const bool found = has_figures(configuration.setup.options, status);
+    for (const Column& column : numbers) row.push_back(cell(column, all[i], found, rotor));
     row.emplace_back(status_word(status));
     records.add(row);
     if (status != Status::ok) {
-      progress.message("rotor: collective " + number_text(all[i].flow.collective / radian, 6) +
-                       " deg, axial " + number_text(all[i].flow.axial, 6) +
-                       " m/s: " + explanation(status, rotor));
+      progress.message("rotor: collective " + number_text(all[i].collective_deg, 6) + " deg, axial " +
+                       number_text(all[i].flow.axial, 6) + " m/s: " + explanation(status, rotor));
       exit_status = exit_case_failed;
     }
     progress.advance();

@@ -1,9 +1,11 @@
 // `tiltrotor trim`: equilibrium at every combination of mast angle, speed and loading.
 
-#include <cmath>
+#include <algorithm>
 #include <limits>
 
 #include "cli/command.hpp"
+#include "cli/flight_range.hpp"
+#include "cli/model_options.hpp"
 #include "cli/output.hpp"
 #include "cli/state_columns.hpp"
 #include "cli/trim_columns.hpp"
@@ -18,43 +20,31 @@ constexpr double kilo = 1000;
 
 using Flight = const TrimmedFlight&;
 
+enum class Kind { result, search, given };  // a number of the trim, of the search for it, or of the user
+
 struct Column {
   const char* name;
   double (*value)(Flight);
-  bool always = false;  // also without a trim
+  Kind kind = Kind::result;  // only a result needs a trim
 };
 
 double mean(const double (&sides)[2]) { return (sides[right] + sides[left]) / 2; }
 double half_difference(const double (&sides)[2]) { return (sides[right] - sides[left]) / 2; }
 
-// Force of air and rotors normal to the flight path over the weight: by Newton's law from the motion that the
-// trim holds. Hovering flight has the direction of its climb and sideslip.
-double load_factor(Flight f) {
-  const State<double>& x = f.trim.state;
-  SteadyFlight<double> unit = f.flight;
-  unit.speed = 1;
-  const Vec3<double> path = steady_velocity(unit, x.roll, x.pitch);
-  const Vec3<double> down = {-std::sin(x.pitch), std::sin(x.roll) * std::cos(x.pitch),
-                             std::cos(x.roll) * std::cos(x.pitch)};
-  const Vec3<double> force = (1 / kGravity<double>)*cross(x.rates, x.velocity) - down;
-  const Vec3<double> lift = force - dot(force, path) * path;
-  return std::sqrt(dot(lift, lift));
-}
-
 const Column columns_before_status[] = {
-    {"mast_deg", [](Flight f) { return f.mast_deg; }, true},
-    {"speed_mps", [](Flight f) { return f.flight.speed; }, true},
-    {"altitude_m", [](Flight f) { return f.configuration.setup.altitude; }, true},
-    {"climb_deg", [](Flight f) { return given_as(f.flight.climb, radian); }, true},
+    {"mast_deg", [](Flight f) { return f.mast_deg; }, Kind::given},
+    {"speed_mps", [](Flight f) { return f.flight.speed; }, Kind::given},
+    {"altitude_m", [](Flight f) { return f.setting("altitude_m"); }, Kind::given},
+    {"climb_deg", [](Flight f) { return f.climb_deg; }, Kind::given},
 };
 
 const Column columns_after_status[] = {
-    {"iterations", [](Flight f) { return static_cast<double>(f.trim.iterations); }, true},
-    {"residual", [](Flight f) { return f.trim.residual; }, true},
+    {"iterations", [](Flight f) { return static_cast<double>(f.trim.iterations); }, Kind::search},
+    {"residual", [](Flight f) { return f.trim.residual; }, Kind::search},
     {"pitch_deg", [](Flight f) { return f.trim.state.pitch / radian; }},
     {"roll_deg", [](Flight f) { return f.trim.state.roll / radian; }},
     {"alpha_deg", [](Flight f) { return f.trim.angle_of_attack / radian; }},
-    {"sideslip_deg", [](Flight f) { return given_as(f.trim.sideslip, radian); }},
+    {"sideslip_deg", [](Flight f) { return f.trim.sideslip / radian; }},
     {"collective75_deg", [](Flight f) { return f.trim.controls.collective / radian; }},
     {"collective_root_deg", [](Flight f) { return f.trim.collective_root / radian; }},
     {"long_cyclic_deg", [](Flight f) { return mean(f.trim.blades.long_cyclic) / radian; }},
@@ -72,8 +62,8 @@ const Column columns_after_status[] = {
     {"thrust_left_n", [](Flight f) { return f.trim.thrust[left]; }},
     {"power_kw", [](Flight f) { return (f.trim.power[right] + f.trim.power[left]) / kilo; }},
     {"download_frac", [](Flight f) { return f.trim.download_fraction; }},
-    {"turn_rate_degps", [](Flight f) { return given_as(f.flight.turn_rate, radian); }, true},
-    {"load_factor", load_factor},
+    {"turn_rate_degps", [](Flight f) { return f.turn_rate_degps; }, Kind::given},
+    {"load_factor", [](Flight f) { return f.trim.load_factor; }},
     {"wing_alpha_deg", [](Flight f) { return f.trim.wing_angle_of_attack / radian; }},
     {"downwash_deg", [](Flight f) { return f.trim.state.downwash / radian; }},
     {"b1c_right_deg", [](Flight f) { return f.trim.state.rotor[right].b1c / radian; }},
@@ -82,11 +72,10 @@ const Column columns_after_status[] = {
     {"b1s_left_deg", [](Flight f) { return f.trim.state.rotor[left].b1s / radian; }},
     {"n0_right", [](Flight f) { return f.trim.state.rotor[right].lambda_0; }},
     {"n0_left", [](Flight f) { return f.trim.state.rotor[left].lambda_0; }},
-    {"flap_deg", [](Flight f) { return f.configuration.setup.flap_deg; }, true},
-    {"rotor_rpm", [](Flight f) { return given_as(f.configuration.setup.rotor_speed, kPi<double> / 30); },
-     true},
-    {"mass_kg", [](Flight f) { return f.configuration.setup.mass; }, true},
-    {"cg_sl_in", [](Flight f) { return given_as(f.configuration.setup.sl_cg, kInch); }, true},
+    {"flap_deg", [](Flight f) { return f.setting("flap_deg"); }, Kind::given},
+    {"rotor_rpm", [](Flight f) { return f.setting("rotor_rpm"); }, Kind::given},
+    {"mass_kg", [](Flight f) { return f.setting("mass_kg"); }, Kind::given},
+    {"cg_sl_in", [](Flight f) { return f.setting("cg_sl_in"); }, Kind::given},
 };
 
 std::vector<std::string> column_names() {
@@ -99,30 +88,38 @@ std::vector<std::string> column_names() {
 }
 
 // Every limit that is exceeded, by its word.
-std::string limit_words(const LimitCheck<double>& limits) {
-  std::string words;
-  for (int k = 0; k < limits.count; ++k) {
-    words += k > 0 ? " " : "";
-    words += limit_name(limits.exceeded[k].limit).word;
-  }
-  return words;
+std::string limit_words(const TrimResult<double>& trim) {
+  std::vector<std::string> words;
+  for (int k = 0; k < trim.limits.count; ++k)
+    words.emplace_back(limit_name(trim.limits.exceeded[k].limit).word);
+  for (const std::string& control : controls_beyond_stops(trim.controls))
+    if (std::find(words.begin(), words.end(), control) == words.end()) words.push_back(control);
+  return words_of(words);
+}
+
+bool sideslip_is_given(Flight f) { return f.flight.speed >= kLeastSpeed<double> && !is_vertical(f.flight); }
+
+Cell cell(const Column& column, Flight flight) {
+  constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+  if (column.kind == Kind::given) return as_given(column.value(flight));
+  if (column.kind == Kind::result && !is_trimmed(flight.trim.status)) return nothing;
+  if (column.name == std::string("sideslip_deg") && sideslip_is_given(flight))
+    return as_given(flight.sideslip_deg);
+  return column.value(flight);
 }
 
 Row row(Flight flight, const std::vector<std::string>& completing) {
   constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
   const bool trimmed = is_trimmed(flight.trim.status);
   Row cells;
-  for (const Column& column : columns_before_status) cells.emplace_back(column.value(flight));
+  for (const Column& column : columns_before_status) cells.push_back(cell(column, flight));
   cells.emplace_back(trim_status_word(flight.trim.status));
-  for (const Column& column : columns_after_status) {
-    cells.emplace_back(trimmed || column.always ? column.value(flight) : nothing);
-  }
-  cells.emplace_back(trimmed ? limit_words(flight.trim.limits) : std::string());
+  for (const Column& column : columns_after_status) cells.push_back(cell(column, flight));
+  cells.emplace_back(trimmed ? limit_words(flight.trim) : std::string());
   for (const std::string& column : completing) {
-    cells.emplace_back(
-        trimmed ? completing_value(column, flight.configuration, flight.trim.state, flight.trim.controls)
-                : nothing);
+    cells.emplace_back(trimmed ? completing_value(column, flight.trim.state, flight.trim.controls) : nothing);
   }
+  cells.emplace_back(model_text(flight.configuration.setup.options));
   return cells;
 }
 
@@ -133,6 +130,7 @@ int run(const Arguments& arguments) {
   std::vector<std::string> names = column_names();
   const std::vector<std::string> completing = completing_columns(names, setups.front().switches(), false);
   names.insert(names.end(), completing.begin(), completing.end());
+  names.emplace_back(kModelColumn);
   Records records = output.records(names, Output::to_read);
   const AnalysesWorkspace work;
   const int exit_status = for_each_trim(arguments, setups, output.shard(), *work, [&](Flight flight) {

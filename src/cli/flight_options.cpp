@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "cli/errors.hpp"
 #include "cli/model_options.hpp"
@@ -19,18 +20,17 @@ constexpr double radian = kRadPerDeg<double>;
 constexpr Range climb_range{-90, 90, "deg"};
 constexpr Range turn_rate_range{-60, 60, "deg/s"};
 
-std::optional<double> optional_number(const Arguments& arguments, const char* name, const Range& range,
-                                      double unit) {
+std::optional<double> optional_number(const Arguments& arguments, const char* name, const Range& range) {
   if (!arguments.given(name)) return std::nullopt;
-  return arguments.number(name, 0, range) * unit;
+  return arguments.number(name, 0, range);
 }
 
 // Nothing, as the only value, where the option is not given.
 std::vector<std::optional<double>> optional_numbers(const Arguments& arguments, const char* name,
-                                                    const Range& range, double unit) {
+                                                    const Range& range) {
   if (!arguments.given(name)) return {std::nullopt};
   std::vector<std::optional<double>> values;
-  for (const double value : arguments.sweep(name, "", range)) values.emplace_back(value * unit);
+  for (const double value : arguments.sweep(name, "", range)) values.emplace_back(value);
   return values;
 }
 
@@ -107,17 +107,17 @@ OptionList SetupOptions::list() {
 OptionList SetupOptions::rotor_list() { return OptionList{altitude_option()} + switch_options; }
 
 SetupOptions::SetupOptions(const Arguments& arguments) : SetupOptions(arguments, Common{}) {
-  altitude_ = optional_number(arguments, "--altitude", kAltitudeRange, 1);
-  mass_ = optional_number(arguments, "--mass", kMassRange, 1);
-  sl_cg_ = optional_number(arguments, "--cg-sl", kCgRange, kInch);
-  flap_deg_ = optional_number(arguments, "--flap", kFlapRange, 1);
+  altitude_ = optional_number(arguments, "--altitude", kAltitudeRange);
+  mass_ = optional_number(arguments, "--mass", kMassRange);
+  cg_sl_in_ = optional_number(arguments, "--cg-sl", kCgRange);
+  flap_deg_ = optional_number(arguments, "--flap", kFlapRange);
 }
 
 std::vector<SetupOptions> SetupOptions::every_combination(const Arguments& arguments) {
-  const auto altitudes = optional_numbers(arguments, "--altitude", kAltitudeRange, 1);
-  const auto masses = optional_numbers(arguments, "--mass", kMassRange, 1);
-  const auto stations = optional_numbers(arguments, "--cg-sl", kCgRange, kInch);
-  const auto flaps = optional_numbers(arguments, "--flap", kFlapRange, 1);
+  const auto altitudes = optional_numbers(arguments, "--altitude", kAltitudeRange);
+  const auto masses = optional_numbers(arguments, "--mass", kMassRange);
+  const auto stations = optional_numbers(arguments, "--cg-sl", kCgRange);
+  const auto flaps = optional_numbers(arguments, "--flap", kFlapRange);
   require_few(arguments.command(), {altitudes.size(), masses.size(), stations.size(), flaps.size()});
   std::vector<SetupOptions> all;
   SetupOptions one(arguments, Common{});
@@ -127,7 +127,7 @@ std::vector<SetupOptions> SetupOptions::every_combination(const Arguments& argum
         for (const auto& flap : flaps) {
           one.altitude_ = altitude;
           one.mass_ = mass;
-          one.sl_cg_ = station;
+          one.cg_sl_in_ = station;
           one.flap_deg_ = flap;
           all.push_back(one);
         }
@@ -138,7 +138,7 @@ std::vector<SetupOptions> SetupOptions::every_combination(const Arguments& argum
 }
 
 SetupOptions::SetupOptions(const Arguments& arguments, Common)
-    : rotor_speed_(optional_number(arguments, "--rotor-rpm", kRotorSpeedRange, kRpm)) {
+    : rotor_rpm_(optional_number(arguments, "--rotor-rpm", kRotorSpeedRange)) {
   std::vector<std::string> assigned;
   if (arguments.given("--preset")) {
     place_of(arguments.text("--preset", ""), {"reference"}, arguments.where("--preset"));
@@ -169,9 +169,9 @@ FlightSetup<double> SetupOptions::flight_setup(double mast_deg) const {
   FlightSetup<double> setup = tiltrotor::flight_setup(aircraft_data<double>(), mast_deg);
   setup.altitude = altitude_.value_or(0);
   setup.flap_deg = flap_deg_.value_or(setup.flap_deg);
-  setup.rotor_speed = rotor_speed_.value_or(setup.rotor_speed);
+  if (rotor_rpm_) setup.rotor_speed = *rotor_rpm_ * kRpm;
   setup.mass = mass_.value_or(setup.mass);
-  setup.sl_cg = sl_cg_.value_or(setup.sl_cg);
+  if (cg_sl_in_) setup.sl_cg = *cg_sl_in_ * kInch;
   setup.options = switches_;
   return setup;
 }
@@ -181,9 +181,20 @@ std::string SetupOptions::text() const {
   std::string given;
   if (altitude_) given += ", " + number_text(*altitude_, digits) + " m";
   if (mass_) given += ", " + number_text(*mass_, digits) + " kg";
-  if (sl_cg_) given += ", CG at " + number_text(*sl_cg_ / kInch, digits) + " in";
+  if (cg_sl_in_) given += ", CG at " + number_text(*cg_sl_in_, digits) + " in";
   if (flap_deg_) given += ", flaps " + number_text(*flap_deg_, digits) + " deg";
   return given;
+}
+
+std::optional<double> SetupOptions::given(const std::string& column) const {
+  const std::pair<const char*, std::optional<double>> settings[] = {{"altitude_m", altitude_},
+                                                                    {"flap_deg", flap_deg_},
+                                                                    {"rotor_rpm", rotor_rpm_},
+                                                                    {"mass_kg", mass_},
+                                                                    {"cg_sl_in", cg_sl_in_}};
+  for (const auto& [name, value] : settings)
+    if (column == name) return value;
+  return std::nullopt;
 }
 
 Configuration<double> SetupOptions::configuration(double mast_deg) const {
@@ -203,7 +214,7 @@ OptionList flight_list() {
   return {
       {"--mast", "DEG", "mast angle: 0 helicopter .. 90 airplane (0)"},
       {"--speed", "MPS", speed.c_str()},
-      {"--climb", "DEG", "angle of the flight path, -90..90, at speed 0 it must be 0 (0)"},
+      {"--climb", "DEG", "angle of the flight path, -90..90, at speed 0, below 1e-12, it\nmust be 0 (0)"},
       {"--sideslip", "DEG", "wind from the right, -60..60, at speed 0 and climb +-90 it must\nbe 0 (0)"},
       {"--turn-rate", "DEGPS", "of the heading, + right, -60..60 (0)"},
   };
@@ -211,9 +222,12 @@ OptionList flight_list() {
 
 std::vector<FlightCase> flight_cases(const Arguments& arguments, std::size_t setups) {
   SteadyFlight<double> flight{};
-  flight.climb = arguments.number("--climb", 0, climb_range) * radian;
-  flight.sideslip = arguments.number("--sideslip", 0, kAngleRange) * radian;
-  flight.turn_rate = arguments.number("--turn-rate", 0, turn_rate_range) * radian;
+  const double climb = arguments.number("--climb", 0, climb_range);
+  const double sideslip = arguments.number("--sideslip", 0, kAngleRange);
+  const double turn_rate = arguments.number("--turn-rate", 0, turn_rate_range);
+  flight.climb = climb * radian;
+  flight.sideslip = sideslip * radian;
+  flight.turn_rate = turn_rate * radian;
   std::vector<FlightCase> cases;
   const std::vector<double> speeds = arguments.sweep("--speed", "0", kSpeedRange);
   const std::vector<double> masts = arguments.sweep("--mast", "0", kMastRange);
@@ -222,7 +236,7 @@ std::vector<FlightCase> flight_cases(const Arguments& arguments, std::size_t set
     for (const double mast_deg : masts) {
       for (const double speed : speeds) {
         flight.speed = speed;
-        cases.push_back({setup, mast_deg, flight});
+        cases.push_back({setup, mast_deg, flight, climb, sideslip, turn_rate});
       }
     }
   }

@@ -44,6 +44,8 @@ class SetupOptions {
   // What was given of altitude, mass, CG and flaps, for a message: ", 3000 m, 6000 kg, CG at 300 in".
   std::string text() const;
   const Options& switches() const { return switches_; }
+  // What was given for a column of settings, in its unit: 300 for cg_sl_in.
+  std::optional<double> given(const std::string& column) const;
 
  private:
   struct Common {};
@@ -51,9 +53,9 @@ class SetupOptions {
 
   std::optional<double> altitude_;
   std::optional<double> flap_deg_;
-  std::optional<double> rotor_speed_;
+  std::optional<double> rotor_rpm_;
   std::optional<double> mass_;
-  std::optional<double> sl_cg_;
+  std::optional<double> cg_sl_in_;
   Options switches_;
 };
 
@@ -67,6 +69,7 @@ struct FlightCase {
   std::size_t setup;  // among the setups of the command line
   double mast_deg;
   SteadyFlight<double> flight;
+  double climb_deg, sideslip_deg, turn_rate_degps;  // as given
 };
 
 // Every combination of so many setups, --mast and --speed, in that order, with the common --climb, --sideslip

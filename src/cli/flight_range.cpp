@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "cli/errors.hpp"
+#include "cli/output.hpp"
 #include "text/number.hpp"
 #include "tiltrotor/math/differentiation/preaccumulate.hpp"
 #include "tiltrotor/model/aircraft/aircraft_data.hpp"
@@ -25,14 +26,17 @@ struct Shown {
            : control_ <= kControlIndex.pedal ? "in from neutral"
                                              : kControlVariables[control_].unit();
   }
-  std::string text(double value) const {
+  // All digits of a value that six would round into its range.
+  std::string text(double value, const Bounds<double>& range) const {
     if (std::abs(value) < rounding) value = 0;
-    return number_text(angle ? given_as(value, kRadPerDeg<double>) : value, digits) + " " + unit();
+    const bool outside = value < range.low || value > range.high;
+    double rounded = 0;
+    read_number(number_text(shown(value), digits), rounded);
+    const bool reads_inside = rounded >= shown(range.low) && rounded <= shown(range.high);
+    return number_text(shown(value), outside && reads_inside ? kShortest : digits) + " " + unit();
   }
-  Range range(double low, double high) const {
-    const double size = angle ? kRadPerDeg<double> : 1;
-    return {low / size, high / size, unit()};
-  }
+  Range range(const Bounds<double>& bounds) const { return {shown(bounds.low), shown(bounds.high), unit()}; }
+  double shown(double value) const { return angle ? given_as(value, kRadPerDeg<double>) : value; }
   bool angle;
 
  private:
@@ -40,6 +44,25 @@ struct Shown {
 };
 
 }  // namespace
+
+std::vector<std::string> controls_beyond_stops(const Controls<double>& u) {
+  double value[control_count];
+  flatten(u, value);
+  std::vector<std::string> names;
+  for (int control = 0; control < control_count; ++control) {
+    const Range range = Shown(control).range(control_range(aircraft_data<double>(), control));
+    double printed = 0;
+    read_number(number_text(Shown(control).shown(value[control]), Output::to_read), printed);
+    if (printed < range.low || printed > range.high) names.emplace_back(kControlVariables[control].name);
+  }
+  return names;
+}
+
+std::string words_of(const std::vector<std::string>& limits) {
+  std::string words;
+  for (const std::string& limit : limits) words += (words.empty() ? "" : " ") + limit;
+  return words;
+}
 
 double largest_amplitude(int control) {
   const Bounds<double> range = control_range(aircraft_data<double>(), control);
@@ -63,9 +86,10 @@ void require_inputs(const Simulation<double>& simulation, const std::string& whe
       const double high = std::max(range.high, trimmed[control]);
       if (value >= low - rounding && value <= high + rounding) continue;
       const Shown shown(control);
-      throw UsageError(where + ": " + kControlVariables[control].name + " would be " + shown.text(value) +
-                       " at " + number_text(edge, digits) + " s (" + shown.text(trimmed[control]) +
-                       " in trim), outside " + range_text(shown.range(range.low, range.high)));
+      throw UsageError(where + ": " + kControlVariables[control].name + " would be " +
+                       shown.text(value, range) + " at " + number_text(edge, digits) + " s (" +
+                       shown.text(trimmed[control], range) + " in trim), outside " +
+                       range_text(shown.range(range)));
     }
   }
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "tiltrotor/analysis/flight/response.hpp"
 
@@ -9,6 +10,11 @@ namespace tiltrotor::cli {
 
 // What no input of a control inside its range can exceed: the width of the range, rad, in or m/s.
 double largest_amplitude(int control);
+
+// The controls that stand outside their range, as printed.
+std::vector<std::string> controls_beyond_stops(const Controls<double>& u);
+// "long_stick elevator", for the column `limits`.
+std::string words_of(const std::vector<std::string>& limits);
 
 // Throws UsageError "<where>: ..." when the inputs together drive a control out of its range, or further out
 // where the trim itself is beyond it.

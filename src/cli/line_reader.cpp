@@ -22,7 +22,10 @@ bool LineReader::next(std::string& line) {
   if (c == EOF) return false;
   ++number_;
   for (; c != EOF && c != '\n'; c = getc_unlocked(file_.get())) {
-    if (line.size() == longest) throw UsageError(where() + ": the line is longer than a megabyte");
+    if (line.size() == longest)
+      throw UsageError(
+          where() + ": the line is longer than a megabyte" +
+          (line.find('\r') == std::string::npos ? "" : "; end lines with LF or CRLF, not with CR alone"));
     line += static_cast<char>(c);
   }
   if (std::ferror(file_.get()) != 0) fail();

@@ -30,6 +30,12 @@ std::string matrix_text(int rows, int columns, const std::string& row_separator,
 }
 
 std::string bracketed(const std::string& text) { return "[" + text + "]"; }
+// In single quotes, which are doubled inside.
+std::string matlab_text(const std::string& text) {
+  std::string out = "'";
+  for (const char c : text) out += c == '\'' ? std::string("''") : std::string(1, c);
+  return out + "'";
+}
 std::string unchanged(const std::string& text) { return text; }
 
 }  // namespace
@@ -135,10 +141,11 @@ void LinearOutput::add_json(const LinearCase& which, const Model& model) {
 void LinearOutput::add_matlab(const LinearCase& which, const Model& model) {
   const std::string name = "model(" + std::to_string(count_ + 1) + ").";
   std::string text =
-      (count_ == 0 ? "% " + program_text() + "\n" : "") + "% mast " + number_text(which.mast_deg) + " deg, " +
-      number_text(which.speed) + " m/s; xdot = A (x - x0) + B (u - u0)\n" + name +
-      "mast_deg = " + number_text(which.mast_deg) + ";\n" + name + "speed_mps = " + number_text(which.speed) +
-      ";\n" + name + "status = '" + which.status + "';\n";
+      (count_ == 0 ? "% " + program_text() + "\n" : "") + "% case " + which.name + ": mast " +
+      number_text(which.mast_deg) + " deg, " + number_text(which.speed) +
+      " m/s; xdot = A (x - x0) + B (u - u0)\n" + name + "case_name = " + matlab_text(which.name) + ";\n" +
+      name + "mast_deg = " + number_text(which.mast_deg) + ";\n" + name +
+      "speed_mps = " + number_text(which.speed) + ";\n" + name + "status = '" + which.status + "';\n";
   if (which.valid) {
     const int n = model.states;
     const int m = model.controls;
@@ -168,8 +175,9 @@ void LinearOutput::add_table(const LinearCase& which, const Model& model) {
   const auto cell = [](const std::string& text) {
     return std::string(text.size() < width ? width - text.size() : 1, ' ') + text;
   };
-  std::string text = (count_ > 0 ? "\n" : "") + std::string("mast ") + number_text(which.mast_deg, digits) +
-                     " deg, " + number_text(which.speed, digits) + " m/s: " + which.status + "\n";
+  std::string text = (count_ > 0 ? "\n" : "") + std::string("case ") + which.name + ": mast " +
+                     number_text(which.mast_deg) + " deg, " + number_text(which.speed) +
+                     " m/s: " + which.status + "\n";
   if (which.valid) {
     text += cell("state") + cell("unit") + cell("x0") + " |" +
             joined(model.states, "", [&](int j) { return cell(model.state_name(j)); }) + " |" +

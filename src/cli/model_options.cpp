@@ -7,6 +7,7 @@
 #include "cli/arguments.hpp"
 #include "cli/errors.hpp"
 #include "text/nearest.hpp"
+#include "tiltrotor/model/aircraft/aircraft_data.hpp"
 #include "tiltrotor/model/setup/blade_grid.hpp"
 #include "tiltrotor/model/variables/presets.hpp"
 
@@ -19,6 +20,7 @@ struct Switch {
   std::string values;  // as shown in the help
   const char* help;
   std::function<void(Options&, const std::string& value, const std::string& where)> set;
+  std::function<std::string(const Options&)> value;
 };
 
 // Words in the order of the enumerators.
@@ -27,9 +29,11 @@ Switch words(const char* name, Enum Options::*member, const std::vector<std::str
              const char* help) {
   std::string values;
   for (const std::string& choice : choices) values += (values.empty() ? "" : "|") + choice;
-  return {name, values, help, [=](Options& options, const std::string& value, const std::string& where) {
+  return {name, values, help,
+          [=](Options& options, const std::string& value, const std::string& where) {
             options.*member = static_cast<Enum>(place_of(value, choices, where));
-          }};
+          },
+          [=](const Options& options) { return choices[static_cast<std::size_t>(options.*member)]; }};
 }
 
 Switch on_off(const char* name, bool Options::*member, const char* help) {
@@ -37,7 +41,8 @@ Switch on_off(const char* name, bool Options::*member, const char* help) {
   return {name, is_on ? "on|off" : "off|on", help,
           [=](Options& options, const std::string& value, const std::string& where) {
             options.*member = place_of(value, {"off", "on"}, where) == 1;
-          }};
+          },
+          [=](const Options& options) { return options.*member ? "on" : "off"; }};
 }
 
 Switch number(const char* name, double Options::*member, double low, double high, const char* help) {
@@ -45,14 +50,16 @@ Switch number(const char* name, double Options::*member, double low, double high
   return {name, range_text(range), help,
           [=](Options& options, const std::string& value, const std::string& where) {
             options.*member = parse_number(value, where, range);
-          }};
+          },
+          [=](const Options& options) { return number_text(options.*member); }};
 }
 
 Switch whole(const char* name, int Options::*member, long low, long high, const char* help) {
   return {name, std::to_string(low) + ".." + std::to_string(high), help,
           [=](Options& options, const std::string& value, const std::string& where) {
             options.*member = static_cast<int>(parse_integer(value, where, low, high));
-          }};
+          },
+          [=](const Options& options) { return std::to_string(options.*member); }};
 }
 
 // Two stations or fewer cannot carry the first harmonics.
@@ -60,13 +67,12 @@ Switch azimuth_stations() {
   constexpr long fewest = 3;
   Switch s = whole("azimuth_stations", &Options::azimuth_stations, fewest, kMaxAzimuthStations,
                    "0: the grid's own number");
+  const std::string stated = "0 or " + s.values;
   s.values = "0|" + s.values;
-  s.set = [set = s.set](Options& options, const std::string& value, const std::string& where) {
-    if (value == "0") {
-      options.azimuth_stations = 0;
-    } else {
-      set(options, value, where);
-    }
+  s.set = [=](Options& options, const std::string& value, const std::string& where) {
+    const long stations = parse_integer(value, where, 0, kMaxAzimuthStations, stated);
+    if (stations != 0 && stations < fewest) refuse_integer(value, where, stated);
+    options.azimuth_stations = static_cast<int>(stations);
   };
   return s;
 }
@@ -145,6 +151,14 @@ std::string model_options_help() {
     line.resize(std::max(help_column, line.size() + 1), ' ');
     text += line + s.help + "\n";
   }
+  return text;
+}
+
+std::string model_text(const Options& options) {
+  const Options standard;
+  std::string text = aircraft_identity().name;
+  for (const Switch& s : switches())
+    if (s.value(options) != s.value(standard)) text += " " + s.name + "=" + s.value(options);
   return text;
 }
 

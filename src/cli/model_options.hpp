@@ -10,6 +10,10 @@ namespace tiltrotor::cli {
 // Every switch with its values, the default first; for help and messages.
 std::string model_options_help();
 
+// The aircraft and what differs from the defaults, "XV-15 grid=realtime": rows of states carry it in this column.
+inline constexpr const char* kModelColumn = "model";
+std::string model_text(const Options& options);
+
 // Throws UsageError "<where>: ..." for an unknown name or value.
 void set_model_option(Options& options, const std::string& name, const std::string& value,
                       const std::string& where);

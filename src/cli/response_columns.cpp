@@ -1,10 +1,14 @@
 #include "cli/response_columns.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "cli/derived_columns.hpp"
+#include "cli/flight_range.hpp"
+#include "cli/model_options.hpp"
 #include "cli/state_columns.hpp"
+#include "text/rounding.hpp"
 
 namespace tiltrotor::cli {
 
@@ -26,6 +30,11 @@ struct Column {
   double (*value)(Now);
 };
 
+// What a rate or velocity that is printed as 0 adds up to.
+double without_drift(double value, Now m) {
+  return without_rounding(value, kUsualTerms * std::max(1.0, current_time(m.simulation)));
+}
+
 const Column columns[] = {
     {"time_s", [](Now m) { return current_time(m.simulation); }},
     {"u_mps", [](Now m) { return m.x.velocity.x; }},
@@ -36,7 +45,7 @@ const Column columns[] = {
     {"r_degps", [](Now m) { return m.x.rates.z / radian; }},
     {"roll_deg", [](Now m) { return m.x.roll / radian; }},
     {"pitch_deg", [](Now m) { return m.x.pitch / radian; }},
-    {"yaw_deg", [](Now m) { return m.x.yaw / radian; }},
+    {"yaw_deg", [](Now m) { return without_drift(m.x.yaw / radian, m); }},
     {"speed_mps", [](Now m) { return airspeed(m.x, m.u); }},
     {"forward_speed_mps", [](Now m) { return forward_speed(m.x); }},
     {"climb_rate_mps", [](Now m) { return climb_rate(m.x); }},
@@ -65,6 +74,7 @@ std::vector<std::string> own_columns() {
 std::vector<std::string> response_columns(bool with_modes, const Options& options) {
   std::vector<std::string> names = own_columns();
   for (const std::string& name : completing_columns(own_columns(), options, true)) names.push_back(name);
+  names.insert(names.end(), {"limits", kModelColumn});
   for (int i = 1; with_modes && i <= shown_modes; ++i) {
     const std::string name = "mode" + std::to_string(i);
     names.insert(names.end(), {name, name + "_real", name + "_imag", name + "_branch"});
@@ -72,12 +82,22 @@ std::vector<std::string> response_columns(bool with_modes, const Options& option
   return names;
 }
 
-Row response_row(const Configuration<double>& c, const Simulation<double>& simulation) {
+Row response_row(const TrimmedFlight& flight, const Simulation<double>& simulation) {
   const Moment moment{simulation, simulation.state, current_controls(simulation)};
   Row row;
   for (const Column& column : columns) row.emplace_back(column.value(moment));
-  for (const std::string& name : completing_columns(own_columns(), c.setup.options, true))
-    row.emplace_back(completing_value(name, c, moment.x, moment.u));
+  const Options& options = flight.configuration.setup.options;
+  for (const std::string& name : completing_columns(own_columns(), options, true)) {
+    if (is_setting(name)) {
+      row.emplace_back(as_given(flight.setting(name)));
+      continue;
+    }
+    const double value = completing_value(name, moment.x, moment.u);
+    const bool is_position = name == "north_m" || name == "east_m" || name == "down_m";
+    row.emplace_back(is_position ? without_drift(value, moment) : value);
+  }
+  row.emplace_back(words_of(controls_beyond_stops(moment.u)));
+  row.emplace_back(model_text(options));
   return row;
 }
 

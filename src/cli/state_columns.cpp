@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "cli/flight_options.hpp"
+#include "cli/model_options.hpp"
 #include "cli/response_columns.hpp"
 #include "cli/trim_columns.hpp"
 #include "text/number.hpp"
@@ -114,6 +115,12 @@ constexpr SettingColumn setting_columns[] = {
      [](const FlightSetup<double>& s) { return s.sl_cg; }},
 };
 
+const SettingColumn* find_setting(const std::string& column) {
+  for (const SettingColumn& setting : setting_columns)
+    if (column == setting.name) return &setting;
+  return nullptr;
+}
+
 double unit_size(const std::string& unit) { return unit.compare(0, 3, "deg") == 0 ? kRadPerDeg<double> : 1; }
 
 std::string increment_column(int control) {
@@ -158,9 +165,8 @@ const std::vector<std::string>& derived_columns() {
 std::optional<Target> find_target(const std::string& column) {
   if (column.compare(0, 2, "d_") == 0) return Target{Target::Kind::rate};
   if (column == "case") return Target{Target::Kind::name};
-  for (const SettingColumn& setting : setting_columns) {
-    if (column == setting.name) return setting.target;
-  }
+  if (column == kModelColumn) return Target{Target::Kind::model};
+  if (const SettingColumn* const setting = find_setting(column)) return setting->target;
   for (int i = 0; i < state_count; ++i) {
     if (column == kStateVariables[i].name)
       return Target{Target::Kind::state, i, 1, 0, kStateVariables[i].unit()};
@@ -174,7 +180,7 @@ std::optional<Target> find_target(const std::string& column) {
 }
 
 std::vector<std::string> known_columns() {
-  std::vector<std::string> names = {"case"};
+  std::vector<std::string> names = {"case", kModelColumn};
   for (const SettingColumn& setting : setting_columns) names.emplace_back(setting.name);
   for (int i = 0; i < state_count; ++i)
     for (const std::string& name : state_columns(i)) names.push_back(name);
@@ -222,17 +228,20 @@ std::vector<std::string> completing_columns(const std::vector<std::string>& colu
   return missing;
 }
 
-double completing_value(const std::string& column, const Configuration<double>& c, const State<double>& x,
-                        const Controls<double>& u) {
+double completing_value(const std::string& column, const State<double>& x, const Controls<double>& u) {
   const Target target = *find_target(column);
   double states[state_count], controls[control_count];
   flatten(x, states);
   flatten(u, controls);
   if (target.kind == Target::Kind::state) return target.shown(states[target.index]);
-  if (target.kind == Target::Kind::control) return target.shown(controls[target.index]);
-  const auto setting = std::find_if(std::begin(setting_columns), std::end(setting_columns),
-                                    [&](const SettingColumn& s) { return column == s.name; });
-  return given_as(setting->value(c.setup), target.unit);
+  return target.shown(controls[target.index]);
+}
+
+bool is_setting(const std::string& column) { return find_setting(column) != nullptr; }
+
+double setting_value(const std::string& column, const FlightSetup<double>& setup) {
+  const SettingColumn& setting = *find_setting(column);
+  return given_as(setting.value(setup), setting.target.unit);
 }
 
 }  // namespace tiltrotor::cli

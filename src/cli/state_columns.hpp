@@ -21,6 +21,7 @@ struct Target {
     derived,
     rate,
     name,
+    model,
     mast,
     altitude,
     flap,
@@ -55,8 +56,11 @@ std::vector<int> needed_states(const Options& options);
 // beyond the inceptors that are not among them.
 std::vector<std::string> completing_columns(const std::vector<std::string>& columns, const Options& options,
                                             bool with_increments);
-// The number of such a column.
-double completing_value(const std::string& column, const Configuration<double>& c, const State<double>& x,
-                        const Controls<double>& u);
+// The number of such a column, none of settings.
+double completing_value(const std::string& column, const State<double>& x, const Controls<double>& u);
+
+// A setting, in the unit of its column.
+bool is_setting(const std::string& column);
+double setting_value(const std::string& column, const FlightSetup<double>& setup);
 
 }  // namespace tiltrotor::cli

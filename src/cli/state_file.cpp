@@ -122,7 +122,8 @@ std::string StateFile::cell(const std::string& column) const {
 Range StateFile::range_of(std::size_t column) const {
   const Target& target = targets_[column];
   const auto between = [&](double low, double high) {
-    return Range{target.shown(low), target.shown(high), target.unit_name};
+    return Range{given_as(low, target.unit) + target.zero, given_as(high, target.unit) + target.zero,
+                 target.unit_name};
   };
   switch (target.kind) {
     case Target::Kind::mast:
@@ -192,8 +193,10 @@ void StateFile::read_row(std::size_t number, StateRow& row) {
     if (target.kind == Target::Kind::rate) continue;
     double value = std::numeric_limits<double>::quiet_NaN();
     const bool is_number = read_number(text, value);
-    if (target.kind == Target::Kind::name || target.kind == Target::Kind::derived) {
+    if (target.kind == Target::Kind::name || target.kind == Target::Kind::model ||
+        target.kind == Target::Kind::derived) {
       if (target.kind == Target::Kind::name && !text.empty()) row.name = text;
+      if (target.kind == Target::Kind::model) row.model = text;
       const bool repeats_number = target.kind == Target::Kind::derived && (is_number || text.empty());
       row.cells.emplace_back(repeats_number ? Cell(Quotation{text, value}) : Cell(text));
       continue;

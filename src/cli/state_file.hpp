@@ -21,7 +21,8 @@ namespace tiltrotor::cli {
 
 struct StateRow {
   std::size_t line = 0;
-  std::string name;  // of the column `case`, else the number of the row from 0
+  std::string name;   // of the column `case`, else the number of the row from 0
+  std::string model;  // model_text() of who made it; empty where the file does not say
   // Where the file has their columns; SI but for the flap.
   std::optional<double> mast_deg, altitude, flap_deg, rotor_speed, mass, sl_cg;
   State<double> state{};

@@ -4,6 +4,7 @@
 
 #include "cli/derived_columns.hpp"
 #include "cli/errors.hpp"
+#include "cli/model_options.hpp"
 
 namespace tiltrotor::cli {
 
@@ -38,13 +39,14 @@ OptionList states_option() {
        "units, radians, inches from neutral; or as trim and respond print.\n"
        "Optional: case, mast_deg, altitude_m, flap_deg, rotor_rpm,\n"
        "mass_kg, cg_sl_in; what follows from these (speed_mps,\nalpha_deg, ...) must agree with them; loads, "
-       "status, d_* are\nnot read; --grid and --option must be those the file was\nmade with"}};
+       "status, d_* are\nnot read; another `model` than --grid, --tables and --option\nchoose is told on stderr"}};
 }
 
 GivenStates::GivenStates(const Arguments& arguments, const SetupOptions& setup)
     : setup_(setup),
       mast_deg_(arguments.number("--mast", 0, kMastRange)),
-      file_(path_of_states(arguments), setup.switches()) {
+      file_(path_of_states(arguments), setup.switches()),
+      model_(model_text(setup.switches())) {
   for (const char* name : {"--speed", "--climb", "--sideslip", "--turn-rate"}) {
     if (arguments.given(name)) throw UsageError(arguments.where(name) + ": cannot be combined with --states");
   }
@@ -58,6 +60,7 @@ int GivenStates::each(const Shard& shard, const Visit& visit) {
   int exit_status = exit_success;
   file_.each(shard.begin(file_.size()), shard.end(file_.size()), [&](StateRow& row) {
     const Configuration<double> c = configuration(row);
+    compare_models(row);
     if (row.fault.empty()) row.fault = contradiction(row, file_, c);
     if (!row.fault.empty()) {
       std::fprintf(stderr, "tiltrotor: %s:%zu: %s\n", file_.path().c_str(), row.line, row.fault.c_str());
@@ -67,6 +70,17 @@ int GivenStates::each(const Shard& shard, const Visit& visit) {
     if (visited != exit_success) exit_status = visited;
   });
   return exit_status;
+}
+
+// A line for the rows of one other model.
+void GivenStates::compare_models(const StateRow& row) {
+  if (row.model.empty() || row.model == model_ || row.model == told_) return;
+  told_ = row.model;
+  std::fprintf(
+      stderr,
+      "tiltrotor: %s:%zu: made with another model, '%s'; computed with '%s', which --grid, --tables and "
+      "--option choose\n",
+      file_.path().c_str(), row.line, row.model.c_str(), model_.c_str());
 }
 
 Configuration<double> GivenStates::configuration(const StateRow& row) const {

@@ -23,10 +23,13 @@ class GivenStates {
 
  private:
   Configuration<double> configuration(const StateRow& row) const;
+  void compare_models(const StateRow& row);
 
   const SetupOptions& setup_;
   double mast_deg_;
   StateFile file_;
+  std::string model_;  // that the options choose
+  std::string told_;   // another, of rows before
 };
 
 }  // namespace tiltrotor::cli

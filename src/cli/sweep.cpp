@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "cli/errors.hpp"
+#include "text/nearest.hpp"
 
 namespace tiltrotor::cli {
 
@@ -37,6 +38,9 @@ double to_decimals(double value, int decimals) {
 
 void append_range(const std::vector<std::string>& parts, const std::string& text, const std::string& where,
                   const Range& range, std::vector<double>& values) {
+  for (const std::string& part : parts)
+    if (part.empty())
+      throw UsageError(where + ": '' is not a number; a part of " + quoted(text) + " is empty");
   const double from = parse_number(parts[0], where, range);
   const double step = parse_number(parts[1], where);
   const double to = parse_number(parts[2], where, range);
@@ -62,6 +66,8 @@ void append_range(const std::vector<std::string>& parts, const std::string& text
 std::vector<double> parse_sweep(std::string_view text, const std::string& where, const Range& range) {
   std::vector<double> values;
   for (const std::string& item : split(text, ',')) {
+    if (item.empty() && !text.empty())
+      throw UsageError(where + ": '' is not a number; an item of " + quoted(text) + " is empty");
     const std::vector<std::string> parts = split(item, ':');
     if (parts.size() == 1) {
       values.push_back(parse_number(item, where, range));

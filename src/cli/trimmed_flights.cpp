@@ -1,6 +1,7 @@
 #include "cli/trimmed_flights.hpp"
 
 #include "cli/errors.hpp"
+#include "cli/state_columns.hpp"
 #include "text/progress.hpp"
 
 namespace tiltrotor::cli {
@@ -14,6 +15,10 @@ std::string explanation(const TrimResult<double>& trim) {
 }
 
 }  // namespace
+
+double TrimmedFlight::setting(const std::string& column) const {
+  return setup->given(column).value_or(setting_value(column, configuration.setup));
+}
 
 std::string flight_text(const std::string& command, double mast_deg, double speed) {
   return command + ": mast " + number_text(mast_deg, 6) + " deg, " + number_text(speed, 6) + " m/s";
@@ -36,7 +41,11 @@ int for_each_trim(const Arguments& arguments, const std::vector<SetupOptions>& s
     trimmed.connects = i > first && connected && connected(cases[i - 1], cases[i]);
     trimmed.mast_deg = cases[i].mast_deg;
     trimmed.flight = cases[i].flight;
+    trimmed.climb_deg = cases[i].climb_deg;
+    trimmed.sideslip_deg = cases[i].sideslip_deg;
+    trimmed.turn_rate_degps = cases[i].turn_rate_degps;
     const SetupOptions& setup = setups[cases[i].setup];
+    trimmed.setup = &setup;
     trimmed.configuration = setup.configuration(trimmed.mast_deg);
     trimmed.where = flight_text(arguments.command(), trimmed.mast_deg, trimmed.flight.speed) + setup.text();
     const TrimStatus status = trim(trimmed.configuration, trimmed.flight, work, trimmed.trim);

@@ -16,8 +16,13 @@ struct TrimmedFlight {
   std::string where;    // beginning of a message: "trim: mast 30 deg, 10 m/s, 3000 m"
   double mast_deg;
   SteadyFlight<double> flight;
+  double climb_deg, sideslip_deg, turn_rate_degps;  // of the flight, as given
+  const SetupOptions* setup;
   Configuration<double> configuration;
   TrimResult<double> trim;
+
+  // A setting as it was given, or that of the aircraft; the name of its column.
+  double setting(const std::string& column) const;
 };
 
 // Whether a flight continues another, so that something is carried from one to the next. A shard then begins

@@ -46,8 +46,8 @@ TILTROTOR_NOINLINE bool in_bound(int state, R x) { return std::fabs(x) <= state_
 bool in_bounds(const tr_state& state) {
   for (int i = 0; i < TR_STATES; ++i)
     if (!in_bound(i, state.x[i])) return false;
-  for (const R u : state.u)
-    if (!(std::fabs(u) <= kLargestControl<R>)) return false;
+  for (int j = 0; j < TR_CONTROLS; ++j)
+    if (!(std::fabs(state.u[j]) <= largest_stored(aircraft_data<R>(), j))) return false;
   return state.time_s >= 0 && state.time_s <= kLongestFlight && state.steps <= kMostSteps;
 }
 
@@ -151,7 +151,7 @@ namespace tiltrotor::c_interface::checked {
 
 tr_status tr_default_setup(tr_setup* setup, uint32_t version, int32_t aircraft, tr_real mast_deg) {
   if (version != TR_API_VERSION) return TR_WRONG_VERSION;
-  if (!rounds_once_to_nearest<R>()) return TR_BAD_ARITHMETIC;
+  if (!is_ieee_arithmetic<R>()) return TR_BAD_ARITHMETIC;
   if (setup == nullptr || !compiled_in(aircraft)) return TR_BAD_ARGUMENT;
   if (!mast_in_range(mast_deg)) return TR_OUT_OF_RANGE;
   const FlightSetup<R> defaults = flight_setup(aircraft_data<R>(), mast_deg);
@@ -182,7 +182,7 @@ tr_status tr_init(tr_sim* sim, uint32_t version, const tr_setup* setup) {
 tr_status tr_check_setup(const tr_setup* setup, uint32_t version, char* text, size_t length) {
   if (text != nullptr && length > 0) text[0] = '\0';
   if (version != TR_API_VERSION) return TR_WRONG_VERSION;
-  if (!rounds_once_to_nearest<R>()) return TR_BAD_ARITHMETIC;
+  if (!is_ieee_arithmetic<R>()) return TR_BAD_ARITHMETIC;
   if (setup == nullptr || (text == nullptr && length > 0)) return TR_BAD_ARGUMENT;
   FlightSetup<R> wanted{};
   const tr_status possible = wanted_setup(*setup, wanted);
@@ -256,15 +256,15 @@ tr_status tr_get_outputs(const tr_sim* sim, tr_outputs* outputs) {
   const R airspeed = std::sqrt(dot(v, v));
   o.time_s = s.time;
   o.airspeed_mps = airspeed;
-  o.angle_of_attack_rad = airspeed > R(0) ? atan2(v.z, v.x) : R(0);
-  o.sideslip_rad = airspeed > R(0) ? atan2(v.y, std::sqrt(v.x * v.x + v.z * v.z)) : R(0);
+  o.angle_of_attack_rad = airspeed >= kLeastSpeed<R> ? atan2(v.z, v.x) : R(0);
+  o.sideslip_rad = airspeed >= kLeastSpeed<R> ? atan2(v.y, std::sqrt(v.x * v.x + v.z * v.z)) : R(0);
   Vec3<R> force{};
   for (const Loads<R>& loads : e.loads.component) force = force + loads.force;
-  const R per_mass = R(1) / c.mass.mass;
-  o.specific_force_mps2[0] = force.x * per_mass;
-  o.specific_force_mps2[1] = force.y * per_mass;
-  o.specific_force_mps2[2] = force.z * per_mass;
-  o.load_factor = -(force.z * per_mass) / kGravity<R>;
+  const Vec3<R> specific = (R(1) / c.mass.mass) * force;
+  o.specific_force_mps2[0] = specific.x;
+  o.specific_force_mps2[1] = specific.y;
+  o.specific_force_mps2[2] = specific.z;
+  o.load_factor = load_factor(specific, v);
   o.climb_rate_mps = -e.rates.position.z;
   for (int side = 0; side < 2; ++side) {
     const RotorLoads<R>& rotor = e.rotor[side].loads;

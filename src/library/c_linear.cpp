@@ -92,7 +92,7 @@ tr_status tr_eigenvalues(tr_work* work, const tr_real* a, size_t n, tr_real* rea
   if (work == nullptr || a == nullptr || real == nullptr || imag == nullptr) return TR_BAD_ARGUMENT;
   if (n < 1 || n > kMaxLinearStates) return TR_BAD_ARGUMENT;
   if (length < n) return TR_SHORT_BUFFER;
-  if (!rounds_once_to_nearest<R>()) return TR_BAD_ARITHMETIC;
+  if (!is_ieee_arithmetic<R>()) return TR_BAD_ARITHMETIC;
   EigenCallWorkspace& call = workspace_in<EigenCallWorkspace>(work);
   const int order = static_cast<int>(n);
   set_zero(call.a);
@@ -113,7 +113,7 @@ tr_status tr_modes(tr_work* work, const tr_linear_shape* shape, const tr_real* a
     return TR_BAD_ARGUMENT;
   if (!plausible(*shape)) return TR_BAD_ARGUMENT;
   if (a_length < entries(shape->states, shape->states)) return TR_SHORT_BUFFER;
-  if (!rounds_once_to_nearest<R>()) return TR_BAD_ARITHMETIC;
+  if (!is_ieee_arithmetic<R>()) return TR_BAD_ARITHMETIC;
   ModesCallWorkspace& call = workspace_in<ModesCallWorkspace>(work);
   LinearModel<R>& model = call.model;
   clear(model);

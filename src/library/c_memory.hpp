@@ -92,7 +92,7 @@ inline const Sim* opened(const tr_sim* sim) {
 
 inline tr_status check(const tr_sim* sim) {
   if (sim == nullptr) return TR_BAD_ARGUMENT;
-  if (!rounds_once_to_nearest<R>()) return TR_BAD_ARITHMETIC;
+  if (!is_ieee_arithmetic<R>()) return TR_BAD_ARITHMETIC;
   return opened(sim)->mark == kMark ? TR_OK : TR_NOT_INITIALIZED;
 }
 

@@ -87,7 +87,7 @@ constexpr StatusWords kWords[] = {
     {"rotor_stall", "no trim: the rotors stall before the weight is carried"},
     {"damaged", "not the bytes of a saved aircraft, or changed since they were saved"},
     {"bad_arithmetic",
-     "the processor does not round to nearest, or lacks instructions of the compiled library"},
+     "the processor does not round to nearest, flushes small numbers to zero, or lacks instructions of the library"},
     {"vortex_ring", "trimmed, but a rotor descends in its own wake"},
     {"power_limit", "trimmed, but the rotors need more than take-off power, or drive the engines"},
     {"torque_limit", "trimmed, but a mast carries more than its largest steady torque"},

@@ -50,6 +50,10 @@ inline const char* begin_file(std::string& first_line) {
   const std::string_view two = std::string_view(first_line).substr(0, 2);
   if (two == "\xff\xfe" || two == "\xfe\xff") return "the file is UTF-16; save it as UTF-8";
   if (first_line.compare(0, 3, "\xef\xbb\xbf") == 0) first_line.erase(0, 3);
+  const std::string_view text = trimmed(first_line);
+  if (!text.empty() && (text[0] == '{' || text[0] == '[')) return "the file is JSON; CSV is read";
+  if (text.find('\r') != std::string_view::npos)
+    return "the lines end with CR alone; end them with LF or CRLF";
   return nullptr;
 }
 

@@ -31,22 +31,30 @@ std::string number_text(double value, int digits) {
 
 std::string range_text(const Range& range) {
   const std::string unit = range.unit;
-  constexpr int digits = 6;
-  return number_text(range.low, digits) + ".." + number_text(range.high, digits) + (unit.empty() ? "" : " ") +
-         unit;
+  return number_text(range.low) + ".." + number_text(range.high) + (unit.empty() ? "" : " ") + unit;
 }
 
 namespace {
 
+// What ends a message about a list or range where one number belongs.
+const char* one_number(std::string_view text) {
+  const bool of_numbers = text.find_first_not_of("0123456789+-.eE,: ") == std::string_view::npos;
+  if (of_numbers && text.find(':') != std::string_view::npos) return "; one value, not a range";
+  if (of_numbers && text.find(',') != std::string_view::npos) return "; one value, not a list";
+  return "";
+}
+
 // `hint` ends the message.
 double parse_finite(std::string_view text, const std::string& where, const std::string& hint) {
-  const auto refuse = [&](const char* what) { throw UsageError(where + ": " + quoted(text) + what + hint); };
+  const auto refuse = [&](const std::string& what) { throw UsageError(where + ": " + quoted(text) + what); };
   const std::string_view digits = without_plus(text);
   double value = 0;
   const std::from_chars_result result = std::from_chars(digits.data(), digits.data() + digits.size(), value);
-  if (result.ec == std::errc::result_out_of_range) refuse(" is beyond the range of floating-point numbers");
-  if (result.ec != std::errc() || result.ptr != digits.data() + digits.size()) refuse(" is not a number");
-  if (!std::isfinite(value)) refuse(" is not a finite number");
+  if (result.ec == std::errc::result_out_of_range)
+    refuse(" is beyond the range of floating-point numbers" + hint);
+  if (result.ec != std::errc() || result.ptr != digits.data() + digits.size())
+    refuse(" is not a number" + hint + one_number(text));
+  if (!std::isfinite(value)) refuse(" is not a finite number" + hint);
   return value;
 }
 
@@ -79,16 +87,19 @@ double given_as(double value, double unit) {
   return read_number(number_text(quotient, digits), round) && round * unit == value ? round : quotient;
 }
 
-long parse_integer(std::string_view text, const std::string& where, long low, long high) {
+long parse_integer(std::string_view text, const std::string& where, long low, long high,
+                   const std::string& stated) {
+  const std::string range = stated.empty() ? std::to_string(low) + ".." + std::to_string(high) : stated;
   const std::string_view digits = without_plus(text);
   long value = 0;
   const std::from_chars_result result = std::from_chars(digits.data(), digits.data() + digits.size(), value);
   const bool complete = result.ec == std::errc() && result.ptr == digits.data() + digits.size();
-  if (!complete || value < low || value > high) {
-    throw UsageError(where + ": " + quoted(text) + " is not a whole number in " + std::to_string(low) + ".." +
-                     std::to_string(high));
-  }
+  if (!complete || value < low || value > high) refuse_integer(text, where, range);
   return value;
+}
+
+void refuse_integer(std::string_view text, const std::string& where, const std::string& range) {
+  throw UsageError(where + ": " + quoted(text) + " is not a whole number in " + range + one_number(text));
 }
 
 }  // namespace tiltrotor::text

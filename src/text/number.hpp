@@ -33,6 +33,9 @@ double parse_number(std::string_view text, const std::string& where, const Range
 void require_within(double value, std::string_view text, const std::string& where, const Range& range);
 // The same without a message: whether the text is a finite number.
 bool read_number(std::string_view text, double& value);
-long parse_integer(std::string_view text, const std::string& where, long low, long high);
+// `stated`: the range as the message says it, where low..high is not all of it.
+long parse_integer(std::string_view text, const std::string& where, long low, long high,
+                   const std::string& stated = "");
+[[noreturn]] void refuse_integer(std::string_view text, const std::string& where, const std::string& range);
 
 }  // namespace tiltrotor::text

@@ -42,6 +42,8 @@ std::vector<std::string> row_texts(const Row& row, int digits) {
 
 }  // namespace
 
+Quotation as_given(double value) { return {number_text(value), value}; }
+
 std::string csv_cell(const std::string& text) {
   if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
   std::string out = "\"";

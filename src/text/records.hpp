@@ -11,11 +11,14 @@ namespace tiltrotor::text {
 
 enum class Format { table, csv, json };
 
-// A number of an input file: repeated as it was written there.
+// A number of the user's: repeated as it was written.
 struct Quotation {
   std::string text;
   double value;
 };
+
+// A number that the user gave, with all the digits he gave.
+Quotation as_given(double value);
 
 // A number that is not finite is an empty cell (null in JSON).
 using Cell = std::variant<double, std::string, Quotation>;

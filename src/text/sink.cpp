@@ -1,5 +1,7 @@
 #include "text/sink.hpp"
 
+#include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -41,11 +43,19 @@ class SignalsWait {
   sigset_t before_;
 };
 
-std::FILE* open_unfinished(const std::string& path) {
+// With owner and mode of the file that it will replace, where there is one and as far as the system allows.
+std::FILE* open_unfinished(const std::string& path, const std::string& replaced) {
   const SignalsWait wait;
-  std::FILE* const file = std::fopen(path.c_str(), "wb");
-  if (file != nullptr) unfinished_files.push_back(path);
-  return file;
+  struct stat old = {};
+  const bool replaces = stat(replaced.c_str(), &old) == 0;
+  const int file = open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, replaces ? 0600 : 0666);
+  if (file < 0) return nullptr;
+  unfinished_files.push_back(path);
+  if (replaces) {
+    const bool is_owner = fchown(file, old.st_uid, old.st_gid) == 0;
+    (void)fchmod(file, old.st_mode & (is_owner ? 07777 : 0777));
+  }
+  return fdopen(file, "wb");
 }
 
 // Gives the file its name, or removes it when `name` is empty or cannot be given; errno tells why.
@@ -101,7 +111,7 @@ Sink::Sink(const std::string& path, const std::string& where) : path_(path), fil
   if (!std::filesystem::is_other(existing)) temporary_path_ = temporary_name(path_);
   if (std::count(unfinished_files.begin(), unfinished_files.end(), temporary_path_) > 0)
     throw UsageError(where + ": " + path + " is written twice in one run");
-  file_ = temporary_path_.empty() ? std::fopen(path_.c_str(), "wb") : open_unfinished(temporary_path_);
+  file_ = temporary_path_.empty() ? std::fopen(path_.c_str(), "wb") : open_unfinished(temporary_path_, path_);
   if (file_ == nullptr) throw UsageError(where + ": cannot write " + path + ": " + reason());
 }
 

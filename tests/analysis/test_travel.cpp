@@ -141,6 +141,6 @@ TEST(trim_with_a_gust_is_steady) {
     flight.gust.y = wild;
     const TrimStatus refused = std::isfinite(wild) ? TrimStatus::out_of_range : TrimStatus::not_finite;
     CHECK(trim(c, flight, work, windy) == refused);
-    CHECK(contains(explanation(windy), "gust must be within 100 m/s"));
+    CHECK(contains(explanation(windy), "gust must be within 50 m/s"));
   }
 }

@@ -1,7 +1,11 @@
-// Arithmetic other than assumed is found when it is met: by the rounding modes of the C library,
-// fesetround().
-// Expected: the rounding modes of fenv.h.
+// Arithmetic other than assumed is found when it is met: the rounding modes of the C library, fesetround(), and
+// the modes of the processor that take the smallest numbers for zero.
+// Expected: the rounding modes of fenv.h; the control registers of x86 and AArch64.
 #include <cfenv>
+#include <vector>
+#ifdef __SSE2__
+#include <xmmintrin.h>
+#endif
 
 #include "check.hpp"
 #include "tiltrotor/model/aircraft/aircraft_data.hpp"
@@ -24,11 +28,39 @@ class Rounding {
 
 constexpr int kModes[] = {FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO};
 
+// Bits of the control register: flush-to-zero, denormals-are-zero.
+#ifdef __SSE2__
+const std::vector<unsigned> kSmallModes = {0x8000, 0x0040, 0x8040};
+unsigned long control() { return _mm_getcsr(); }
+void set_control(unsigned long bits) { _mm_setcsr(static_cast<unsigned>(bits)); }
+#elif defined(__aarch64__)
+const std::vector<unsigned> kSmallModes = {1u << 24};
+unsigned long control() {
+  unsigned long bits;
+  asm volatile("mrs %0, fpcr" : "=r"(bits));
+  return bits;
+}
+void set_control(unsigned long bits) { asm volatile("msr fpcr, %0" : : "r"(bits)); }
+#else
+const std::vector<unsigned> kSmallModes;
+unsigned long control() { return 0; }
+void set_control(unsigned long) {}
+#endif
+
+class SmallNumbersAreZero {
+ public:
+  explicit SmallNumbersAreZero(unsigned bits) : before_(control()) { set_control(before_ | bits); }
+  ~SmallNumbersAreZero() { set_control(before_); }
+
+ private:
+  unsigned long before_;
+};
+
 }  // namespace
 
 TEST(arithmetic_to_nearest_is_accepted) {
-  CHECK(rounds_once_to_nearest<double>());
-  CHECK(rounds_once_to_nearest<float>());
+  CHECK(is_ieee_arithmetic<double>());
+  CHECK(is_ieee_arithmetic<float>());
 }
 
 TEST(arithmetic_other_rounding_is_found_by_prepare) {
@@ -80,4 +112,37 @@ TEST(arithmetic_other_rounding_is_found_by_every_call_that_computes) {
     for (const tr_status status : found) CHECK_EQ(status, TR_BAD_ARITHMETIC);
   }
   CHECK_EQ(tr_step(&sim, &work, static_cast<tr_real>(0.005)), TR_OK);
+}
+
+TEST(arithmetic_that_loses_small_numbers_is_found) {
+  static Configuration<double> c;
+  static Configuration<float> f;
+  static tr_sim sim;
+  static tr_work work;
+  tr_setup setup;
+  tr_flight flight{};
+  flight.speed_mps = 40;
+  CHECK_EQ(tr_default_setup(&setup, TR_API_VERSION, tr_aircraft_at(0), 0), TR_OK);
+  CHECK_EQ(tr_init(&sim, TR_API_VERSION, &setup), TR_OK);
+  CHECK_EQ(tr_trim(&sim, &work, &flight, nullptr), TR_OK);
+  const FlightSetup<double> wanted = flight_setup(aircraft_data<double>(), 30.0);
+  const FlightSetup<float> wanted_float = flight_setup(aircraft_data<float>(), 30.0f);
+  for (const unsigned bits : kSmallModes) {
+    Status status, status_float;
+    tr_status step, trimmed, initialised;
+    {
+      const SmallNumbersAreZero mode(bits);
+      status = prepare(aircraft_data<double>(), wanted, c);
+      status_float = prepare(aircraft_data<float>(), wanted_float, f);
+      step = tr_step(&sim, &work, static_cast<tr_real>(0.005));
+      trimmed = tr_trim(&sim, &work, &flight, nullptr);
+      initialised = tr_init(&sim, TR_API_VERSION, &setup);
+    }
+    CHECK(status == Status::bad_arithmetic);
+    CHECK(status_float == Status::bad_arithmetic);
+    CHECK_EQ(step, TR_BAD_ARITHMETIC);
+    CHECK_EQ(trimmed, TR_BAD_ARITHMETIC);
+    CHECK_EQ(initialised, TR_BAD_ARITHMETIC);
+  }
+  CHECK_EQ(tr_init(&sim, TR_API_VERSION, &setup), TR_OK);
 }

@@ -126,6 +126,34 @@ TEST(build_every_header_refuses_other_arithmetic) {
   }
 }
 
+// What no macro tells is found in samples when the program runs; a constant in single precision by the compiler.
+TEST(build_other_arithmetic_is_found_at_run_time) {
+  if (!is_native()) return;
+  const Room room;
+  const std::string source =
+      "printf '#include <tiltrotor/math/arithmetic.hpp>\\nint main() { using namespace "
+      "tiltrotor; return is_ieee_arithmetic<double>() && is_ieee_arithmetic<float>(); }\\n' ";
+  const auto accepts = [&](const std::string& compiler, const std::string& flags) {
+    const std::string command = source + "| " + compiler + " -std=c++17 -I" + quoted(source_path("include")) +
+                                " -ffp-contract=off " + flags + " -x c++ - -o probe 2>/dev/null";
+    return room.run(command).exit_status == 0 ? room.run("./probe").exit_status : -1;
+  };
+  for (const std::string compiler : {TILTROTOR_CXX, "g++", "clang++"}) {
+    const std::string program = compiler.substr(compiler.rfind(' ') + 1);
+    if (!has(program)) continue;
+    const bool clang = run_program(program + " --version").out.find("clang") != std::string::npos;
+    for (const char* plain : {"-O0", "-O1", "-O2", "-O3"}) CHECK_EQ(accepts(program, plain), 1);
+    for (const std::string level : {"-O1 ", "-O2 ", "-O3 "}) {
+      for (const std::string flags : {"-fno-signed-zeros", "-freciprocal-math",
+                                      "-fassociative-math -fno-signed-zeros -fno-trapping-math",
+                                      "-funsafe-math-optimizations", "-ffinite-math-only", "-ffast-math"})
+        if (!CHECK(accepts(program, level + flags) != 1)) NOTE(program << " " << level << flags);
+      if (clang && !CHECK_EQ(accepts(program, level + "-fno-honor-nans"), 0)) NOTE(program << " " << level);
+    }
+    if (!clang) CHECK_EQ(accepts(program, "-fsingle-precision-constant"), -1);
+  }
+}
+
 TEST(build_precision_is_in_the_names) {
   if (!is_native()) return;
   const Room room;

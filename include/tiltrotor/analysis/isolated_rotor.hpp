@@ -73,9 +73,10 @@ RotorFigures<R> figures(const Configuration<R>& c, const RotorFlow<R>& flow, con
   f.axial_ratio = flow.axial / c.tip_speed;
   f.advance_ratio = flow.in_plane / c.tip_speed;
   const R ct = f.thrust_coefficient;
-  const bool hovers = flow.axial == R(0) && flow.in_plane == R(0) && ct > R(0) && f.power > R(0);
+  const bool at_rest = std::fabs(flow.axial) < kLeastSpeed<R> && std::fabs(flow.in_plane) < kLeastSpeed<R>;
+  const bool hovers = at_rest && ct > R(0) && f.power > R(0);
   f.figure_of_merit = hovers ? ct * std::sqrt(R(0.5) * ct) / f.power_coefficient : not_defined;
-  const bool propels = flow.axial > R(0) && f.thrust > R(0) && f.power > R(0);
+  const bool propels = flow.axial >= kLeastSpeed<R> && f.thrust > R(0) && f.power > R(0);
   f.efficiency = propels ? f.thrust * flow.axial / f.power : not_defined;
   return f;
 }

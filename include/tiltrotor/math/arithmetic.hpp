@@ -1,14 +1,20 @@
-// The arithmetic that every promise of this library rests on: each operation rounds once, to nearest, and is
-// done as written. Compiled otherwise, the same formulas give other numbers without a word.
+// The arithmetic that every promise of this library rests on: each operation rounds once, to nearest, keeps the
+// smallest numbers, and is done as written. Compiled otherwise, the same formulas give other numbers without a
+// word.
 //
 // Refused here, when compiled: -ffast-math and each of its parts that the compiler tells (g++ all that change
-// values, clang++ -ffast-math and -ffinite-math-only), and excess precision (x87).
-// Told by no macro of g++ or clang++, hence looked for at run time by prepare(): fused multiply-add (g++
-// fuses wherever the processor can unless told -ffp-contract=off, which `pkg-config --cflags tiltrotor`
-// does), and the processor's rounding mode. Not looked for: flush-to-zero, which acts on numbers below 1.2e-38
-// in single and 2.3e-308 in double precision only.
+// values, clang++ -ffast-math and -ffinite-math-only), constants cut to single precision, and excess precision
+// (x87).
+// Told by no macro of g++ or clang++, hence looked for at run time by prepare(), in what the optimiser made of
+// samples: fused multiply-add (g++ fuses wherever the processor can unless told -ffp-contract=off, which
+// `pkg-config --cflags tiltrotor` does), the other parts of -ffast-math of clang++ (-fassociative-math,
+// -freciprocal-math, -fno-signed-zeros, -fno-honor-nans), and the processor's modes: rounding, flush-to-zero and
+// denormals-are-zero.
+// What cannot be found: -fapprox-func and -fno-honor-infinities of clang++ where they change no sample, and a
+// sample that the linker took from another file of the program, compiled with other flags.
 #pragma once
 
+#include <cmath>
 #include <limits>
 
 // __GCC_IEC_559 tells of every part, but is 0 as well where a processor computes only single precision.
@@ -31,13 +37,16 @@
 
 namespace tiltrotor {
 
-// False where a rounding mode other than to nearest, a second rounding or a fused multiply-add is found.
-// Cost: 4 additions, 1 multiplication.
+static_assert(0.1 - static_cast<double>(0.1f) != 0,
+              "tiltrotor needs constants in double precision: compile without -fsingle-precision-constant");
+
+namespace arithmetic_detail {
+
+// Volatile: neither the operations nor their order may be anticipated. Operands are copied to plain numbers where
+// the optimiser shall do with them what it does everywhere.
 template <class R>
 bool rounds_once_to_nearest() {
-  static_assert(std::numeric_limits<R>::is_iec559 && std::numeric_limits<R>::radix == 2);
   constexpr R step = std::numeric_limits<R>::epsilon();
-  // Volatile: neither the operations nor their order may be anticipated.
   volatile const R one = R(1);
   volatile const R half = step / 2;                               // a tie, goes to the even number: 1
   volatile const R more = step / 2 * (R(1) + R(1) / R(1 << 12));  // above the tie, unless rounded twice
@@ -49,6 +58,39 @@ bool rounds_once_to_nearest() {
   const R a = factor;
   volatile const R rest = a * a - square;
   return tie == R(1) && up == R(1) + step && down == -(R(1) + step) && rest == R(0);
+}
+
+template <class R>
+bool computes_as_written() {
+  volatile const R given[] = {R(1), std::numeric_limits<R>::epsilon() / 2, R(-0.0),
+                              R(5), std::numeric_limits<R>::quiet_NaN(),   R(2)};
+  const R one = given[0], small = given[1], zero = given[2], five = given[3], none = given[4], two = given[5];
+  volatile const R three = R(3);
+  volatile const R dividend = five;
+  volatile const R associated = (one + small) - one;  // `small` where the ones cancel first
+  volatile const R sum = zero + R(0);                 // -0 where the sign of zero does not matter
+  volatile const R quotient = five / R(3);            // another number as 5 times the rounded 1/3
+  volatile const bool equal = none == none;
+  volatile const R root = std::sqrt(two);
+  return associated == R(0) && !std::signbit(static_cast<R>(sum)) && quotient == dividend / three && !equal &&
+         root == R(1.41421356237309504880L);
+}
+
+template <class R>
+bool keeps_small_numbers() {
+  volatile const R least_normal = std::numeric_limits<R>::min();
+  volatile const R smaller = least_normal / 2;
+  return smaller * 2 == least_normal;
+}
+
+}  // namespace arithmetic_detail
+
+// False where the arithmetic is not as above. Cost: about 20 operations, two of them divisions.
+template <class R>
+bool is_ieee_arithmetic() {
+  static_assert(std::numeric_limits<R>::is_iec559 && std::numeric_limits<R>::radix == 2);
+  using namespace arithmetic_detail;
+  return rounds_once_to_nearest<R>() && computes_as_written<R>() && keeps_small_numbers<R>();
 }
 
 }  // namespace tiltrotor

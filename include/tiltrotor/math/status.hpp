@@ -28,7 +28,8 @@ inline constexpr Row kStatusTable[] = {
     {"not_finite", "a NaN or an infinity was met in the input or arose in the computation"},
     {"out_of_range", "an input lies outside the range for which the model is defined"},
     {"bad_argument", "an argument contradicts the function's contract, for example a size"},
-    {"bad_arithmetic", "the processor or the compiled code does not round every operation once, to nearest"},
+    {"bad_arithmetic",
+     "the processor or the compiled code does not compute as IEEE 754 has it (math/arithmetic.hpp)"},
     {"vortex_ring", "the rotor descends in its own wake"},
 };
 

@@ -8,13 +8,13 @@
 namespace tiltrotor {
 
 // Prepare a configuration. Status out_of_range (and `c` unusable) when a setting lies outside its range, which
-// first_out_of_range() names; bad_arithmetic when this code or the processor does not round as arithmetic.hpp
-// says.
+// first_out_of_range() names; bad_arithmetic when this code or the processor does not compute as
+// arithmetic.hpp says.
 // Cost: about one derivative; with the radial shape of the inflow some ten.
 template <class R>
 Status prepare(const Aircraft<R>& aircraft, const FlightSetup<R>& setup, Configuration<R>& c) {
   c = Configuration<R>{};
-  if (!rounds_once_to_nearest<R>()) return Status::bad_arithmetic;
+  if (!is_ieee_arithmetic<R>()) return Status::bad_arithmetic;
   if (first_out_of_range(aircraft, setup).field != SetupField::none) return Status::out_of_range;
   const Options& o = setup.options;
   c.aircraft = &aircraft;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "tiltrotor/math/algebra/matrix.hpp"
+#include "tiltrotor/model/rigid_body.hpp"
 #include "tiltrotor/model/setup/configuration.hpp"
 #include "tiltrotor/model/variables/state.hpp"
 
@@ -10,12 +11,13 @@ namespace tiltrotor {
 // Straight or turning, level or climbing, with or without sideslip. Relative to the air at the aircraft.
 template <class R>
 struct SteadyFlight {
-  R speed;      // m/s, 0 up to LimitTables::speed
+  R speed;      // m/s, 0 up to LimitTables::speed; 0 below kLeastSpeed
   R climb;      // angle of the flight path, rad, + up, within 90 deg; 0 at speed 0
   R turn_rate;  // of the heading, rad/s, + right, within 60 deg/s
   R sideslip;   // beta: v = speed sin beta, rad, + wind from the right, within 60 deg; 0 at speed 0 and in
                 // vertical flight, where it follows from the attitude
-  // Held velocity of the air, Controls::gust, each within 100 m/s. In a turn it turns with the aircraft.
+  // Held velocity of the air, Controls::gust, each within LimitTables::gust. In a turn it turns with the
+  // aircraft.
   Vec3<R> gust = {};
 };
 
@@ -36,13 +38,13 @@ SteadyFlightField first_invalid(const Aircraft<R>& aircraft, const SteadyFlight<
   if (!is_within(flight.climb, -vertical, vertical)) return SteadyFlightField::climb;
   if (!is_within(flight.turn_rate, -angle, angle)) return SteadyFlightField::turn_rate;
   if (!is_within(flight.sideslip, -angle, angle)) return SteadyFlightField::sideslip;
-  const R gust = R(100);
+  const R gust = aircraft.limits.gust;
   const Vec3<R>& g = flight.gust;
   const bool held = is_within(g.x, -gust, gust) && is_within(g.y, -gust, gust) && is_within(g.z, -gust, gust);
   if (!held) return SteadyFlightField::gust;
-  if (flight.speed == R(0) && flight.climb != R(0)) return SteadyFlightField::climb;
-  if (flight.sideslip != R(0) && (flight.speed == R(0) || is_vertical(flight)))
-    return SteadyFlightField::sideslip;
+  const bool at_rest = flight.speed < kLeastSpeed<R>;
+  if (at_rest && flight.climb != R(0)) return SteadyFlightField::climb;
+  if (flight.sideslip != R(0) && (at_rest || is_vertical(flight))) return SteadyFlightField::sideslip;
   return SteadyFlightField::none;
 }
 
@@ -149,6 +151,21 @@ template <class T>
 TILTROTOR_NOINLINE Vec3<T> steady_rates(const SteadyFlight<Real<T>>& flight, const T& roll, const T& pitch) {
   const T level = flight.turn_rate * cos(pitch);
   return {-(flight.turn_rate * sin(pitch)), level * sin(roll), level * cos(roll)};
+}
+
+// Load factor: the force of air and rotors normal to the motion through the air, over the weight; negative where
+// it pushes the aircraft down. At rest all of the force. `specific_force`: over the mass, m/s^2; `velocity`:
+// relative to the air, m/s; both in body axes.
+template <class R>
+R load_factor(const Vec3<R>& specific_force, const Vec3<R>& velocity) {
+  const R speed = std::sqrt(dot(velocity, velocity));
+  Vec3<R> lift = specific_force;
+  if (speed >= kLeastSpeed<R>) {
+    const Vec3<R> path = (R(1) / speed) * velocity;
+    lift = specific_force - dot(specific_force, path) * path;
+  }
+  const R size = std::sqrt(dot(lift, lift)) / kGravity<R>;
+  return lift.z > R(0) ? -size : size;
 }
 
 }  // namespace tiltrotor

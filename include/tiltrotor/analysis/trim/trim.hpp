@@ -33,6 +33,7 @@ struct TrimResult {
   int residual_state;  // place in kStateVariables of the state whose rate is left over
   SteadyFlightField invalid;  // with out_of_range and not_finite: the first bad input
   R largest_speed;            // that the aircraft's ranges allow, m/s
+  R largest_gust;             // the same
 
   State<R> state;           // yaw and position 0
   Controls<R> controls;     // the four inceptors, and the gust asked for; increments 0
@@ -41,7 +42,7 @@ struct TrimResult {
   R angle_of_attack;       // atan2(w, u), 0 in hover, rad
   R wing_angle_of_attack;  // of the free wing with rotor-induced lift correction, rad
   R sideslip;              // asin(v / V), rad
-  R load_factor;           // lift of everything over weight, body axes: -Z / W
+  R load_factor;           // of load_factor()
   R collective_root;       // mean blade pitch at r = 0, rad
   R thrust[2];             // resultant force of the rotor on its hub, right and left, N
   R power[2];              // shaft power, right and left, W
@@ -125,13 +126,13 @@ void describe(const Configuration<R>& c, const SteadyFlight<R>& flight, TrimWork
   Evaluation<R>& e = work.evaluation;
   evaluate_aircraft(c, result.state, result.controls, e);
 
-  result.angle_of_attack = flight.speed > R(0) ? atan2(v.z, v.x) : R(0);
+  result.angle_of_attack = flight.speed >= kLeastSpeed<R> ? atan2(v.z, v.x) : R(0);
   result.wing_angle_of_attack = e.wing_alpha;
-  result.sideslip = flight.speed > R(0) ? steady_sideslip(flight, v) : R(0);
+  result.sideslip = flight.speed >= kLeastSpeed<R> ? steady_sideslip(flight, v) : R(0);
   result.collective_root = result.controls.collective + blade_root_twist(c);
-  R force_z = R(0);
-  for (const Loads<R>& loads : e.loads.component) force_z += loads.force.z;
-  result.load_factor = -force_z / (c.mass.mass * kGravity<R>);
+  Vec3<R> force{};
+  for (const Loads<R>& loads : e.loads.component) force = force + loads.force;
+  result.load_factor = load_factor((R(1) / c.mass.mass) * force, v);
   for (int side = 0; side < 2; ++side) {
     const RotorLoads<R>& rotor = e.rotor[side].loads;
     result.thrust[side] = std::sqrt(dot(rotor.force_a, rotor.force_a));
@@ -200,6 +201,7 @@ bool accepts(const Configuration<R>& c, const SteadyFlight<R>& flight, const Tri
   const bool prepared = c.aircraft != nullptr;
   result.invalid = prepared ? first_invalid(*c.aircraft, flight) : SteadyFlightField::none;
   result.largest_speed = prepared ? c.aircraft->limits.speed : R(0);
+  result.largest_gust = prepared ? c.aircraft->limits.gust : R(0);
   const bool options_valid = options.max_iterations >= 1 && options.max_iterations <= kMaxTrimIterations;
   result.status = all_finite(flight) ? TrimStatus::out_of_range : TrimStatus::not_finite;
   if (result.invalid != SteadyFlightField::none || !options_valid || !prepared) return false;

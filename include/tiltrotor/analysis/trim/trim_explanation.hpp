@@ -11,10 +11,10 @@ namespace trim_explanation_detail {
 inline constexpr const char* kFieldWords[] = {
     "configuration or options",
     "speed must be 0..",
-    "climb angle must be within 90 deg, and 0 at speed 0",
+    "climb angle must be within 90 deg, and 0 at speed 0 (below 1e-12 m/s)",
     "turn rate must be within 60 deg/s",
-    "sideslip must be within 60 deg, and 0 at speed 0 and climb +-90 deg",
-    "gust must be within 100 m/s"};
+    "sideslip must be within 60 deg, and 0 at speed 0 (below 1e-12 m/s) and climb +-90 deg",
+    "gust must be within "};
 static_assert(sizeof(kFieldWords) / sizeof(kFieldWords[0]) ==
                   static_cast<unsigned>(SteadyFlightField::gust) + 1,
               "one text per SteadyFlightField");
@@ -24,28 +24,34 @@ template <class R>
 void write_field(const TrimResult<R>& r, Sentence& sentence) {
   sentence << kFieldWords[static_cast<unsigned>(r.invalid)];
   if (r.invalid == SteadyFlightField::speed) sentence.number(static_cast<double>(r.largest_speed)) << " m/s";
+  if (r.invalid == SteadyFlightField::gust) sentence.number(static_cast<double>(r.largest_gust)) << " m/s";
 }
 
 // "wing angle of attack 17.20 deg". The longitudinal stick is counted as trim prints it: 0 at its rear stop,
 // 4.8 in neutral, 9.6 at its front stop.
 template <class R>
-void write_value(const LimitName& limit, R value, Sentence& sentence) {
+void write_value(const LimitName& limit, R value, int decimals, Sentence& sentence) {
   sentence << limit.name << " ";
-  sentence.fixed(limit.factor * static_cast<double>(value)) << " " << limit.unit;
+  sentence.fixed(limit.factor * static_cast<double>(value), decimals) << " " << limit.unit;
 }
 
 // "wing angle of attack 17.20 deg is beyond 16.00 deg, also elevator 20.50 deg, power 2400.00 kW": every
-// limit that is exceeded, or how many more where the text ends.
+// limit that is exceeded, or how many more where the text ends; in digits that tell the value from its bound.
 template <class R>
 void write_limits(const LimitCheck<R>& check, Sentence& sentence) {
   const auto shown = [](const LimitExcess<R>& excess, R value) {
     return excess.limit == TrimLimit::long_stick ? value + std::fabs(excess.bound) : value;
   };
+  const auto decimals = [&shown](const LimitName& limit, const LimitExcess<R>& excess) {
+    return Sentence::decimals_apart(limit.factor * static_cast<double>(shown(excess, excess.value)),
+                                    limit.factor * static_cast<double>(shown(excess, excess.bound)));
+  };
   const LimitExcess<R>& first = check.exceeded[0];
   const LimitName& limit = limit_name(first.limit);
-  write_value(limit, shown(first, first.value), sentence);
+  const int digits = decimals(limit, first);
+  write_value(limit, shown(first, first.value), digits, sentence);
   sentence << " is beyond " << limit.rating;
-  sentence.fixed(limit.factor * static_cast<double>(shown(first, first.bound))) << " " << limit.unit;
+  sentence.fixed(limit.factor * static_cast<double>(shown(first, first.bound)), digits) << " " << limit.unit;
   for (int k = 1; k < check.count; ++k) {
     const int longest = 48;  // of one more, and the count of those that follow
     if (sentence.left() < longest) {
@@ -54,7 +60,8 @@ void write_limits(const LimitCheck<R>& check, Sentence& sentence) {
     }
     sentence << (k == 1 ? ", also " : ", ");
     const LimitExcess<R>& more = check.exceeded[k];
-    write_value(limit_name(more.limit), shown(more, more.value), sentence);
+    const LimitName& other = limit_name(more.limit);
+    write_value(other, shown(more, more.value), decimals(other, more), sentence);
   }
 }
 

@@ -14,8 +14,13 @@ int explain(const SetupFault<R>& fault, char* text, int capacity) {
   if (fault.field == SetupField::none) return 0;
   const char* const unit = setup_field_unit(fault.field);
   const char* const space = unit[0] == '\0' ? "" : " ";
+  const auto value = static_cast<double>(fault.value);
+  const double nearest =
+      static_cast<double>(fault.value < fault.range.low ? fault.range.low : fault.range.high);
+  const bool reads_alike = std::fabs(value - nearest) < 0.01;
   sentence << setup_field_name(fault.field) << " ";
-  sentence.number(static_cast<double>(fault.value)) << space << unit << " lies outside ";
+  sentence.number(value, reads_alike ? Sentence::decimals_apart(value, nearest) : 0) << space << unit;
+  sentence << " lies outside " << (fault.field == SetupField::azimuth_stations ? "0 and " : "");
   sentence.number(static_cast<double>(fault.range.low)) << "..";
   sentence.number(static_cast<double>(fault.range.high)) << space << unit;
   return sentence.length();
