@@ -3,6 +3,7 @@
 #include "plot/colors.hpp"
 #include "plot/drawing.hpp"
 #include "plot/svg.hpp"
+#include "study/drawn_with.hpp"
 #include "study/missing.hpp"
 #include "study/sections.hpp"
 
@@ -107,7 +108,9 @@ Picture picture(const Table& table) {
   const std::string small = " font-size=\"11\"";
   const double right = left + cell * static_cast<double>(table.columns().size() - 1);
   const double bottom = top + cell * static_cast<double>(table.rows());
-  std::string out = open_svg(right + 12, bottom + 12, title);
+  const std::vector<std::string> note = wrapped(drawn_with(), kSmallFont, right - kMargin);
+  constexpr double row = 14;
+  std::string out = open_svg(right + 12, bottom + 12 + row * static_cast<double>(note.size()), title);
   out += "<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n";
   out += text_at(kMargin, 24, title, "start", kInk, " font-size=\"14\" font-weight=\"600\"");
   for (std::size_t k = 1; k < table.columns().size(); ++k) {
@@ -128,6 +131,8 @@ Picture picture(const Table& table) {
              attribute("r", 3.5) + attribute("fill", std::string(load ? kOrange : kBlue)) + "/>\n";
     }
   }
+  for (std::size_t i = 0; i < note.size(); ++i)
+    out += text_at(kMargin, bottom + 8 + row * static_cast<double>(i + 1), note[i], "start", kGrey, small);
   return {"data_flow", out + "</svg>\n"};
 }
 

@@ -4,6 +4,7 @@
 
 #include "plot/plot.hpp"
 #include "study/compared_aircraft.hpp"
+#include "study/drawn_with.hpp"
 #include "study/missing.hpp"
 #include "study/reference_points.hpp"
 #include "study/sections.hpp"
@@ -36,10 +37,14 @@ constexpr Case kCases[] = {
      kControlIndex.collective, true, true},
 };
 
-Linear model_of(const Case& which, ComparedAircraft aircraft) {
+Setup setup_of_case(const Case& which, ComparedAircraft aircraft) {
   Setup setup = setup_of(aircraft, which.mast_deg);
   setup.altitude = which.altitude_m;
-  return linear_model_at(setup, which.speed_mps, kBladeControls);
+  return setup;
+}
+
+Linear model_of(const Case& which, ComparedAircraft aircraft) {
+  return linear_model_at(setup_of_case(which, aircraft), which.speed_mps, kBladeControls);
 }
 
 Table frequency_table(const Case& which, const Linear& model, const Linear& other) {
@@ -84,6 +89,8 @@ Picture picture(const Case& which, const Table& table, const char* kind, const c
   Plot plot;
   plot.id = std::string("frequency_") + which.name + "_" + kind;
   plot.title = which.title;
+  plot.note = drawn_with(compared_aircraft("transfer_functions"),
+                         setup_of_case(which, compared_aircraft("transfer_functions")));
   plot.x.label = "Frequency, rad/s";
   plot.x.logarithmic = true;
   plot.x.low = table.number(0, "omega_rad_s");
