@@ -1,10 +1,9 @@
 #include "study/flight_facts.hpp"
 
-#include <algorithm>
-
 #include "study/linear_models.hpp"
 #include "study/printed_flights.hpp"
 #include "study/reference_points.hpp"
+#include "study/sideward_flight.hpp"
 #include "study/transfer_function.hpp"
 
 namespace tiltrotor::study {
@@ -50,14 +49,23 @@ double ratio_of(const std::string& quantity, ComparedAircraft aircraft, double m
   return kMissing;
 }
 
-// Largest part of the travel of sticks and pedals; NaN where a limit of the trim is exceeded.
-double travel_used(const Configured& c, double speed_mps) {
+// NaN where a limit of the trim is exceeded.
+double travel_in_level_flight(const Configured& c, double speed_mps) {
   const Trimmed t = trimmed_persistently(c, speed_mps);
-  if (t.status != TrimStatus::ok) return kMissing;
-  const ControlTables<double>& travel = c.aircraft->controls;
-  return std::max({std::fabs(t.controls.long_stick) / travel.long_travel,
-                   std::fabs(t.controls.lat_stick) / travel.lat_travel,
-                   std::fabs(t.controls.pedal) / travel.pedal_travel});
+  return t.status == TrimStatus::ok ? travel_used(c, t.controls) : kMissing;
+}
+
+// Towards the side the travel is the same by symmetry.
+double travel_on_track(const Configured& c, double speed_mps, double track_deg) {
+  const SidewardFlight f = sideward_flight(c, speed_mps, track_deg * kRadPerDeg<double>);
+  return f.found ? travel_used(c, f.controls) : kMissing;
+}
+
+// Power of level flight over that of the engines at take-off.
+double power_used(const Configured& c, double speed_mps) {
+  const Trimmed t = trimmed_persistently(c, speed_mps);
+  const double engines = 2 * c.aircraft->controls.engine_power;
+  return t.status == TrimStatus::ok ? total_power_kw(t) / (kWatt * engines) : kMissing;
 }
 
 constexpr int kHalvings = 30;
@@ -99,7 +107,11 @@ double value_of(const Table& facts, std::size_t i, ComparedAircraft aircraft) {
     return stall_speed(setup);
   }
   if (quantity == "descent_mps") return idle_descent(setup, speed);
-  return travel_used(configured(setup), speed);
+  const Configured c = configured(setup);
+  if (quantity == "power_used") return power_used(c, speed);
+  if (quantity == "travel_used_sideward") return travel_on_track(c, speed, 90);
+  if (quantity == "travel_used_rearward") return travel_on_track(c, speed, 180);
+  return travel_in_level_flight(c, speed);
 }
 
 std::vector<Comparison> compared(const std::string& set, ComparedAircraft aircraft) {

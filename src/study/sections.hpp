@@ -23,5 +23,6 @@ Section load_sharing(const Sweeps& sweeps);
 Section isolated_rotor_tests();
 Section control_response(const Sweeps& sweeps);  // sensitivity, control power, damping
 Section frequency_responses();
+Section linear_matrices();  // A and B printed by the reference simulation, and here
 
 }  // namespace tiltrotor::study
