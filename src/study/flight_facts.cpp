@@ -16,12 +16,11 @@ constexpr double kCruiseAltitude = 2438;
 constexpr double kStallMass = 12500 * 0.45359237;  // kg, of 12,000 to 13,000 lb
 constexpr double kFlownYaw = 5.45;                 // deg/s^2 an inch: transfer_functions_lateral.csv
 
-// Leading coefficient of the identified pitch rate to elevator, 1/s^2.
+// Identified pitch acceleration by elevator, 1/s^2.
 double flown_elevator() {
-  const Table function =
-      reference_points("transfer_functions").where("name", std::string("cruise_q_elevator"));
-  const std::string& numerator = function.text(0, "numerator");
-  return polynomial(numerator.substr(0, numerator.find(' ')), 0).real();
+  return leading_coefficient(reference_points("transfer_functions")
+                                 .where("name", std::string("cruise_q_elevator"))
+                                 .text(0, "numerator"));
 }
 
 double flown_short_period() {

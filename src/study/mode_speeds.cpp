@@ -66,7 +66,10 @@ Plot plot_of(const ModeQuantity& q, const Table& modes, const Table& limits) {
   Plot plot;
   plot.id = std::string("mode_speed_") + q.mode + "_" + kind.substr(0, kind.find('_'));
   plot.title = q.title;
-  plot.note = drawn_with() + " Dashed and dotted: limits of handling qualities in hover or airplane mode.";
+  const Table lines = limits.where("mode", std::string(q.mode)).where("kind", kind);
+  plot.note = drawn_with();
+  if (lines.rows() > 0)
+    plot.note += " Dashed and dotted: limits of handling qualities in hover or airplane mode.";
   plot.x.label = "Speed, m/s";
   plot.y.label = q.axis;
   plot.x.low = 0;
@@ -79,7 +82,6 @@ Plot plot_of(const ModeQuantity& q, const Table& modes, const Table& limits) {
     s.color = kLineColor[color++];
     plot.series.push_back(s);
   }
-  const Table lines = limits.where("mode", std::string(q.mode)).where("kind", kind);
   for (std::size_t i = 0; i < lines.rows(); ++i) plot.series.push_back(limit_of(lines, i, modes));
   const bool grows = std::any_of(plot.series.begin(), plot.series.end(), [](const Series& s) {
     return std::any_of(s.y.begin(), s.y.end(), [](double y) { return y < 0; });
