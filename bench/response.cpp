@@ -61,7 +61,7 @@ int main(int argc, char** argv) {
   introduce(
       "Table 2: response to 1 deg of collective at 40 m/s, steps of 5 ms; with A, B and the eigenvalues at "
       "each");
-  std::printf("  the paper (i7-8700K): 1 s of flight with derivatives at every step in 0.66 s\n");
+  std::printf("  the paper (i7-8700K), mean: 1 s of flight with derivatives at every step in 0.66 s\n");
   Results results(argv[1]);
   for (const Grid& grid : kGrids) measure(grid, results);
   results.save();

@@ -69,6 +69,8 @@ Layout layout(const Plot& plot, double top) {
     const double gap = 10;
     if (at.x.logarithmic || static_cast<double>(at.x.ticks.size()) * (wide + gap) < at.right - at.left) break;
   }
+  if (plot.equal_scale)
+    at.bottom = top + (at.right - at.left) * (at.y.high - at.y.low) / (at.x.high - at.x.low);
   at.height = at.bottom + 47;
   return at;
 }

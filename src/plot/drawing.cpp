@@ -1,5 +1,7 @@
 #include "plot/drawing.hpp"
 
+#include <sstream>
+
 #include "plot/svg.hpp"
 
 namespace tiltrotor::plot {
@@ -8,6 +10,13 @@ std::string text_at(double x, double y, const std::string& text, const char* anc
                     const std::string& more) {
   return "<text" + attribute("x", x) + attribute("y", y) + attribute("text-anchor", std::string(anchor)) +
          attribute("fill", color) + more + ">" + escaped(text) + "</text>\n";
+}
+
+std::string name_at(double x, double y, const std::string& text, const char* anchor, const std::string& color,
+                    const char* weight) {
+  return text_at(x, y, text, anchor, color,
+                 attribute("font-size", kNameFont) + attribute("font-weight", std::string(weight)) +
+                     " paint-order=\"stroke\" stroke=\"#ffffff\" stroke-width=\"3\"");
 }
 
 std::string line_at(double x1, double y1, double x2, double y2, const std::string& color, double width) {
@@ -19,6 +28,21 @@ std::string dash_of(Line line) {
   return line == Line::dashed   ? attribute("stroke-dasharray", std::string("7 4"))
          : line == Line::dotted ? attribute("stroke-dasharray", std::string("2 3"))
                                 : "";
+}
+
+std::vector<std::string> wrapped(const std::string& text, double font_size, double width) {
+  constexpr double running = 0.87;  // over the estimate, which is for short words and numbers
+  std::vector<std::string> lines;
+  std::istringstream words(text);
+  for (std::string word; words >> word;) {
+    const bool fits = !lines.empty() && running * text_width(lines.back() + " " + word, font_size) <= width;
+    if (fits) {
+      lines.back() += " " + word;
+    } else {
+      lines.push_back(word);
+    }
+  }
+  return lines;
 }
 
 }  // namespace tiltrotor::plot

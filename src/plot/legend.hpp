@@ -1,4 +1,5 @@
-// The legend of a plot, in rows above its axes.
+// What a plot says above its axes: a bar of the colours of its cells, and a key of its markers and of the lines
+// that have no name at their curve.
 #pragma once
 
 #include <string>
@@ -8,16 +9,16 @@
 
 namespace tiltrotor::plot {
 
-struct LegendEntry {
-  const Series* series;  // or null: a filled cell
-  std::string color;
-  std::string name;
+struct KeyEntry {
+  const Series* series;
   double x, y;
 };
 
-// Entries placed from `top` on; `bottom` is the lower edge of the last row.
-std::vector<LegendEntry> legend(const Plot& plot, double top, double& bottom);
+// Entries placed in rows from `top` on; `bottom` is the lower edge of the last row.
+std::vector<KeyEntry> key(const std::vector<const Series*>& series, double width, double top, double& bottom);
+std::string draw_key(const std::vector<KeyEntry>& entries);
 
-std::string draw_legend(const std::vector<LegendEntry>& entries);
+// A block for each colour from `top` on, with the limits between them; empty without cells.
+std::string draw_color_bar(const Cells& cells, double width, double top, double& bottom);
 
 }  // namespace tiltrotor::plot

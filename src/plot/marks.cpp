@@ -48,7 +48,7 @@ std::string draw_line(const Series& s, const Layout& at) {
   }
   if (path.empty()) return "";
   return "<path" + attribute("d", path) + " fill=\"none\"" + attribute("stroke", s.color) +
-         attribute("stroke-width", 2.0) + dash_of(s.line) + " stroke-linejoin=\"round\"/>\n";
+         attribute("stroke-width", s.width) + dash_of(s.line) + " stroke-linejoin=\"round\"/>\n";
 }
 
 std::string draw_markers(const Series& s, const Layout& at) {

@@ -1,5 +1,6 @@
-// A plot as an SVG drawing: axes with units, lines, markers, filled cells, labels, and a legend above the
-// axes, where it covers no data. One plot is one drawing, wide enough to be read on a phone.
+// A plot as an SVG drawing: axes with units, lines with their names at them, markers, filled cells, labels; above
+// the axes a key of the markers and a bar of the colours, below them a note. One plot is one drawing, wide enough
+// to be read on a phone.
 #pragma once
 
 #include <cmath>
@@ -15,9 +16,10 @@ enum class Marker : unsigned char { none, circle, square, triangle, diamond, cro
 enum class Line : unsigned char { none, solid, dashed, dotted };
 
 struct Series {
-  std::string name;  // in the legend, unless empty
+  std::string name;  // of a line at its curve where there is room, else in the key; may be empty
   std::string color = kBlue;
   Line line = Line::solid;
+  double width = 2;  // of the line
   Marker marker = Marker::none;
   bool filled = true;            // markers
   double marker_size = 4;        // half their width
@@ -39,7 +41,7 @@ struct Cells {
   std::vector<double> value;       // not finite: left empty
   std::vector<double> level;       // limits between the colours, rising
   std::vector<std::string> color;  // one more than levels
-  std::vector<std::string> name;   // of the colours, for the legend
+  std::string label;               // of the bar of colours, with its unit
 };
 
 struct Axis {
@@ -57,8 +59,10 @@ struct Plot {
   Cells cells;
   std::vector<Series> series;  // drawn in this order, above the cells
   std::vector<Label> labels;
+  std::string note;  // below, small: with what it was drawn
   double width = 420;
   double axes_height = 250;  // of the area inside the axes
+  bool equal_scale = false;  // a unit is as long along y as along x; the height follows
 };
 
 // Points outside the axes are clipped (lines) or left out (markers, labels).

@@ -20,12 +20,16 @@ std::string tick_text(double value, double step) {
   const double unit = std::pow(10.0, std::floor(std::log10(step)) - 1);
   const double rounded =
       unit < 1 ? std::round(value / unit) / std::round(1 / unit) : std::round(value / unit) * unit;
-  std::string text = text::number_text(rounded == 0 ? 0.0 : rounded, 12);
-  if (text[0] == '-') text.replace(0, 1, "\u2212");
-  return text;
+  return value_text(rounded);
 }
 
 }  // namespace
+
+std::string value_text(double value) {
+  std::string text = text::number_text(value == 0 ? 0.0 : value, 12);
+  if (text[0] == '-') text.replace(0, 1, "\u2212");
+  return text;
+}
 
 Scale linear_scale(double low, double high, int count, bool fixed) {
   if (!(high > low)) {

@@ -24,6 +24,9 @@ Scale linear_scale(double low, double high, int count, bool fixed);
 // Decades, with numbers at 2 and 5 when there are fewer than three; low > 0.
 Scale logarithmic_scale(double low, double high);
 
+// A round number as it stands at an axis, with a typographic minus.
+std::string value_text(double value);
+
 // Place of a value on the scale: 0 at low, 1 at high; not finite outside the domain of a logarithm.
 double fraction(const Scale& scale, double value);
 

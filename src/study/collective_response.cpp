@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "plot/plot.hpp"
+#include "study/drawn_with.hpp"
 #include "study/linear_models.hpp"
 #include "study/mode_table.hpp"
 #include "study/sections.hpp"
@@ -26,11 +27,13 @@ constexpr double kRecordEvery = 0.05;  // s
 
 struct Case {
   const char* name;
+  const char* short_name;  // at its curve
   double flap_deg;
   bool tail_wash;  // the rotors' wash at the horizontal tail
 };
-constexpr Case kCases[] = {
-    {"flap 40/25", 40, true}, {"flap 0/0", 0, true}, {"flap 40/25, no rotor wash at the tail", 40, false}};
+constexpr Case kCases[] = {{"flap 40/25", "flap 40/25", 40, true},
+                           {"flap 0/0", "flap 0/0", 0, true},
+                           {"flap 40/25, no rotor wash at the tail", "no wash at tail", 40, false}};
 constexpr Line kCaseLine[] = {Line::solid, Line::dashed, Line::dotted};
 constexpr Marker kCaseMarker[] = {Marker::circle, Marker::square, Marker::triangle};
 
@@ -114,13 +117,14 @@ Picture motion_picture(const char* id, const char* title, const char* axis, cons
   Plot plot;
   plot.id = id;
   plot.title = title;
+  plot.note = drawn_with();
   plot.x.label = "Time after +1 deg collective, s";
   plot.y.label = axis;
   plot.axes_height = 200;
   for (std::size_t i = 0; i < std::size(kCases); ++i) {
     const Table rows = motion.where("case", std::string(kCases[i].name));
     Series s;
-    s.name = kCases[i].name;
+    s.name = kCases[i].short_name;
     s.color = kLineColor[i];
     s.line = kCaseLine[i];
     s.x = rows.numbers("time_s");
@@ -192,6 +196,7 @@ Picture root_picture(const char* axis, const Table& modes) {
   Plot plot;
   plot.id = std::string("response_modes_") + axis;
   plot.title = capitalized(axis) + " roots before (0) and 1, 2, 3 s after";
+  plot.note = drawn_with();
   plot.x.label = "Real part, 1/s";
   plot.y.label = "Imaginary part, rad/s";
   plot.x.zero_line = true;
@@ -202,7 +207,7 @@ Picture root_picture(const char* axis, const Table& modes) {
     for (const std::string& mode : rows.different("mode")) {
       const Table branch = rows.where("mode", mode);
       Series s;
-      if (!named) s.name = kCases[i].name;
+      if (!named) s.name = kCases[i].short_name;
       named = true;
       s.color = kLineColor[i];
       s.marker = kCaseMarker[i];

@@ -5,6 +5,7 @@
 
 #include "plot/plot.hpp"
 #include "study/compared_aircraft.hpp"
+#include "study/drawn_with.hpp"
 #include "study/linear_models.hpp"
 #include "study/missing.hpp"
 #include "study/reference_points.hpp"
@@ -82,6 +83,7 @@ Picture picture(const Table& table, const AxisOfControl& axis, const char* colum
   plot.id = std::string("control_") + axis.name + "_" + what;
   plot.title =
       capitalized(axis.name) + " " + what + (column[0] == 's' ? std::string(", ") + axis.inceptor : "");
+  plot.note = drawn_with() + " Marks: hover; of the standards the least value.";
   plot.x.label = "Speed, m/s";
   plot.y.label = unit;
   plot.x.low = 0;
@@ -91,24 +93,32 @@ Picture picture(const Table& table, const AxisOfControl& axis, const char* colum
   for (std::size_t i = 0; i < std::size(kShownMasts); ++i) {
     const Table branch = rows.where("mast_deg", kShownMasts[i]);
     Series s;
-    s.name = mast_text(kShownMasts[i]);
+    s.name = "mast " + fixed(kShownMasts[i], 0);
     s.color = kLineColor[i];
     s.x = branch.numbers("speed_mps");
     s.y = branch.numbers(column);
     plot.series.push_back(s);
   }
-  const Table mark = estimate.where("axis", std::string(axis.name));
-  if (mark.rows() > 0) {
+  const auto mark = [&](const std::string& name, Marker marker, bool filled, double value) {
     Series s;
-    s.name = "1975 estimate, hover";
-    s.color = kLineColor[0];
+    s.name = name;
+    s.color = kBlack;
     s.line = Line::none;
-    s.marker = Marker::diamond;
-    s.filled = false;
+    s.marker = marker;
+    s.filled = filled;
     s.x = {0};
-    s.y = {mark.number(0, column)};
+    s.y = {value};
     plot.series.push_back(s);
-  }
+  };
+  const Table estimated = estimate.where("axis", std::string(axis.name));
+  if (estimated.rows() > 0) mark("1975 estimate", Marker::diamond, false, estimated.number(0, column));
+  const Table limits = reference_points("handling_limits")
+                           .where("mode", std::string(axis.name))
+                           .where("kind", std::string(column))
+                           .where("where", std::string("hover"));
+  for (std::size_t i = 0; i < limits.rows(); ++i)
+    mark(limits.text(i, "label"), i == 0 ? Marker::triangle : Marker::square, true,
+         limits.number(i, "value"));
   return {plot.id, svg(plot)};
 }
 

@@ -5,6 +5,7 @@
 
 #include "plot/plot.hpp"
 #include "study/corridor_edges.hpp"
+#include "study/drawn_with.hpp"
 #include "study/linear_models.hpp"
 #include "study/missing.hpp"
 #include "study/reference_points.hpp"
@@ -145,6 +146,7 @@ Plot corridor_plot(const char* id, const char* title, const Table& grid, const T
   plot.y.low = 0;
   plot.y.high = 90;
   plot.axes_height = 330;
+  plot.note = drawn_with();
   plot.cells.x_edge = edges_around(0, kHighestSpeed, kSpeedStep);
   plot.cells.y_edge = edges_around(0, 90, kMastStep);
   const std::size_t columns = plot.cells.x_edge.size() - 1;
@@ -164,10 +166,10 @@ Plot corridor_plot(const char* id, const char* title, const Table& grid, const T
       line_of("wing stall", kBlack, Line::solid, Marker::none, edges.numbers("stall_mps"), mast),
       line_of("continuous rating", kBlack, Line::dotted, Marker::none, continuous, mast),
       line_of("take-off rating", kOrange, Line::solid, Marker::none, edges.numbers("takeoff_mps"), mast),
-      published("1975 minimum, Vc", "design_minimum", kPurple, Marker::circle),
-      published("", "design_vc", kPurple, Marker::square),
-      published("1980 minimum", "corridor_minimum", kGreen, Marker::triangle),
-      published("1980 maximum", "corridor_maximum", kGreen, Marker::diamond)};
+      published("1975 design", "design_minimum", kPurple, Marker::circle),
+      published("", "design_vc", kPurple, Marker::circle),
+      published("in use 1980", "corridor_minimum", kGreen, Marker::triangle),
+      published("", "corridor_maximum", kGreen, Marker::triangle)};
   return plot;
 }
 
@@ -176,7 +178,7 @@ Picture growth_picture(const Table& grid, const Table& edges) {
                             "least_stable_real");
   plot.cells.level = {-0.1, -0.05, -0.02, 0, 0.05, 0.15};
   plot.cells.color = {"#2b7bba", "#6fb0d9", "#b0d5ea", "#e3f0f7", "#fde3c8", "#f9b878", "#e8823a"};
-  plot.cells.name = {"below −0.1", "to −0.05", "to −0.02", "to 0", "to 0.05", "to 0.15", "above 0.15 1/s"};
+  plot.cells.label = "1/s";
   return {plot.id, svg(plot)};
 }
 
@@ -185,7 +187,7 @@ Picture damping_picture(const Table& grid, const Table& edges) {
                             edges, "least_damping_ratio");
   plot.cells.level = {-0.2, 0, 0.1, 0.2, 0.3, 0.5};
   plot.cells.color = {"#e8823a", "#fbcfa0", "#e3f0f7", "#b0d5ea", "#6fb0d9", "#2b7bba", "#145a91"};
-  plot.cells.name = {"below −0.2", "to 0", "to 0.1", "to 0.2", "to 0.3", "to 0.5", "above 0.5"};
+  plot.cells.label = "Damping ratio";
   return {plot.id, svg(plot)};
 }
 
@@ -251,7 +253,7 @@ Section conversion_corridor() {
       "on the right, "
       "the transmission has no more power (at mast 90, with its lower rotor speed, torque). That is the "
       "continuous rating, of engines and transmission alike; the orange line is the take-off rating of the "
-      "engines. Blue is stable. "
+      "engines. Blue is stable. Dashed on the left the published least speeds, on the right the greatest (1975: Vc). "
       "At low mast "
       "angles flight below the stall of the wing is possible, nose high. Flap and rotor speed change at mast "
       "0 and 90.";

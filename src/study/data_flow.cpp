@@ -1,8 +1,11 @@
 // What acts on what in the model: one quantity is moved at a time, and every load and rate that changes is marked.
 
+#include <algorithm>
+
 #include "plot/colors.hpp"
 #include "plot/drawing.hpp"
 #include "plot/svg.hpp"
+#include "study/drawn_with.hpp"
 #include "study/missing.hpp"
 #include "study/sections.hpp"
 
@@ -14,6 +17,7 @@ namespace {
 
 constexpr double kMasts[] = {0, 30, 90};  // deg: a mark is there when it is at one of them
 constexpr double kMove = 0.01;            // of the distance over which the model bends
+constexpr double kNarrowest = 420;        // of a picture, as wide as the plots
 
 // The model at one point: what may be moved, what may change.
 struct Point {
@@ -99,19 +103,23 @@ Table effects_table() {
   return table;
 }
 
-Picture picture(const Table& table) {
+// Of the columns from `first` on, before `end`.
+Picture picture(const Table& table, const char* id, const char* title, const char* color, std::size_t first,
+                std::size_t end) {
   constexpr double left = 96;
   constexpr double top = 132;
   constexpr double cell = 12;
-  const std::string title = "What acts on what";
   const std::string small = " font-size=\"11\"";
-  const double right = left + cell * static_cast<double>(table.columns().size() - 1);
+  const double right = left + cell * static_cast<double>(end - first);
   const double bottom = top + cell * static_cast<double>(table.rows());
-  std::string out = open_svg(right + 12, bottom + 12, title);
+  const double wide = std::max(right + 12, kNarrowest);
+  const std::vector<std::string> note = wrapped(drawn_with(), kSmallFont, wide - 2 * kMargin);
+  constexpr double row = 14;
+  std::string out = open_svg(wide, bottom + 12 + row * static_cast<double>(note.size()), title);
   out += "<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n";
   out += text_at(kMargin, 24, title, "start", kInk, " font-size=\"14\" font-weight=\"600\"");
-  for (std::size_t k = 1; k < table.columns().size(); ++k) {
-    const double x = left + cell * (static_cast<double>(k) - 0.5);
+  for (std::size_t k = first; k < end; ++k) {
+    const double x = left + cell * (static_cast<double>(k - first) + 0.5);
     const std::string turned = "rotate(-90 " + coordinate(x + 4) + " " + coordinate(top - 5) + ")";
     out += text_at(x + 4, top - 5, table.columns()[k], "start", kInk, small + attribute("transform", turned));
   }
@@ -121,14 +129,15 @@ Picture picture(const Table& table) {
       out += "<rect" + attribute("x", left) + attribute("y", y - cell / 2) +
              attribute("width", right - left) + attribute("height", cell) + " fill=\"#f2f2f2\"/>\n";
     out += text_at(left - 6, y + 4, table.text(i, 0), "end", kInk, small);
-    for (std::size_t k = 1; k < table.columns().size(); ++k) {
+    for (std::size_t k = first; k < end; ++k) {
       if (table.text(i, k).empty()) continue;
-      const bool load = k <= component_count;
-      out += "<circle" + attribute("cx", left + cell * (static_cast<double>(k) - 0.5)) + attribute("cy", y) +
-             attribute("r", 3.5) + attribute("fill", std::string(load ? kOrange : kBlue)) + "/>\n";
+      out += "<circle" + attribute("cx", left + cell * (static_cast<double>(k - first) + 0.5)) +
+             attribute("cy", y) + attribute("r", 3.5) + attribute("fill", std::string(color)) + "/>\n";
     }
   }
-  return {"data_flow", out + "</svg>\n"};
+  for (std::size_t i = 0; i < note.size(); ++i)
+    out += text_at(kMargin, bottom + 8 + row * static_cast<double>(i + 1), note[i], "start", kGrey, small);
+  return {id, out + "</svg>\n"};
 }
 
 }  // namespace
@@ -141,7 +150,10 @@ Section data_flow() {
       "downwash are states. A mark: moving the one changes the other, in this run. The same code runs on plain "
       "numbers and on numbers that carry their derivatives, which makes trim, linear models and responses exact.";
   const Table table = effects_table();
-  section.pictures = {picture(table)};
+  constexpr std::size_t rates = 1 + component_count;  // the first column of them
+  section.pictures = {
+      picture(table, "data_flow_loads", "What acts on the loads", kOrange, 1, rates),
+      picture(table, "data_flow_rates", "What acts on the rates", kBlue, rates, table.columns().size())};
   section.tables.push_back({"data_flow", "what changes when one quantity moves", table});
   return section;
 }

@@ -1,10 +1,9 @@
 #include "study/flight_facts.hpp"
 
-#include <algorithm>
-
 #include "study/linear_models.hpp"
 #include "study/printed_flights.hpp"
 #include "study/reference_points.hpp"
+#include "study/sideward_flight.hpp"
 #include "study/transfer_function.hpp"
 
 namespace tiltrotor::study {
@@ -17,12 +16,11 @@ constexpr double kCruiseAltitude = 2438;
 constexpr double kStallMass = 12500 * 0.45359237;  // kg, of 12,000 to 13,000 lb
 constexpr double kFlownYaw = 5.45;                 // deg/s^2 an inch: transfer_functions_lateral.csv
 
-// Leading coefficient of the identified pitch rate to elevator, 1/s^2.
+// Identified pitch acceleration by elevator, 1/s^2.
 double flown_elevator() {
-  const Table function =
-      reference_points("transfer_functions").where("name", std::string("cruise_q_elevator"));
-  const std::string& numerator = function.text(0, "numerator");
-  return polynomial(numerator.substr(0, numerator.find(' ')), 0).real();
+  return leading_coefficient(reference_points("transfer_functions")
+                                 .where("name", std::string("cruise_q_elevator"))
+                                 .text(0, "numerator"));
 }
 
 double flown_short_period() {
@@ -50,14 +48,23 @@ double ratio_of(const std::string& quantity, ComparedAircraft aircraft, double m
   return kMissing;
 }
 
-// Largest part of the travel of sticks and pedals; NaN where a limit of the trim is exceeded.
-double travel_used(const Configured& c, double speed_mps) {
+// NaN where a limit of the trim is exceeded.
+double travel_in_level_flight(const Configured& c, double speed_mps) {
   const Trimmed t = trimmed_persistently(c, speed_mps);
-  if (t.status != TrimStatus::ok) return kMissing;
-  const ControlTables<double>& travel = c.aircraft->controls;
-  return std::max({std::fabs(t.controls.long_stick) / travel.long_travel,
-                   std::fabs(t.controls.lat_stick) / travel.lat_travel,
-                   std::fabs(t.controls.pedal) / travel.pedal_travel});
+  return t.status == TrimStatus::ok ? travel_used(c, t.controls) : kMissing;
+}
+
+// Towards the side the travel is the same by symmetry.
+double travel_on_track(const Configured& c, double speed_mps, double track_deg) {
+  const SidewardFlight f = sideward_flight(c, speed_mps, track_deg * kRadPerDeg<double>);
+  return f.found ? travel_used(c, f.controls) : kMissing;
+}
+
+// Power of level flight over that of the engines at take-off.
+double power_used(const Configured& c, double speed_mps) {
+  const Trimmed t = trimmed_persistently(c, speed_mps);
+  const double engines = 2 * c.aircraft->controls.engine_power;
+  return t.status == TrimStatus::ok ? total_power_kw(t) / (kWatt * engines) : kMissing;
 }
 
 constexpr int kHalvings = 30;
@@ -99,7 +106,11 @@ double value_of(const Table& facts, std::size_t i, ComparedAircraft aircraft) {
     return stall_speed(setup);
   }
   if (quantity == "descent_mps") return idle_descent(setup, speed);
-  return travel_used(configured(setup), speed);
+  const Configured c = configured(setup);
+  if (quantity == "power_used") return power_used(c, speed);
+  if (quantity == "travel_used_sideward") return travel_on_track(c, speed, 90);
+  if (quantity == "travel_used_rearward") return travel_on_track(c, speed, 180);
+  return travel_in_level_flight(c, speed);
 }
 
 std::vector<Comparison> compared(const std::string& set, ComparedAircraft aircraft) {

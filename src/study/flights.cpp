@@ -86,8 +86,12 @@ double middle_speed(double mast_deg) {
 }
 
 SpeedSweep speed_sweep(double mast_deg, double step_mps, double highest_mps) {
-  SpeedSweep sweep{mast_deg, configured(mast_deg), {}};
-  const int first = static_cast<int>(middle_speed(mast_deg) / step_mps);
+  return speed_sweep(default_setup(mast_deg), step_mps, highest_mps);
+}
+
+SpeedSweep speed_sweep(const Setup& setup, double step_mps, double highest_mps) {
+  SpeedSweep sweep{setup.mast_deg, configured(setup), {}};
+  const int first = static_cast<int>(middle_speed(setup.mast_deg) / step_mps);
   const int last = static_cast<int>(std::lround(highest_mps / step_mps));
   std::vector<LevelFlight>& flights = sweep.flights;
   const auto add = [&](int k) {

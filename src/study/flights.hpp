@@ -54,6 +54,7 @@ struct SpeedSweep {
   std::vector<LevelFlight> flights;
 };
 SpeedSweep speed_sweep(double mast_deg, double step_mps, double highest_mps);
+SpeedSweep speed_sweep(const Setup& setup, double step_mps, double highest_mps);
 // A speed well inside the corridor at any mast angle, m/s.
 double middle_speed(double mast_deg);
 

@@ -4,6 +4,7 @@
 
 #include "plot/plot.hpp"
 #include "study/compared_aircraft.hpp"
+#include "study/drawn_with.hpp"
 #include "study/missing.hpp"
 #include "study/reference_points.hpp"
 #include "study/sections.hpp"
@@ -36,10 +37,14 @@ constexpr Case kCases[] = {
      kControlIndex.collective, true, true},
 };
 
-Linear model_of(const Case& which, ComparedAircraft aircraft) {
+Setup setup_of_case(const Case& which, ComparedAircraft aircraft) {
   Setup setup = setup_of(aircraft, which.mast_deg);
   setup.altitude = which.altitude_m;
-  return linear_model_at(setup, which.speed_mps, kBladeControls);
+  return setup;
+}
+
+Linear model_of(const Case& which, ComparedAircraft aircraft) {
+  return linear_model_at(setup_of_case(which, aircraft), which.speed_mps, kBladeControls);
 }
 
 Table frequency_table(const Case& which, const Linear& model, const Linear& other) {
@@ -84,6 +89,8 @@ Picture picture(const Case& which, const Table& table, const char* kind, const c
   Plot plot;
   plot.id = std::string("frequency_") + which.name + "_" + kind;
   plot.title = which.title;
+  plot.note = drawn_with(compared_aircraft("transfer_functions"),
+                         setup_of_case(which, compared_aircraft("transfer_functions")));
   plot.x.label = "Frequency, rad/s";
   plot.x.logarithmic = true;
   plot.x.low = table.number(0, "omega_rad_s");
@@ -118,7 +125,19 @@ Misfit misfit(const Table& table, double from) {
   return m;
 }
 
-Finding judge(const Case& which, const Table& table) {
+// Pitch acceleration by elevator: in flight, against this aircraft.
+std::string elevator_words(const Linear& model) {
+  const Table set = reference_points("transfer_functions").where("name", std::string("cruise_q_elevator"));
+  const double flown = leading_coefficient(set.text(0, "numerator"));
+  const double here = control_derivative(model, kStateIndex.rates.y, kControlIndex.elevator);
+  const double less = 100 * (1 - flown / here);
+  return " The elevator turns the flown aircraft " + fixed(std::fabs(less), 0) + " % " +
+         (less > 0
+              ? "less than this one; NASA TM-89428 blames ballast in the tail that the simulated inertia lacks."
+              : "more than this one.");
+}
+
+Finding judge(const Case& which, const Table& table, const Linear& model) {
   const auto [gain, phase] = misfit(table, 0);
   constexpr double above_phugoid = 1;  // rad/s
   const Misfit fast = misfit(table, above_phugoid);
@@ -130,9 +149,8 @@ Finding judge(const Case& which, const Table& table) {
           " deg; from 1 rad/s on " + fixed(fast.gain, 1) + " dB, " + fixed(fast.phase, 0) + " deg." +
           (which.shape_only
                ? " The gain of the power lever is not published; both curves meet at 1 rad/s."
-               : " The identified form has no phugoid, which bends the model's curve below 1 rad/s; the gain "
-                 "is high throughout: the aircraft flew with an elevator effectiveness 25 % below that of the "
-                 "tables, while lift and damping of the tail agree.")};
+               : " The identified form has no phugoid, which bends the model's curve below 1 rad/s." +
+                     elevator_words(model))};
 }
 
 // NaN when there is none of that kind.
@@ -204,7 +222,7 @@ Section frequency_responses() {
     section.pictures.push_back(picture(which, table, "gain", "Gain, dB", "gain_db", "identified_gain_db"));
     section.pictures.push_back(
         picture(which, table, "phase", "Phase, deg", "phase_deg", "identified_phase_deg"));
-    section.findings.push_back(judge(which, table));
+    section.findings.push_back(judge(which, table, model));
     section.findings.push_back(which.mast_deg > 0 ? short_period(modes_of(model), modes_of(other), compared)
                                                   : heave(modes_of(model), modes_of(other), compared));
     section.tables.push_back({std::string("frequency_") + which.name, which.title, table});

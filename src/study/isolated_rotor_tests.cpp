@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "plot/plot.hpp"
+#include "study/drawn_with.hpp"
 #include "study/flights.hpp"
 #include "study/missing.hpp"
 #include "study/reference_points.hpp"
@@ -94,6 +95,7 @@ void hover(Section& section) {
   Plot plot;
   plot.id = "rotor_hover";
   plot.title = "Hover: figure of merit";
+  plot.note = drawn_with_rotor_alone();
   plot.x.label = "Thrust coefficient CT";
   plot.y.label = "Figure of merit";
   plot.x.low = 0;
@@ -191,6 +193,7 @@ void forward_flight(Section& section) {
   Plot plot;
   plot.id = "rotor_forward_flight";
   plot.title = "Forward flight: torque here and measured";
+  plot.note = drawn_with_rotor_alone();
   plot.x.label = "Measured CQ/sigma";
   plot.y.label = "CQ/sigma, this program";
   plot.x.low = plot.y.low = -0.001;
@@ -242,6 +245,7 @@ void airplane_mode(Section& section) {
   Plot plot;
   plot.id = "rotor_airplane_mode";
   plot.title = "Airplane mode: propulsive efficiency, V/Vtip " + set.text(0, "speed_over_tip");
+  plot.note = drawn_with_rotor_alone();
   plot.x.label = "Thrust coefficient CT";
   plot.y.label = "Efficiency";
   plot.x.low = 0;

@@ -6,7 +6,6 @@
 #include <memory>
 #include <vector>
 
-#include "plot/plot.hpp"
 #include "study/linear_models.hpp"
 #include "study/paper_timing.hpp"
 #include "study/sections.hpp"
@@ -14,8 +13,6 @@
 #include "study/wording.hpp"
 
 namespace tiltrotor::study {
-
-using namespace plot;
 
 namespace {
 
@@ -91,32 +88,6 @@ Times measure(const Case& which) {
   return {median(times[0]), median(times[1]), median(times[2]), largest_difference(*exact, *numerical)};
 }
 
-Picture picture(const Table& table) {
-  Plot plot;
-  plot.id = "jacobian_timing";
-  plot.title = "Cost of A and B in evaluations of the model";
-  plot.x.label = "Mast angle, deg";
-  plot.y.label = "Time over one evaluation";
-  plot.x.low = 0;
-  plot.x.high = 90;
-  plot.y.logarithmic = true;
-  plot.y.low = 1;
-  plot.y.high = 100;
-  const auto add = [&](const char* name, const char* column, const char* color, Marker marker) {
-    Series s;
-    s.name = name;
-    s.color = color;
-    s.marker = marker;
-    s.line = Line::dotted;
-    s.x = table.numbers("mast_deg");
-    s.y = table.numbers(column);
-    plot.series.push_back(s);
-  };
-  add("exact, one pass", "automatic_ratio", kBlue, Marker::circle);
-  add("central differences", "numerical_ratio", kOrange, Marker::square);
-  return {plot.id, svg(plot)};
-}
-
 }  // namespace
 
 Section jacobian_timing() {
@@ -149,7 +120,6 @@ Section jacobian_timing() {
        "Central differences, as well written, cost at least " + fixed(gain, 1) +
            " times as much and differ by up to " + fixed(1e9 * difference, 1) +
            " billionths of a row's largest entry."});
-  section.pictures = {picture(table)};
   section.tables.push_back({"jacobian_timing", "times and ratios", table});
   add_paper_timing(section);
   add_step_error(section);

@@ -3,6 +3,7 @@
 #include <complex>
 
 #include "study/printed_flights.hpp"
+#include "study/printed_linear_model.hpp"
 #include "study/reference_points.hpp"
 #include "study/transfer_function.hpp"
 #include "study/wording.hpp"
@@ -11,56 +12,17 @@ namespace tiltrotor::study {
 
 namespace {
 
-// The printed model has no states of the rotors.
-Linear printed_conditions(ComparedAircraft aircraft, const Table& printed, std::size_t row) {
-  return quasi_steady(linear_model_at(printed_setup(aircraft, printed, row),
-                                      kKnot * printed.number(row, "speed_kt"), kInceptors));
-}
-
-struct Named {
-  const char* name;
-  int place;
-  double unit;  // of the print, SI
-};
-constexpr Named kPrintedStates[] = {
-    {"u", kStateIndex.velocity.x, kFoot}, {"v", kStateIndex.velocity.y, kFoot},
-    {"w", kStateIndex.velocity.z, kFoot}, {"p", kStateIndex.rates.x, 1},
-    {"q", kStateIndex.rates.y, 1},        {"r", kStateIndex.rates.z, 1},
-    {"phi", kStateIndex.roll, 1},         {"theta", kStateIndex.pitch, 1}};
-constexpr Named kPrintedControls[] = {{"long_stick", kControlIndex.long_stick, 1},
-                                      {"power_lever", kControlIndex.collective, 1},
-                                      {"lat_stick", kControlIndex.lat_stick, 1},
-                                      {"pedal", kControlIndex.pedal, 1}};
-
-template <std::size_t N>
-const Named& named(const Named (&all)[N], const std::string& name) {
-  for (const Named& n : all) {
-    if (name == n.name) return n;
-  }
-  throw std::runtime_error("linear_model_gtrs.csv: unknown name '" + name + "'");
+Linear printed_conditions(ComparedAircraft aircraft) {
+  return printed_states(printed_model_setup(aircraft), aircraft_data<double>(), DownwashDelay::first_order);
 }
 
 std::vector<Comparison> compared_terms(ComparedAircraft aircraft) {
-  const std::string set = "linear_model_gtrs";
-  const Table printed = reference_points(set);
-  const Linear model = printed_conditions(aircraft, reference_points("modes_gtrs"), 0);
   std::vector<Comparison> rows;
-  double per_lever = kMissing;  // collective of the lever, whose engine and governor are not modelled here
-  for (std::size_t i = 0; i < printed.rows(); ++i) {
-    const bool is_a = printed.text(i, "matrix") == "A";
-    const std::string column = printed.text(i, "column");
-    const Named& row = named(kPrintedStates, printed.text(i, "row"));
-    const Named& of = is_a ? named(kPrintedStates, column) : named(kPrintedControls, column);
-    double here = (is_a ? state_derivative(model, row.place, of.place)
-                        : control_derivative(model, row.place, of.place)) *
-                  of.unit / row.unit;
-    if (column == "power_lever") {
-      if (std::isnan(per_lever)) per_lever = printed.number(i, "value") / here;
-      here *= per_lever;
-    }
-    rows.push_back({set, "mast_deg=90 speed_kt=200",
-                    printed.text(i, "matrix") + "_" + printed.text(i, "row") + "_" + column, here,
-                    printed.number(i, "value"), 90});
+  const std::vector<double> here = terms_of(printed_conditions(aircraft));
+  for (std::size_t i = 0; i < here.size(); ++i) {
+    const LinearTerm& term = printed_terms()[i];
+    rows.push_back(
+        {"linear_model_gtrs", "mast_deg=90 speed_kt=200", term.quantity(), here[i], term.printed, 90});
   }
   return rows;
 }
@@ -102,7 +64,7 @@ void compare_root(const Modes& modes, const Table& there, std::size_t i, Compari
 std::vector<Comparison> compared_gtrs_modes(ComparedAircraft aircraft) {
   std::vector<Comparison> rows;
   const Table there = reference_points("modes_gtrs");
-  const Modes modes = modes_of(printed_conditions(aircraft, there, 0));
+  const Modes modes = modes_of(printed_conditions(aircraft));
   for (std::size_t i = 0; i < there.rows(); ++i)
     compare_root(modes, there, i, {"modes_gtrs", point_of(there, i), "", 0, 0, 90}, rows);
   return rows;

@@ -5,7 +5,7 @@
 
 namespace tiltrotor::study {
 
-// Term by term, the power lever's column as a ratio to its first term.
+// Term by term (printed_linear_model.hpp).
 void compare_linear_model(std::vector<Comparison>& out);
 
 // Roots of the reference simulation, those identified in flight, and as information those of a simpler model.

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "plot/plot.hpp"
+#include "study/drawn_with.hpp"
 #include "study/missing.hpp"
 #include "study/sections.hpp"
 #include "study/wording.hpp"
@@ -14,15 +15,15 @@ using namespace plot;
 
 namespace {
 
-// What carries: columns of the tables and curves of the pictures.
+// What carries: columns of the tables and curves of the pictures, where the wing has both its parts.
 enum Carrier { rotors, wing, wake_on_wing, tail, rest, carrier_count };
 constexpr struct {
   const char *column, *curve, *color;
 } kCarriers[carrier_count] = {{"rotors", "rotors", kBlue},
-                              {"wing", "free wing", kGreen},
-                              {"wake_on_wing", "wing in the wake", kPurple},
+                              {"wing", "wing", kGreen},
+                              {"wake_on_wing", "", kGreen},
                               {"tail", "tail", kOrange},
-                              {"rest", "rest", kGrey}};
+                              {"rest", "fuselage, pylons, fins", kGrey}};
 
 constexpr Carrier carrier_of(Component component) {
   switch (component) {
@@ -87,14 +88,18 @@ std::vector<Table::Cell> table_row(double mast, double speed, const Shares& shar
   return row;
 }
 
+// The wing as a whole: how its lift is split into a part in the wakes and one outside is bookkeeping of the model.
 std::vector<Series> curves(const Table& rows, const char* x) {
   std::vector<Series> all;
-  for (const auto& carrier : kCarriers) {
+  const std::vector<double> immersed = rows.numbers(kCarriers[wake_on_wing].column);
+  for (int k = 0; k < carrier_count; ++k) {
+    if (k == wake_on_wing) continue;
     Series s;
-    s.name = carrier.curve;
-    s.color = carrier.color;
+    s.name = kCarriers[k].curve;
+    s.color = kCarriers[k].color;
     s.x = rows.numbers(x);
-    s.y = rows.numbers(carrier.column);
+    s.y = rows.numbers(kCarriers[k].column);
+    for (std::size_t i = 0; k == wing && i < s.y.size(); ++i) s.y[i] += immersed[i];
     all.push_back(s);
   }
   return all;
@@ -104,6 +109,7 @@ Picture shares_picture(const Table& table, double mast) {
   Plot plot;
   plot.id = "load_sharing_" + fixed(mast, 0);
   plot.title = "Share of the weight, " + mast_text(mast);
+  plot.note = drawn_with();
   plot.x.label = "Speed, m/s";
   plot.y.label = "Upward force over weight";
   plot.y.zero_line = true;
@@ -136,6 +142,7 @@ Picture conversion_picture(const Table& table) {
   Plot plot;
   plot.id = "load_sharing_conversion";
   plot.title = "Share of the weight through conversion";
+  plot.note = drawn_with();
   plot.x.label = "Mast angle, deg (speed " + fixed(table.number(0, "speed_mps"), 0) + " to " +
                  fixed(table.number(table.rows() - 1, "speed_mps"), 0) + " m/s)";
   plot.y.label = "Upward force over weight";
@@ -166,8 +173,12 @@ Section load_sharing(const Sweeps& sweeps) {
                       shares_picture(table, 60)};
   double handover = kMissing;
   for (std::size_t i = 1; i < conversion.rows() && !std::isfinite(handover); ++i) {
-    const double before = conversion.number(i - 1, "rotors") - conversion.number(i - 1, "wing");
-    const double after = conversion.number(i, "rotors") - conversion.number(i, "wing");
+    const auto rotors_ahead = [&](std::size_t row) {
+      return conversion.number(row, "rotors") - conversion.number(row, "wing") -
+             conversion.number(row, "wake_on_wing");
+    };
+    const double before = rotors_ahead(i - 1);
+    const double after = rotors_ahead(i);
     if (before > 0 && after <= 0) {
       const double a = conversion.number(i - 1, "mast_deg");
       handover = a + (conversion.number(i, "mast_deg") - a) * before / (before - after);
@@ -179,7 +190,7 @@ Section load_sharing(const Sweeps& sweeps) {
                               "The rotors lift " + fixed(conversion.number(0, "rotors"), 2) +
                                   " of the weight at mast 0, " + fixed(conversion.number(0, "speed_mps"), 0) +
                                   " m/s and " + fixed(table.number(0, "rotors"), 3) +
-                                  " in hover, where the wing in the wake takes " +
+                                  " in hover, where the wake on the wing takes " +
                                   fixed(-table.number(0, "wake_on_wing"), 3) + "."});
   section.tables.push_back({"load_sharing", "along speed at each mast angle", table});
   section.tables.push_back({"load_sharing_conversion", "through conversion", conversion});

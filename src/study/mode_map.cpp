@@ -3,19 +3,20 @@
 #include <algorithm>
 #include <cmath>
 
-#include "plot/plot.hpp"
+#include "study/drawn_with.hpp"
 #include "study/linear_models.hpp"
+#include "study/mode_speeds.hpp"
 #include "study/mode_table.hpp"
 #include "study/sections.hpp"
 #include "study/wording.hpp"
 
 namespace tiltrotor::study {
 
-using namespace plot;
-
 namespace {
 
 constexpr double kShownMasts[] = {0, 30, 60, 90};
+constexpr double kFurthestRoot = -3;        // 1/s: those further left are not drawn
+constexpr double kFurthestSlowRoot = -0.5;  // of the enlarged part
 
 Table sweep_table(const Sweeps& sweeps) {
   Table table = mode_table({"mast_deg", "speed_mps"});
@@ -154,26 +155,35 @@ std::vector<Finding> statements(const Table& table) {
 Section mode_map(const Sweeps& sweeps) {
   Section section{"modes", "Modes in the complex plane", "", {}, {}, {}};
   section.reading =
-      "Each line is a branch followed through speed (numbers in m/s), in the colour of its mode's name, "
-      "which "
-      "depends on the flight alone; stable to the left of the grey line. Of a conjugate pair the upper root "
-      "is "
-      "drawn. Rotor modes lie far to the left and are left out. Rotor speed and collective are held: no "
-      "governor "
-      "acts.";
+      "Each line is a branch followed through speed (numbers in m/s), in the colour of its mode's name, which "
+      "depends on the flight alone; stable to the left of the grey line. Of a conjugate pair the upper root is "
+      "drawn. Every mast angle has the same axes; beside them the phugoid, and the slow lateral roots of "
+      "helicopter mode, enlarged. Rotor modes lie far to the left and are left out. Rotor speed and collective are held: no governor acts.";
   const Table table = sweep_table(sweeps);
   for (const char* axis : {"longitudinal", "lateral"}) {
+    const Table rows = table.where("axis", std::string(axis));
+    const bool along = axis == std::string("longitudinal");
+    const PlaneWindow whole = window_around(rows, "", kFurthestRoot);
+    const PlaneWindow origin =
+        along ? window_around(rows, "phugoid", kFurthestSlowRoot)
+              : window_around(rows.where("mast_deg", 0.0), "dutch_roll", kFurthestSlowRoot);
     for (const double mast : kShownMasts) {
       ModePlot plot;
       plot.id = std::string("modes_") + axis + "_" + fixed(mast, 0);
       plot.title = capitalized(axis) + " modes, " + mast_text(mast);
       plot.parameter = "speed_mps";
       plot.unit = "m/s";
-      plot.label_step = 10;
-      section.pictures.push_back(
-          mode_picture(plot, table.where("mast_deg", mast).where("axis", std::string(axis))));
+      plot.window = whole;
+      plot.note = drawn_with();
+      section.pictures.push_back(mode_picture(plot, rows.where("mast_deg", mast)));
+      if (!along && mast > 0) continue;  // but for the spiral nothing is near the origin
+      plot.id += "_origin";
+      plot.title += ", near the origin";
+      plot.window = origin;
+      section.pictures.push_back(mode_picture(plot, rows.where("mast_deg", mast)));
     }
   }
+  for (Picture& p : mode_speed_pictures(table)) section.pictures.push_back(std::move(p));
   section.findings = statements(table);
   section.tables.push_back({"modes", "eigenvalues of the complete linear model along speed", table});
   return section;

@@ -31,8 +31,10 @@ constexpr struct {
     {"roll_spiral", kPurple, Marker::diamond},
 };
 
+bool has_ordinal(const std::string& mode) { return mode.find_last_of("23") + 1 == mode.size(); }  // "_2"
+
 void set_style(std::string mode, Series& s) {
-  if (mode.find_last_of("23") + 1 == mode.size()) mode.resize(mode.size() - 2);  // an ordinal: "_2"
+  if (has_ordinal(mode)) mode.resize(mode.size() - 2);
   s.color = kBlack;
   s.marker = Marker::plus;
   for (const auto& style : kModeStyle) {
@@ -97,27 +99,35 @@ void add_modes(Table& table, const std::vector<double>& leading, const Modes& mo
   }
 }
 
+PlaneWindow window_around(const Table& rows, const std::string& word, double left) {
+  constexpr double margin = 0.08;  // on every side
+  PlaneWindow w{0, 0, 0};
+  for (std::size_t i = 0; i < rows.rows(); ++i) {
+    const double real = rows.number(i, "real");
+    if (real < left || rows.text(i, "mode").find(word) == std::string::npos) continue;
+    w.left = std::min(w.left, real);
+    w.right = std::max(w.right, real);
+    w.top = std::max(w.top, rows.number(i, "imag"));
+  }
+  // At least as wide as high.
+  const double wide = std::max({w.right - w.left, w.top, 0.1});
+  const double side = margin * wide + 0.5 * (wide - (w.right - w.left));
+  return {w.left - side, w.right + side, w.top + margin * wide};
+}
+
 Picture mode_picture(const ModePlot& what, const Table& rows) {
   Plot plot;
   plot.id = what.id;
   plot.title = what.title;
+  plot.note = what.note;
   plot.x.label = "Real part, 1/s";
   plot.y.label = "Imaginary part, rad/s";
   plot.x.zero_line = true;
+  plot.equal_scale = true;
+  plot.x.low = what.window.left;
+  plot.x.high = what.window.right;
   plot.y.low = 0;
-  double lowest = 0;
-  double highest = 0;
-  double top = 0.5;
-  for (std::size_t i = 0; i < rows.rows(); ++i) {
-    const double real = rows.number(i, "real");
-    if (real < what.left) continue;
-    lowest = std::min(lowest, real);
-    highest = std::max(highest, real);
-    top = std::max(top, rows.number(i, "imag"));
-  }
-  plot.x.low = lowest - 0.15;
-  plot.x.high = std::max(0.2, highest + 0.1);
-  plot.y.high = 1.08 * top;
+  plot.y.high = what.window.top;
   const double wide = plot.x.high - plot.x.low;
 
   std::vector<Label> placed;
@@ -126,8 +136,8 @@ Picture mode_picture(const ModePlot& what, const Table& rows) {
     Series line;
     set_style(mode, line);
     Series marks = line;
+    if (!has_ordinal(mode)) line.name = spaced(mode);
     line.marker = Marker::none;
-    marks.name = spaced(mode);
     marks.line = Line::none;
     trace(rows, mode, line);
     const std::vector<double> parameter = branch.numbers(what.parameter);
@@ -140,9 +150,10 @@ Picture mode_picture(const ModePlot& what, const Table& rows) {
       marks.x.push_back(x);
       marks.y.push_back(y);
       marks.tip.push_back(spaced(mode) + ", " + value + " " + what.unit + ": " + root_text(x, y));
-      const bool free = std::none_of(placed.begin(), placed.end(), [&](const Label& l) {
-        return std::fabs(l.x - x) < 0.07 * wide && std::fabs(l.y - y) < 0.06 * plot.y.high;
-      });
+      const bool inside = x >= plot.x.low && x <= plot.x.high && y <= plot.y.high;
+      const bool free = inside && std::none_of(placed.begin(), placed.end(), [&](const Label& l) {
+                          return std::fabs(l.x - x) < 0.07 * wide && std::fabs(l.y - y) < 0.04 * wide;
+                        });
       if (free) placed.push_back({x, y, value, line.color});
     }
     plot.series.push_back(line);

@@ -30,7 +30,7 @@ a { color: #00588a; }
 table { border-collapse: collapse; font-size: .85rem; font-variant-numeric: tabular-nums; }
 th, td { padding: .2em .6em; text-align: right; border-bottom: 1px solid #e4e4e4; white-space: nowrap; }
 th { font-weight: 600; vertical-align: bottom; }
-td.text { text-align: left; }
+td.text, th.text { text-align: left; }
 td.long { text-align: left; white-space: normal; min-width: 40em; }
 summary { cursor: pointer; }
 .files { font-size: .9rem; }
@@ -53,8 +53,8 @@ summary { cursor: pointer; }
 )css";
 
 constexpr std::size_t kMostRowsShown = 80;
-constexpr std::size_t kMostColumnsUpright = 9;  // on paper
-constexpr std::size_t kLongText = 40;           // characters: longer cells may break into lines
+constexpr std::size_t kMostColumnsUpright = 13;  // on paper
+constexpr std::size_t kLongText = 40;            // characters: longer cells may break into lines
 
 bool is_number(const std::string& text) {
   return !text.empty() && text.find_first_not_of("0123456789.-+e") == std::string::npos;
@@ -90,9 +90,19 @@ std::string breakable(const std::string& column) {
   return out;
 }
 
+bool has_words(const Table& table, std::size_t column) {
+  for (std::size_t i = 0; i < table.rows(); ++i) {
+    const std::string& cell = table.text(i, column);
+    if (!cell.empty()) return !is_number(cell);
+  }
+  return false;
+}
+
 std::string html_table(const Table& table) {
   std::string out = "<div class=\"scroll\"><table><thead><tr>";
-  for (const std::string& column : table.columns()) out += "<th>" + breakable(column) + "</th>";
+  for (std::size_t j = 0; j < table.columns().size(); ++j)
+    out += std::string(has_words(table, j) ? "<th class=\"text\">" : "<th>") + breakable(table.columns()[j]) +
+           "</th>";
   out += "</tr></thead><tbody>\n";
   for (std::size_t i = 0; i < table.rows(); ++i) {
     out += "<tr>";

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "plot/plot.hpp"
+#include "study/drawn_with.hpp"
 #include "study/missing.hpp"
 #include "study/reference_points.hpp"
 #include "study/sections.hpp"
@@ -15,9 +16,6 @@ using namespace plot;
 
 namespace {
 
-constexpr Marker kMarkers[] = {Marker::circle, Marker::plus,     Marker::square,
-                               Marker::cross,  Marker::triangle, Marker::diamond};
-
 Table power_table(const Sweeps& sweeps) {
   Table table({"mast_deg", "speed_mps", "power_kw"});
   for (const SpeedSweep& sweep : sweeps) {
@@ -27,22 +25,45 @@ Table power_table(const Sweeps& sweeps) {
   return table;
 }
 
-// This program in the conditions of the prediction: flap 40/25 and 565 rpm at every mast angle.
+// The conditions of the prediction: flap 40/25 and 565 rpm at every mast angle.
+Setup predicted_setup(double mast_deg) {
+  Setup setup = default_setup(mast_deg);
+  setup.flap_deg = 40;
+  setup.rotor_speed = 565 * kPi<double> / 30;
+  return setup;
+}
+
 Table compared_with_prediction() {
-  constexpr double flap_deg = 40;
-  constexpr double rotor_speed = 565 * kPi<double> / 30;
   Table table({"mast_deg", "speed_mps", "here_kw", "prediction_kw", "difference_pct"});
   table.comment("Prediction: NASA TM X-62407 (1975), fig. 5.4.2; both with flap 40/25, 565 rpm, 13000 lb.");
   const Table set = reference_points("power_required");
   for (std::size_t i = 0; i < set.rows(); ++i) {
-    Setup setup = default_setup(set.number(i, "mast_deg"));
-    setup.flap_deg = flap_deg;
-    setup.rotor_speed = rotor_speed;
+    const double mast = set.number(i, "mast_deg");
     const double speed = set.number(i, "speed_mps");
-    const Trimmed t = trimmed_persistently(configured(setup), speed);
+    const Trimmed t = trimmed_persistently(configured(predicted_setup(mast)), speed);
     const double there = set.number(i, "power_kw");
     const double here = is_trimmed(t.status) ? total_power_kw(t) : kMissing;
-    table.add({setup.mast_deg, speed, here, there, 100 * (here / there - 1)});
+    table.add({mast, speed, here, there, 100 * (here / there - 1)});
+  }
+  return table;
+}
+
+// Between the first and the last speed of the prediction, as far as the wing is short of its stall.
+Table predicted_curves() {
+  constexpr double step = 1;  // m/s
+  Table table({"mast_deg", "speed_mps", "power_kw"});
+  table.comment("This program with flap 40/25, 565 rpm, 13000 lb, over the speeds of the 1975 prediction.");
+  const Table set = reference_points("power_required");
+  for (const std::string& mast : set.different("mast_deg")) {
+    const std::vector<double> speeds = set.where("mast_deg", mast).numbers("speed_mps");
+    const auto [low, high] = std::minmax_element(speeds.begin(), speeds.end());
+    const double mast_deg = set.where("mast_deg", mast).number(0, "mast_deg");
+    const Configured c = configured(predicted_setup(mast_deg));
+    for (double speed = std::ceil(*low); speed <= *high; speed += step) {
+      const Trimmed t = trimmed_persistently(c, speed);
+      const bool flies = is_trimmed(t.status) && t.status != TrimStatus::wing_stall;
+      table.add({mast_deg, speed, flies ? total_power_kw(t) : kMissing});
+    }
   }
   return table;
 }
@@ -51,6 +72,7 @@ Picture power_picture(const Table& table) {
   Plot plot;
   plot.id = "power_required";
   plot.title = "Power required, flaps as scheduled";
+  plot.note = drawn_with();
   plot.x.label = "Speed, m/s";
   plot.y.label = "Power of both rotors, kW";
   plot.x.low = 0;
@@ -68,31 +90,42 @@ Picture power_picture(const Table& table) {
   return {plot.id, svg(plot)};
 }
 
-Picture prediction_picture(const Table& compared) {
+// Curves of this program, points of the prediction.
+Picture prediction_picture(const Table& curves, const Table& compared) {
   Plot plot;
   plot.id = "power_prediction";
   plot.title = "Against the 1975 prediction (flap 40/25, 565 rpm)";
+  plot.note = drawn_with();
   plot.x.label = "Speed, m/s";
   plot.y.label = "Power of both rotors, kW";
   plot.x.low = 0;
   plot.y.low = 0;
   std::size_t i = 0;
   for (const std::string& mast : compared.different("mast_deg")) {
-    const Table rows = compared.where("mast_deg", mast);
+    const Table curve = curves.where("mast_deg", mast);
+    const Table points = compared.where("mast_deg", mast);
     Series here;
     here.name = "mast " + mast;
-    here.color = kLineColor[i];
-    here.x = rows.numbers("speed_mps");
-    here.y = rows.numbers("here_kw");
+    here.color = kLineColor[i++];
+    here.x = curve.numbers("speed_mps");
+    here.y = curve.numbers("power_kw");
     Series there = here;
-    there.name = "1975, mast " + mast;
+    there.name.clear();
     there.line = Line::none;
-    there.marker = kMarkers[i];
-    there.y = rows.numbers("prediction_kw");
+    there.marker = Marker::diamond;
+    there.filled = false;
+    there.x = points.numbers("speed_mps");
+    there.y = points.numbers("prediction_kw");
     plot.series.push_back(here);
     plot.series.push_back(there);
-    ++i;
   }
+  Series key;  // for every mast angle
+  key.name = "1975 prediction";
+  key.color = kGrey;
+  key.line = Line::none;
+  key.marker = Marker::diamond;
+  key.filled = false;
+  plot.series.push_back(key);
   return {plot.id, svg(plot)};
 }
 
@@ -158,7 +191,8 @@ Section power_required(const Sweeps& sweeps) {
   const Table table = power_table(sweeps);
   section.reading += least_power(table);
   const Table compared = compared_with_prediction();
-  section.pictures = {power_picture(table), prediction_picture(compared)};
+  const Table curves = predicted_curves();
+  section.pictures = {power_picture(table), prediction_picture(curves, compared)};
 
   double worst = 0;
   double sum = 0;
@@ -198,6 +232,8 @@ Section power_required(const Sweeps& sweeps) {
                               "Top level speed by torque (8 kt).",
                               found + "Torque limit: 1160 hp a rotor at 589 rpm."});
   section.tables.push_back({"power_required", "power at every mast angle", table});
+  section.tables.push_back(
+      {"power_prediction", "the curves in the conditions of the 1975 prediction", curves});
   section.tables.push_back({"power_compared", "against the 1975 prediction", compared});
   section.tables.push_back({"top_speed_compared", "torque-limited speed", top_compared});
   section.tables.push_back(

@@ -121,6 +121,7 @@ bool run_report(const std::string& folder, ReportSummary summary) {
         rotor_descent,
         [&] { return control_response(sweeps); },
         frequency_responses,
+        linear_matrices,
         data_flow,
     };
     text::Progress progress("report", parts.size() + std::size(kSweepMasts));

@@ -25,5 +25,6 @@ Section lateral_flapping();                      // what each law of the inflow'
 Section rotor_descent();                         // mean inflow from climb to windmill, autorotation
 Section control_response(const Sweeps& sweeps);  // sensitivity, control power, damping
 Section frequency_responses();
+Section linear_matrices();  // A and B printed by the reference simulation, and here
 
 }  // namespace tiltrotor::study

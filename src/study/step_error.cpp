@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "plot/plot.hpp"
+#include "study/drawn_with.hpp"
 #include "study/linear_models.hpp"
 #include "study/wording.hpp"
 
@@ -74,6 +75,7 @@ void add_step_error(Section& section) {
   Plot plot;
   plot.id = "step_error";
   plot.title = "Error of central differences over their step";
+  plot.note = drawn_with();
   plot.x.label = "Step over the scale of the state";
   plot.y.label = "Largest error over the row's largest entry";
   plot.x.logarithmic = plot.y.logarithmic = true;

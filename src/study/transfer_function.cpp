@@ -48,6 +48,10 @@ Complex polynomial(const std::string& coefficients, Complex s) {
   return value;
 }
 
+double leading_coefficient(const std::string& coefficients) {
+  return text::parse_number(text::split(coefficients, ' ').front(), "transfer function");
+}
+
 double decibel(Complex value) { return 20 * std::log10(std::abs(value)); }
 
 double phase_deg(Complex value) { return degrees(std::arg(value)); }

@@ -16,6 +16,8 @@ Complex response_of(const Linear& model, int output, int input, double omega, bo
 
 // Of coefficients in falling powers, with spaces between.
 Complex polynomial(const std::string& coefficients, Complex s);
+// The first of them.
+double leading_coefficient(const std::string& coefficients);
 
 double decibel(Complex value);
 double phase_deg(Complex value);

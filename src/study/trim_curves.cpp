@@ -4,11 +4,11 @@
 #include <cmath>
 
 #include "plot/plot.hpp"
-#include "study/reference_points.hpp"
+#include "study/drawn_with.hpp"
+#include "study/printed_flights.hpp"
 #include "study/sections.hpp"
 #include "study/trim_comparison.hpp"
 #include "study/wording.hpp"
-#include "text/number.hpp"
 
 namespace tiltrotor::study {
 
@@ -16,112 +16,273 @@ using namespace plot;
 
 namespace {
 
-constexpr double kShownMasts[] = {0, 30, 60, 90};
+constexpr double kShownMasts[] = {0, 15, 30, 60, 90};
+constexpr double kJudgedMasts[] = {0, 30, 60, 90};  // of the paper's statements
+
+// The printed runs at this mast angle had the flap of helicopter mode.
+constexpr double kFlappedMast = 15;
+constexpr double kFlap = 40;  // deg
+constexpr double kStep = 1;   // m/s
+constexpr double kHighest = 140;
 
 bool is_shown(double mast_deg) {
   return std::find(std::begin(kShownMasts), std::end(kShownMasts), mast_deg) != std::end(kShownMasts);
 }
 
-Table curve_table(const Sweeps& sweeps) {
+void add_curve(const SpeedSweep& sweep, Table& table) {
+  for (const LevelFlight& f : sweep.flights) {
+    const Trimmed& t = f.trim;
+    const Evaluation<double> e = evaluated(sweep.c, t.state, t.controls);
+    const auto force = [&](Component k) { return e.loads.component[k].force; };
+    const Vec3<double> wing = force(wing_free) + force(wing_wake_right) + force(wing_wake_left);
+    const Vec3<double> airframe =
+        wing + force(pylon) + force(fuselage) + force(htail) + force(fin_right) + force(fin_left);
+    table.add({sweep.mast_deg, f.speed_mps, static_cast<double>(t.iterations), degrees(t.state.pitch),
+               degrees(t.controls.collective), degrees(t.collective_root), stick_position(t),
+               degrees(t.blades.long_cyclic[right]), degrees(t.blades.elevator), t.thrust[right],
+               total_power_kw(t), degrees(t.wing_angle_of_attack), t.download_fraction,
+               e.rotor[right].loads.force_a.z, degrees(t.state.rotor[right].b1c),
+               degrees(t.state.rotor[right].b1s), airframe.x, wing.z, force(htail).z});
+  }
+}
+
+Table empty_table() {
   Table table({"mast_deg", "speed_mps", "iterations", "pitch_deg", "collective75_deg", "collective_root_deg",
                "long_stick_in", "long_cyclic_deg", "elevator_deg", "thrust_n", "power_kw", "wing_alpha_deg",
-               "download_frac"});
-  table.comment("Level flight, sea level, 13000 lb; flap 40/25 at mast 0, 20/12.5 between, 0/0 at mast 90.");
+               "download_frac", "shaft_thrust_n", "long_flap_deg", "lat_flap_deg", "airframe_x_n", "wing_z_n",
+               "tail_z_n"});
+  table.comment(
+      "Level flight, sea level, 13000 lb; flap 40/25 at mast 0 and 15, 20/12.5 between, 0/0 at mast 90.");
   table.comment("thrust_n: one rotor; power_kw: both; stick 0..9.6 in, neutral 4.8, larger = forward.");
+  table.comment(
+      "Flapping: longitudinal + disk forward, lateral - disk outboard. Forces in body axes, z down;");
+  table.comment("airframe: without rotors and spinners; wing: with its part in the wakes.");
+  return table;
+}
+
+Setup shown_setup(ComparedAircraft aircraft, double mast_deg) {
+  Setup setup = setup_of(aircraft, mast_deg);
+  if (mast_deg == kFlappedMast) setup.flap_deg = kFlap;
+  return setup;
+}
+
+Table standard_curves(const Sweeps& sweeps) {
+  Table table = empty_table();
   for (const SpeedSweep& sweep : sweeps) {
-    if (!is_shown(sweep.mast_deg)) continue;
-    for (const LevelFlight& f : sweep.flights) {
-      const Trimmed& t = f.trim;
-      table.add({sweep.mast_deg, f.speed_mps, static_cast<double>(t.iterations), degrees(t.state.pitch),
-                 degrees(t.controls.collective), degrees(t.collective_root), stick_position(t),
-                 degrees(t.blades.long_cyclic[right]), degrees(t.blades.elevator), t.thrust[right],
-                 total_power_kw(t), degrees(t.wing_angle_of_attack), t.download_fraction});
+    if (sweep.mast_deg == kFlappedMast) {
+      add_curve(speed_sweep(shown_setup(ComparedAircraft::standard, kFlappedMast), kStep, kHighest), table);
+    } else if (is_shown(sweep.mast_deg)) {
+      add_curve(sweep, table);
     }
   }
   return table;
 }
 
+Table simulated_curves() {
+  Table table = empty_table();
+  table.comment("The aircraft as simulated: with the controls of the printed runs.");
+  for (const double mast : kShownMasts)
+    add_curve(speed_sweep(shown_setup(ComparedAircraft::as_simulated, mast), kStep, kHighest), table);
+  return table;
+}
+
+// Published points of one quantity: set, column, unit, and of which component.
+enum Kind : unsigned char { printed, figure, flight };
+struct Source {
+  Kind kind;
+  const char* set;
+  const char* column;
+  double factor;
+  const char* component = nullptr;
+};
+
 struct Quantity {
   const char* id;
   const char* title;
   const char* axis;
-  const char* column;            // of the curves
-  const char* reference_column;  // of the published points
-  double reference_factor;
+  const char* column;  // of the curves
+  double factor;
+  ComparedAircraft aircraft;  // of the curves: where all points are of the simulation, the simulated one
+  std::vector<Source> sources;
 };
 
-constexpr Quantity kQuantities[] = {
-    {"trim_collective", "Collective at the root", "Root collective, deg", "collective_root_deg",
-     "collective_root_deg", 1},
-    {"trim_stick", "Longitudinal stick (forward up)", "Stick, in of 9.6", "long_stick_in", "long_stick_pct",
-     kStickTravel / 100},
-    {"trim_pitch", "Pitch attitude", "Pitch, deg", "pitch_deg", "pitch_deg", 1},
-    {"trim_power", "Shaft power of both rotors", "Power, kW", "power_kw", "power_kw", 1},
-};
+const std::vector<Quantity>& quantities() {
+  constexpr ComparedAircraft standard = ComparedAircraft::standard;
+  constexpr ComparedAircraft simulated = ComparedAircraft::as_simulated;
+  constexpr double percent = kStickTravel / 100;
+  constexpr double kilo = 1e-3;
+  constexpr double kilo_pound = kilo * kPoundForce;
+  static const std::vector<Quantity> all = {
+      {"trim_pitch",
+       "Pitch attitude",
+       "Pitch, deg",
+       "pitch_deg",
+       1,
+       standard,
+       {{printed, "trim_gtrs_printed", "pitch_deg", 1},
+        {printed, "trim_gtrs_conversion", "pitch_deg", 1},
+        {figure, "trim_gtrs_figures", "pitch_deg", 1},
+        {flight, "trim_flight", "pitch_deg", 1}}},
+      {"trim_stick",
+       "Longitudinal stick (forward up)",
+       "Stick, in of 9.6",
+       "long_stick_in",
+       1,
+       standard,
+       {{printed, "trim_gtrs_printed", "long_stick_in", 1},
+        {printed, "trim_gtrs_conversion", "long_stick_in", 1},
+        {figure, "trim_gtrs_figures", "long_stick_pct", percent},
+        {flight, "trim_flight", "long_stick_pct", percent}}},
+      {"trim_collective",
+       "Collective at the root",
+       "Root collective, deg",
+       "collective_root_deg",
+       1,
+       standard,
+       {{printed, "flapping_gtrs", "collective_root_deg", 1},
+        {printed, "trim_gtrs_conversion", "collective_root_deg", 1},
+        {figure, "trim_gtrs_figures", "collective_root_deg", 1}}},
+      {"trim_power",
+       "Shaft power of both rotors",
+       "Power, kW",
+       "power_kw",
+       1,
+       standard,
+       {{printed, "rotor_power_gtrs", "power_kw", 1},
+        {figure, "trim_gtrs_figures", "power_kw", 1},
+        {flight, "trim_flight", "power_kw", 1}}},
+      {"trim_thrust",
+       "Thrust of one rotor along its shaft",
+       "Thrust, kN",
+       "shaft_thrust_n",
+       kilo,
+       simulated,
+       {{printed, "trim_gtrs_printed", "thrust_n", kilo},
+        {printed, "trim_gtrs_conversion", "thrust_n", kilo}}},
+      {"trim_elevator",
+       "Elevator (trailing edge down up)",
+       "Elevator, deg",
+       "elevator_deg",
+       1,
+       simulated,
+       {{printed, "trim_gtrs_printed", "elevator_deg", 1},
+        {printed, "trim_gtrs_conversion", "elevator_deg", 1}}},
+      {"trim_long_flap",
+       "Longitudinal flapping (disk forward up)",
+       "Longitudinal flapping, deg",
+       "long_flap_deg",
+       1,
+       simulated,
+       {{printed, "flapping_gtrs", "long_flap_deg", 1},
+        {printed, "trim_gtrs_conversion", "long_flap_deg", 1}}},
+      {"trim_lat_flap",
+       "Lateral flapping (disk outboard down)",
+       "Lateral flapping, deg",
+       "lat_flap_deg",
+       1,
+       simulated,
+       {{printed, "flapping_gtrs", "lat_flap_deg", 1}, {printed, "trim_gtrs_conversion", "lat_flap_deg", 1}}},
+      {"trim_airframe_x",
+       "Force of the airframe along x, without rotors",
+       "X, kN",
+       "airframe_x_n",
+       kilo,
+       simulated,
+       {{printed, "component_loads_gtrs_conversion", "x_lbf", kilo_pound, "airframe"}}},
+      {"trim_wing_z",
+       "Force of the wing along z, with its part in the wakes",
+       "Z, kN (lift is negative)",
+       "wing_z_n",
+       kilo,
+       simulated,
+       {{printed, "component_loads_gtrs_conversion", "z_lbf", kilo_pound, "wing"}}},
+      {"trim_tail_z",
+       "Force of the horizontal tail along z",
+       "Z, kN (lift is negative)",
+       "tail_z_n",
+       kilo,
+       simulated,
+       {{printed, "component_loads_gtrs", "z_lbf", kilo_pound, "horizontal_tail"},
+        {printed, "component_loads_gtrs_conversion", "z_lbf", kilo_pound, "horizontal_tail"}}},
+  };
+  return all;
+}
 
-Series points(const Table& set, double mast_deg, const char* column, double factor) {
+bool has_column(const Table& table, const char* name) {
+  return std::find(table.columns().begin(), table.columns().end(), name) != table.columns().end();
+}
+
+// Sets of helicopter mode alone have no mast angle.
+Series points(const Source& source, double mast_deg) {
   Series s;
   s.line = Line::none;
-  const Table rows = set.where("mast_deg", mast_deg);
+  Table rows = reference_points(source.set);
+  if (has_column(rows, "mast_deg")) {
+    rows = rows.where("mast_deg", mast_deg);
+  } else if (mast_deg != 0) {
+    return s;
+  }
+  if (source.component != nullptr) rows = rows.where("component", std::string(source.component));
+  const bool metric = has_column(rows, "speed_mps");
   for (std::size_t i = 0; i < rows.rows(); ++i) {
-    const double y = factor * rows.number(i, column);
+    const double y = source.factor * rows.number(i, source.column);
     if (!std::isfinite(y)) continue;
-    s.x.push_back(rows.number(i, "speed_mps"));
+    s.x.push_back(metric ? rows.number(i, "speed_mps") : kKnot * rows.number(i, "speed_kt"));
     s.y.push_back(y);
   }
   return s;
 }
 
-// A legend entry that stands for one kind of point at every mast angle.
-Series key(const char* name, Marker marker, bool filled) {
-  Series s;
-  s.name = name;
-  s.color = kGrey;
+constexpr struct {
+  const char* name;
+  Marker marker;
+  bool filled;
+} kKinds[] = {{"GTRS, printed", Marker::square, true},
+              {"GTRS, figure", Marker::circle, false},
+              {"flight", Marker::triangle, true}};
+
+void set_marker(Kind kind, Series& s) {
   s.line = Line::none;
-  s.marker = marker;
-  s.filled = filled;
-  return s;
+  s.marker = kKinds[kind].marker;
+  s.filled = kKinds[kind].filled;
 }
 
 Picture picture(const Quantity& quantity, const Table& curves) {
   Plot plot;
   plot.id = quantity.id;
   plot.title = quantity.title;
+  plot.note = drawn_with(quantity.aircraft, setup_of(quantity.aircraft, 0));
   plot.x.label = "Speed, m/s";
   plot.y.label = quantity.axis;
   plot.x.low = 0;
   plot.y.zero_line = true;
-  const Table figures = reference_points("trim_gtrs_figures");
-  const Table flight = reference_points("trim_flight");
-  const Table printed = reference_points("trim_gtrs_printed");
-  const std::vector<std::string>& printed_columns = printed.columns();
-  const bool is_printed =
-      std::find(printed_columns.begin(), printed_columns.end(), quantity.column) != printed_columns.end();
-
-  for (int i = 0; i < 4; ++i) {
-    const Table rows = curves.where("mast_deg", kShownMasts[i]);
+  int color = 0;
+  for (const double mast : kShownMasts) {
+    const Table rows = curves.where("mast_deg", mast);
     Series curve;
-    curve.name = mast_text(kShownMasts[i]);
-    curve.color = kLineColor[i];
+    curve.name = "mast " + fixed(mast, 0);
+    curve.color = kLineColor[color];
     curve.x = rows.numbers("speed_mps");
-    curve.y = rows.numbers(quantity.column);
+    for (const double y : rows.numbers(quantity.column)) curve.y.push_back(quantity.factor * y);
     plot.series.push_back(curve);
-  }
-  for (int i = 0; i < 4; ++i) {
-    const auto add = [&](Series s, Marker marker, bool filled) {
-      s.color = kLineColor[i];
-      s.marker = marker;
-      s.filled = filled;
+    for (const Source& source : quantity.sources) {
+      Series s = points(source, mast);
+      s.color = kLineColor[color];
+      set_marker(source.kind, s);
       plot.series.push_back(s);
-    };
-    const double mast = kShownMasts[i];
-    add(points(figures, mast, quantity.reference_column, quantity.reference_factor), Marker::circle, false);
-    add(points(flight, mast, quantity.reference_column, quantity.reference_factor), Marker::triangle, true);
-    if (is_printed) add(points(printed, mast, quantity.column, 1), Marker::square, true);
+    }
+    ++color;
   }
-  if (is_printed) plot.series.push_back(key("GTRS, printed", Marker::square, true));
-  plot.series.push_back(key("GTRS, figure", Marker::circle, false));
-  plot.series.push_back(key("flight", Marker::triangle, true));
+  for (const Kind kind : {printed, figure, flight}) {
+    const bool shown = std::any_of(quantity.sources.begin(), quantity.sources.end(),
+                                   [&](const Source& source) { return source.kind == kind; });
+    if (!shown) continue;
+    Series s;  // stands in the key for every mast angle
+    s.name = kKinds[kind].name;
+    s.color = kGrey;
+    set_marker(kind, s);
+    plot.series.push_back(s);
+  }
   return {quantity.id, svg(plot)};
 }
 
@@ -160,7 +321,7 @@ std::vector<Finding> statements(const Table& curves) {
   std::string fast_spans;
   std::vector<double> span_of_all;
   std::vector<double> fast_span;
-  for (const double mast : kShownMasts) {
+  for (const double mast : kJudgedMasts) {
     const Table rows = curves.where("mast_deg", mast);
     const std::vector<double> s = rows.numbers("long_stick_in");
     const std::vector<double> v = rows.numbers("speed_mps");
@@ -213,17 +374,22 @@ std::vector<Finding> statements(const Table& curves) {
 Section trim_curves(const Sweeps& sweeps) {
   Section section{"trim", "Trim from hover to cruise", "", {}, {}, {}};
   section.reading =
-      "Lines: this program, every level flight inside its limits, rotor speed as scheduled (589 rpm, 517 rpm "
-      "at mast 90). Squares: the GTRS simulation as printed; "
-      "circles: "
-      "GTRS read off a figure; triangles: flight, whose weight, flap and centre of gravity are not "
-      "published.";
-  const Table curves = curve_table(sweeps);
-  for (const Quantity& quantity : kQuantities) section.pictures.push_back(picture(quantity, curves));
+      "Lines: this program, every level flight inside its limits, rotor speed as scheduled (589 rpm, 517 rpm at "
+      "mast 90). Squares: the GTRS simulation as printed, its power derived from the printed rotor loads; "
+      "circles: GTRS read off a figure; triangles: flight, whose weight, flap and centre of gravity are not "
+      "published. Thrust, elevator, flapping and the loads of the components are drawn as simulated, with the "
+      "lateral cyclic and the elevator gearing of the printed runs.";
+  const Table curves = standard_curves(sweeps);
+  const Table simulated = simulated_curves();
+  for (const Quantity& quantity : quantities()) {
+    const bool is_standard = quantity.aircraft == ComparedAircraft::standard;
+    section.pictures.push_back(picture(quantity, is_standard ? curves : simulated));
+  }
   section.findings = statements(curves);
   const Table compared = trim_comparison();
   for (const Finding& f : trim_comparison_findings(compared)) section.findings.push_back(f);
   section.tables.push_back({"trim_curves", "the curves", curves});
+  section.tables.push_back({"trim_curves_simulated", "the curves of the aircraft as simulated", simulated});
   section.tables.push_back(
       {"trim_compared", "every published point against this program at that speed", compared});
   return section;

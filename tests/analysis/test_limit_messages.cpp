@@ -6,7 +6,7 @@
 #include <string>
 
 #include "analysis_case.hpp"
-#include "tiltrotor/model/setup_explanation.hpp"
+#include "tiltrotor/model/setup/setup_explanation.hpp"
 
 using namespace analysis_case;
 

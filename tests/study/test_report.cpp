@@ -103,6 +103,10 @@ TEST_OF_XV15(slow_report_writes_whole_files) {
       if (!CHECK(fault.empty())) NOTE(entry.path().string() << ": " << fault);
       CHECK(text.find("NaN") == std::string::npos && text.find("=\"nan") == std::string::npos &&
             text.find("inf\"") == std::string::npos);
+      for (const char* word : {"Aircraft: ", "Governor: ", "Inflow: "}) {
+        if (!CHECK(text.find(word) != std::string::npos))
+          NOTE(entry.path().string() << " does not say its " << word);
+      }
       ++drawings;
     } else if (entry.path().filename() == "run.txt") {
       CHECK(text.find("tiltrotor ") == 0);

@@ -18,8 +18,8 @@
 
 #include <cmath>
 
-#include "tiltrotor/model/options.hpp"
 #include "tiltrotor/model/rotor/vortex_ring.hpp"
+#include "tiltrotor/model/variables/options.hpp"
 
 namespace tiltrotor {
 

@@ -1,0 +1,34 @@
+#include "study/drawn_with.hpp"
+
+#include "study/wording.hpp"
+#include "tiltrotor/model/aircraft/aircraft_data.hpp"
+
+namespace tiltrotor::study {
+
+namespace {
+
+constexpr double kPound = 0.45359237;  // kg
+
+std::string name() { return aircraft_identity().name; }
+
+std::string inflow_words(const Options& options) {
+  return options.inflow == InflowShape::pitt_peters ? "Pitt-Peters" : "uniform";
+}
+
+}  // namespace
+
+std::string drawn_with(ComparedAircraft aircraft, const Setup& setup) {
+  return "Aircraft: " + name() + ", " + word(aircraft) + ", " + fixed(setup.mass / kPound, 0) + " lb, " +
+         (setup.altitude > 0 ? fixed(setup.altitude, 0) + " m" : "sea level") +
+         ". Governor: none, rotor speed held. Inflow: " + inflow_words(setup.options) + ".";
+}
+
+std::string drawn_with() { return drawn_with(ComparedAircraft::standard, default_setup(0)); }
+
+std::string drawn_with_rotor_alone() {
+  return "Aircraft: one rotor of the " + name() +
+         ". Governor: none, rotor speed held. Inflow: " + inflow_words(default_setup(0).options) +
+         ", in equilibrium.";
+}
+
+}  // namespace tiltrotor::study
