@@ -253,7 +253,8 @@ Section conversion_corridor() {
       "on the right, "
       "the transmission has no more power (at mast 90, with its lower rotor speed, torque). That is the "
       "continuous rating, of engines and transmission alike; the orange line is the take-off rating of the "
-      "engines. Blue is stable. Dashed on the left the published least speeds, on the right the greatest (1975: Vc). "
+      "engines. Blue is stable. Dashed on the left the published least speeds, on the right the greatest "
+      "(1975: Vc). "
       "At low mast "
       "angles flight below the stall of the wing is possible, nose high. Flap and rotor speed change at mast "
       "0 and 90.";

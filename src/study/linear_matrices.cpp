@@ -37,9 +37,10 @@ Table term_table() {
   Table table(
       {"matrix", "row", "column", "printed", "here", "ratio", "full_tail", "without_lag", "explanation"});
   table.comment(
-      "Units of the print: ft, s, rad, in of stick, pedal and lever. full_tail: with a pressure ratio of 1 at the");
+      "Units of the print: ft, s, rad, in of stick, pedal and lever. full_tail: with a pressure ratio");
   table.comment(
-      "horizontal tail; without_lag: with its downwash at once. The lever's column is scaled to its first term.");
+      "of 1 at the horizontal tail; without_lag: with its downwash at once. The lever's column is scaled");
+  table.comment("to its first term.");
   for (std::size_t i = 0; i < here.size(); ++i) {
     const LinearTerm& term = printed_terms()[i];
     const double ratio = here[i] / term.printed;
@@ -106,9 +107,10 @@ Section linear_matrices() {
   const int alike = count_alike(terms, "here");
   section.findings.push_back(
       {verdict_of(alike, of), "The printed matrices at 200 kt, each term within 15 %.",
-       std::to_string(alike) + " of " + std::to_string(of) + " terms; " +
+       std::to_string(alike) + " of " + std::to_string(of) + " terms, " +
            std::to_string(count_alike(terms, "full_tail")) +
-           " with a pressure ratio of 1 at the horizontal tail, of the longitudinal ones without the lever then all but: " +
+           " with a pressure ratio of 1 at the horizontal tail. Longitudinal terms outside then, those of the "
+           "lever apart: " +
            outside_with_full_tail(terms) + "."});
   for (const int axis : {0, 1}) {
     section.tables.push_back({std::string("linear_200kt_") + kAxis[axis],

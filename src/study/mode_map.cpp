@@ -155,10 +155,11 @@ std::vector<Finding> statements(const Table& table) {
 Section mode_map(const Sweeps& sweeps) {
   Section section{"modes", "Modes in the complex plane", "", {}, {}, {}};
   section.reading =
-      "Each line is a branch followed through speed (numbers in m/s), in the colour of its mode's name, which "
-      "depends on the flight alone; stable to the left of the grey line. Of a conjugate pair the upper root is "
-      "drawn. Every mast angle has the same axes; beside them the phugoid, and the slow lateral roots of "
-      "helicopter mode, enlarged. Rotor modes lie far to the left and are left out. Rotor speed and collective are held: no governor acts.";
+      "Each line is a branch followed through speed (numbers in m/s), in the colour of its mode's name, "
+      "which depends on the flight alone; stable to the left of the grey line. Of a conjugate pair the upper "
+      "root is drawn. Every mast angle has the same axes; beside them the phugoid, and the slow lateral roots "
+      "of helicopter mode, enlarged. Rotor modes lie far to the left and are left out. Rotor speed and "
+      "collective are held: no governor acts.";
   const Table table = sweep_table(sweeps);
   for (const char* axis : {"longitudinal", "lateral"}) {
     const Table rows = table.where("axis", std::string(axis));

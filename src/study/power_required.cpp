@@ -187,7 +187,8 @@ Section power_required(const Sweeps& sweeps) {
   Section section{"power", "Power required", "", {}, {}, {}};
   section.reading =
       "The curves end at stall on the left and at the power of the transmission, two times 1160 hp, on the "
-      "right; rotor speed as scheduled. ";
+      "right; rotor speed as scheduled. With the flap and rotor speed of the prediction they end where the "
+      "wing stalls. ";
   const Table table = power_table(sweeps);
   section.reading += least_power(table);
   const Table compared = compared_with_prediction();

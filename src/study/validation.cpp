@@ -342,10 +342,10 @@ Section validation_section(const Validation& v) {
        "model; the 1975 design speeds Vc and Vd and the blade life of 1980, which are structural; roots of other "
        "models that follow from sign errors; the attitude after one second in hover, whose axis is printed "
        "ambiguously. Of the conversion and augmentation facts: time constants, damping and sensitivity with "
-       "augmentation, which the bare airframe does not have; the ratio of hover pitch sensitivity, simulation over "
-       "flight, since that of flight is not published; the acceleration of up to 0.4 g in a conversion, which is "
-       "the pilot's choice and no trim. Of the earlier yaw response in hover the pole alone, since it is a second "
-       "fit of the same record; u and w of the printed trims, which are speed and pitch again."});
+       "augmentation, which the bare airframe does not have; the ratio of hover pitch sensitivity, simulation "
+       "over flight, since that of flight is not published; the acceleration of up to 0.4 g in a conversion, "
+       "which is the pilot's choice and no trim. Of the earlier yaw response in hover the pole alone, since it "
+       "is a second fit of the same record; u and w of the printed trims, which are speed and pitch again."});
   section.tables.push_back({"validation_sets", "the sets", v.sets, true});
   section.tables.push_back({"validation", "every number, the worst first", v.rows, true});
   section.tables.push_back({"known_exceedances", "what lies outside, as this run would list it", v.known});
