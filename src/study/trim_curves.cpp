@@ -30,16 +30,17 @@ void add_curve(const SpeedSweep& sweep, Table& table) {
   for (const LevelFlight& f : sweep.flights) {
     const Trimmed& t = f.trim;
     const Evaluation<double> e = evaluated(sweep.c, t.state, t.controls);
-    const auto force = [&](Component k) { return e.loads.component[k].force; };
-    const Vec3<double> wing = force(wing_free) + force(wing_wake_right) + force(wing_wake_left);
-    const Vec3<double> airframe =
-        wing + force(pylon) + force(fuselage) + force(htail) + force(fin_right) + force(fin_left);
+    using K = Component;
+    const auto force = [&](K k) { return e.loads[k].force; };
+    const Vec3<double> wing = force(K::wing_free) + force(K::wing_wake_right) + force(K::wing_wake_left);
+    const Vec3<double> airframe = wing + force(K::pylon) + force(K::fuselage) + force(K::htail) +
+                                  force(K::fin_right) + force(K::fin_left);
     table.add({sweep.mast_deg, f.speed_mps, static_cast<double>(t.iterations), degrees(t.state.pitch),
                degrees(t.controls.collective), degrees(t.collective_root), stick_position(t),
                degrees(t.blades.long_cyclic[right]), degrees(t.blades.elevator), t.thrust[right],
                total_power_kw(t), degrees(t.wing_angle_of_attack), t.download_fraction,
                e.rotor[right].loads.force_a.z, degrees(t.state.rotor[right].b1c),
-               degrees(t.state.rotor[right].b1s), airframe.x, wing.z, force(htail).z});
+               degrees(t.state.rotor[right].b1s), airframe.x, wing.z, force(K::htail).z});
   }
 }
 
