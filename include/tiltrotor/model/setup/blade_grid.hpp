@@ -1,6 +1,8 @@
 // Stations of the blade where the blade-element integrals are summed.
 #pragma once
 
+#include "tiltrotor/math/bracketed_root.hpp"
+#include "tiltrotor/math/hyperbolic_tangent.hpp"
 #include "tiltrotor/model/aircraft/aircraft.hpp"
 #include "tiltrotor/model/setup/azimuth_stations.hpp"
 #include "tiltrotor/model/setup/quadrature.hpp"
@@ -17,6 +19,7 @@ struct BladeStation {
   R half_chord_dr;  // chord times quadrature width over two, m^2: half density times this is the load scale
   R twist;          // pitch above that at the collective's reference radius, rad
   R lift_weight;    // 1 inside the tip-loss radius, 0 outside
+  R stall_delay;    // tanh(3 (c/r)^2), share of the lost lift that rotation keeps; 0 without the switch
   R inflow_shape;   // mean inflow here over its value lambda_0, less one: radial_inflow.hpp
 };
 
@@ -32,6 +35,22 @@ R blade_twist(const RotorTables<R>& rotor, TwistSource source, R x) {
   if (source == TwistSource::linear) return rotor.twist_linear * (x - rotor.twist_reference);
   return lookup(rotor.twist, Interpolation::linear, x) -
          lookup(rotor.twist, Interpolation::linear, rotor.twist_reference);
+}
+
+// Lift of a section before stall: `slope` per deg above `zero_deg`, at the lowest Mach number of its table.
+template <class R>
+struct PotentialLift {
+  R zero_deg, slope;
+};
+
+template <class R>
+PotentialLift<R> potential_lift(const RotorTables<R>& rotor, int region) {
+  const Table<R, 2>& table = rotor.section_lift[region];
+  const R mach = table.smooth[1].knot[0];
+  const auto lift = [&](R alpha_deg) { return lookup(table, Interpolation::linear, alpha_deg, mach); };
+  const R span = R(4);  // deg
+  const R zero = bracketed_root(lift, -span, span, R(1e-6));
+  return {zero, lift(zero + span) / span};
 }
 
 template <class R>
@@ -117,6 +136,8 @@ BladeStations<R> blade_stations(const RotorTables<R>& rotor, const Options& opti
         s.half_chord_dr = R(0.5) * blade_chord(rotor, options.chord, x) *
                           (width * static_cast<R>(rule.weight[i]) * rotor.radius);
         s.twist = gauss ? twist[i] : blade_twist(rotor, options.twist, x);
+        const R chord_over_radius = blade_chord(rotor, options.chord, x) / s.radius;
+        s.stall_delay = options.stall_delay ? hyperbolic_tangent(R(3) * square(chord_over_radius)) : R(0);
         s.lift_weight = x < rotor.tip_loss ? R(1) : R(0);
       }
     }
