@@ -128,7 +128,8 @@ TILTROTOR_INLINE ElementLoads<T> element_loads(const Configuration<C>& c, int re
   const T scale = (c.air.density * station.half_chord_dr) * speed;
   T lift = station.lift_weight * k.lift;
   if (c.setup.options.stall_delay)
-    lift += (station.lift_weight * station.stall_delay) * lift_lost_by_stall(c, region, alpha, k.lift);
+    lift +=
+        (station.lift_weight * kept_by_rotation(c, station)) * lift_lost_by_stall(c, region, alpha, k.lift);
   return {scale * (lift * ut - k.drag * up), -(scale * (lift * up + k.drag * ut))};
 }
 

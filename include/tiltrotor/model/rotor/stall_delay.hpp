@@ -7,12 +7,23 @@
 // it end. It over-predicts on many rotors (Breton, Coton and Moe, Wind Energy 11 (2008) 459), hence no default.
 #pragma once
 
+#include "tiltrotor/math/hyperbolic_tangent.hpp"
 #include "tiltrotor/math/smooth.hpp"
 #include "tiltrotor/model/setup/configuration.hpp"
 
 namespace tiltrotor {
 
-// To be multiplied by the station's stall_delay. `alpha`: rad, -pi..pi; `lift`: cl of the section tables.
+// tanh(3 (c/r)^2) of a station: the share of the lost lift that rotation keeps. Computed at every element, since
+// every aircraft would carry a stored one and few fly with the switch.
+template <class C>
+Real<C> kept_by_rotation(const Configuration<C>& c, const BladeStation<Real<C>>& s) {
+  using R = Real<C>;
+  const RotorTables<R>& rotor = c.aircraft->rotor;
+  const R chord = blade_chord(rotor, c.setup.options.chord, s.radius / rotor.radius);
+  return hyperbolic_tangent(R(3) * square(chord / s.radius));
+}
+
+// Lift lost by stall. `alpha`: rad, -pi..pi; `lift`: cl of the section tables.
 template <class T, class C>
 T lift_lost_by_stall(const Configuration<C>& c, int region, const T& alpha, const T& lift) {
   using R = Real<T>;

@@ -2,7 +2,6 @@
 #pragma once
 
 #include "tiltrotor/math/bracketed_root.hpp"
-#include "tiltrotor/math/hyperbolic_tangent.hpp"
 #include "tiltrotor/model/aircraft/aircraft.hpp"
 #include "tiltrotor/model/setup/azimuth_stations.hpp"
 #include "tiltrotor/model/setup/quadrature.hpp"
@@ -19,7 +18,6 @@ struct BladeStation {
   R half_chord_dr;  // chord times quadrature width over two, m^2: half density times this is the load scale
   R twist;          // pitch above that at the collective's reference radius, rad
   R lift_weight;    // 1 inside the tip-loss radius, 0 outside
-  R stall_delay;    // tanh(3 (c/r)^2), share of the lost lift that rotation keeps; 0 without the switch
   R inflow_shape;   // mean inflow here over its value lambda_0, less one: radial_inflow.hpp
 };
 
@@ -136,8 +134,6 @@ BladeStations<R> blade_stations(const RotorTables<R>& rotor, const Options& opti
         s.half_chord_dr = R(0.5) * blade_chord(rotor, options.chord, x) *
                           (width * static_cast<R>(rule.weight[i]) * rotor.radius);
         s.twist = gauss ? twist[i] : blade_twist(rotor, options.twist, x);
-        const R chord_over_radius = blade_chord(rotor, options.chord, x) / s.radius;
-        s.stall_delay = options.stall_delay ? hyperbolic_tangent(R(3) * square(chord_over_radius)) : R(0);
         s.lift_weight = x < rotor.tip_loss ? R(1) : R(0);
       }
     }
