@@ -14,7 +14,7 @@ namespace tiltrotor::study {
 
 namespace {
 
-constexpr double kSpeedStep = 5;        // m/s
+constexpr double kSpeedStep = 2.5;      // m/s
 constexpr double kHighest = 140;        // m/s
 constexpr double kResponseStep = 0.01;  // s
 
@@ -150,7 +150,7 @@ void add_point(const std::string& point, const std::string& quantity, double val
 
 // Where the shares of the inputs are told.
 bool is_point(double mast_deg, double speed) {
-  return (mast_deg == 0 && (speed == 0 || speed == 40)) || (mast_deg == 60 && speed == 70) ||
+  return (mast_deg == 0 && (speed == 0 || speed == 15 || speed == 40)) || (mast_deg == 60 && speed == 70) ||
          (mast_deg == 90 && speed == 100);
 }
 

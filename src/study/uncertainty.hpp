@@ -22,7 +22,7 @@ struct Uncertainty {
   Table parts{{"point", "quantity", "input", "at_low", "at_high", "share"}};
 };
 
-// Mast angles 0, 15, 30, 60 and 90 deg. Cost: some 5000 trims and linear models, 60 flights of 3 s.
+// Mast angles 0, 15, 30, 60 and 90 deg. Cost: some 10000 trims and linear models, 60 flights of 3 s.
 Uncertainty uncertainty();
 
 // Trim of a level flight: changes by input, in the order of doubtful_inputs().

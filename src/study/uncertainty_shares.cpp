@@ -17,6 +17,7 @@ constexpr struct {
   const char* point;
   const char* quantity;
 } kShown[] = {{"hover_power", "mast 0, 0 m/s", "power_kw"},
+              {"pitch_15", "mast 0, 15 m/s", "pitch_deg"},
               {"pitch_40", "mast 0, 40 m/s", "pitch_deg"},
               {"stick_40", "mast 0, 40 m/s", "long_stick_in"},
               {"pitch_mast_60", "mast 60, 70 m/s", "pitch_deg"},
