@@ -245,8 +245,7 @@ tr_status tr_step(tr_sim* sim, tr_work* work, tr_real dt);
 
 /* Snapshot and restore. tr_set_state accepts finite states of |velocity| <= 300 m/s, |rates| <= 20 rad/s,
  * |roll| <= 1000 rad, |pitch| <= 89.5 deg, |yaw| <= 1e6 rad, |angles and inflow| <= 2, |their rates| <= 200
- * rad/s, |position| <= 1e9 m, |controls| <= 100, |gust| <= 50 m/s, time 0..1e9 s, steps <= 1e15; no step
- * leads beyond.
+ * rad/s, |position| <= 1e9 m, |controls| <= 100, time 0..1e9 s, steps <= 1e15; no step leads beyond.
  * roll_rad, yaw_rad and position_m count where they round to their numbers in x; elsewhere x counts.
  * TR_NOT_FINITE, TR_OUT_OF_RANGE. Cost: a copy. */
 tr_status tr_get_state(const tr_sim* sim, tr_state* state);
@@ -293,7 +292,7 @@ tr_status tr_get_outputs(const tr_sim* sim, tr_outputs* outputs);
 /* Relative to the air at the aircraft. */
 typedef struct tr_flight {
   tr_real speed_mps;       /* 0..150 */
-  tr_real climb_rad;       /* of the flight path, + up, within 90 deg; 0 at speed 0, below 1e-12 m/s */
+  tr_real climb_rad;       /* of the flight path, + up, within 90 deg; 0 at speed 0, below 1e-15 m/s */
   tr_real turn_rate_radps; /* of the heading, + right, within 60 deg/s */
   tr_real sideslip_rad;    /* + wind from the right, within 60 deg; 0 at speed 0 and climb +-90 deg */
 } tr_flight;

@@ -40,9 +40,9 @@ Loads       force on the aircraft and moment about the CG, body axes, without we
 Names       _R right, _L left rotor; eps: lagged wing downwash at the tail; b0, db0: coning (coning_states); north, east,
             down: position (position_states).
 Files       CSV is RFC 4180 in UTF-8, a byte-order mark allowed, one record a line. --states reads what trim and respond
-            print. Numbers of trim, modes, respond and rotor smaller than 1e-12 (but residual; heading and place, sums over
+            print. Numbers of trim, modes, respond and rotor smaller than 1e-12 (but residual; bank, heading, place, sums over
             t seconds, 1e-12 t), and loads, rates and entries of A and B smaller than 1e-14 of the terms beside them, are
-            rounding and printed as 0. What was given is printed as it was given. A speed below 1e-12 m/s is rest.
+            rounding and printed as 0. What was given is printed as it was given. A speed below 1e-15 m/s is rest.
 Model       model, in rows of trim and respond: the aircraft and the switches that differ from their defaults. --states
             tells on stderr where a row was made with another model than it is computed with.
 )";

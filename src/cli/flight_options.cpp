@@ -214,7 +214,7 @@ OptionList flight_list() {
   return {
       {"--mast", "DEG", "mast angle: 0 helicopter .. 90 airplane (0)"},
       {"--speed", "MPS", speed.c_str()},
-      {"--climb", "DEG", "angle of the flight path, -90..90, at speed 0, below 1e-12, it\nmust be 0 (0)"},
+      {"--climb", "DEG", "angle of the flight path, -90..90, at speed 0, below 1e-15, it\nmust be 0 (0)"},
       {"--sideslip", "DEG", "wind from the right, -60..60, at speed 0 and climb +-90 it must\nbe 0 (0)"},
       {"--turn-rate", "DEGPS", "of the heading, + right, -60..60 (0)"},
   };

@@ -129,6 +129,7 @@ std::vector<Switch> all_switches() {
       words("chord", &O::chord, {"cutout", "text", "camrad"}, "source of the blade chord"),
       words("twist", &O::twist, {"table", "linear"}, "source of the blade twist"),
       on_off("cyclic_rigging", &O::cyclic_rigging, "cyclic bias that grows with mast angle"),
+      on_off("stall_delay", &O::stall_delay, "lift that rotation keeps beyond stall"),
       on_off("lateral_cyclic", &O::lateral_cyclic, "lateral cyclic scheduled with airspeed"),
       words("elevator_gearing", &O::elevator_gearing, {"aircraft", "printed_runs"}, "4.167 or 4.735 deg/in"),
       data_set(),

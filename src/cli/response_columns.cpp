@@ -43,7 +43,7 @@ const Column columns[] = {
     {"p_degps", [](Now m) { return m.x.rates.x / radian; }},
     {"q_degps", [](Now m) { return m.x.rates.y / radian; }},
     {"r_degps", [](Now m) { return m.x.rates.z / radian; }},
-    {"roll_deg", [](Now m) { return m.x.roll / radian; }},
+    {"roll_deg", [](Now m) { return without_drift(m.x.roll / radian, m); }},
     {"pitch_deg", [](Now m) { return m.x.pitch / radian; }},
     {"yaw_deg", [](Now m) { return without_drift(m.x.yaw / radian, m); }},
     {"speed_mps", [](Now m) { return airspeed(m.x, m.u); }},

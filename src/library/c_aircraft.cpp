@@ -46,8 +46,8 @@ TILTROTOR_NOINLINE bool in_bound(int state, R x) { return std::fabs(x) <= state_
 bool in_bounds(const tr_state& state) {
   for (int i = 0; i < TR_STATES; ++i)
     if (!in_bound(i, state.x[i])) return false;
-  for (int j = 0; j < TR_CONTROLS; ++j)
-    if (!(std::fabs(state.u[j]) <= largest_stored(aircraft_data<R>(), j))) return false;
+  for (const R u : state.u)
+    if (!(std::fabs(u) <= kLargestControl<R>)) return false;
   return state.time_s >= 0 && state.time_s <= kLongestFlight && state.steps <= kMostSteps;
 }
 

@@ -156,8 +156,7 @@ void hover(Section& section) {
        "Hover power at given thrust within 7 % of OARF.",
        std::to_string(within) + " of " + std::to_string(oarf_compared.rows()) +
            " points, largest difference " + with_sign(worst, 1) +
-           " %. Mean inflow is uniform over the disk, which flatters the rotor at moderate thrust; "
-           "the sections stall early above CT/sigma 0.16."});
+           " %. Two-dimensional sections stall early above CT/sigma 0.16, and their drag at zero lift is high."});
   section.tables.push_back({"rotor_hover", "hover", table});
   section.tables.push_back({"rotor_hover_compared", "hover against OARF and WADC", compared});
   section.tables.push_back({"rotor_tunnel_compared", "hover against the 80x120 tunnel", tunnel_compared});

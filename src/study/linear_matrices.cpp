@@ -18,11 +18,10 @@ constexpr const char* kColumns[2][6] = {{"u", "w", "q", "theta", "long_stick", "
                                         {"v", "p", "r", "phi", "lat_stick", "pedal"}};
 constexpr const char* kAxis[2] = {"longitudinal", "lateral"};
 
-// The same aircraft with all of the free dynamic pressure at the tail.
-std::vector<double> terms_with_full_tail(const Setup& setup) {
-  Aircraft<double> aircraft = aircraft_data<double>();
-  aircraft.htail.pressure.at_90 = 1;
-  return terms_of(printed_states(setup, aircraft, DownwashDelay::first_order));
+// The same aircraft with the dynamic pressure at the tail that flight data need.
+std::vector<double> terms_with_tail_of_flight(Setup setup) {
+  setup.options.tail_pressure = TailPressure::by_mast;
+  return terms_of(printed_states(setup, aircraft_data<double>(), DownwashDelay::first_order));
 }
 
 bool is_alike(double ratio) { return std::fabs(ratio - 1) <= kAlike; }
@@ -33,19 +32,19 @@ Table term_table() {
       terms_of(printed_states(setup, aircraft_data<double>(), DownwashDelay::first_order));
   const std::vector<double> without_lag =
       terms_of(printed_states(setup, aircraft_data<double>(), DownwashDelay::none));
-  const std::vector<double> full_tail = terms_with_full_tail(setup);
+  const std::vector<double> flight_tail = terms_with_tail_of_flight(setup);
   Table table(
-      {"matrix", "row", "column", "printed", "here", "ratio", "full_tail", "without_lag", "explanation"});
+      {"matrix", "row", "column", "printed", "here", "ratio", "flight_tail", "without_lag", "explanation"});
   table.comment(
-      "Units of the print: ft, s, rad, in of stick, pedal and lever. full_tail: with a pressure ratio");
+      "Units of the print: ft, s, rad, in of stick, pedal and lever. flight_tail: with K_HNU of 0.8");
   table.comment(
-      "of 1 at the horizontal tail; without_lag: with its downwash at once. The lever's column is scaled");
+      "at the horizontal tail, as flown; without_lag: with its downwash at once. The lever's column is scaled");
   table.comment("to its first term.");
   for (std::size_t i = 0; i < here.size(); ++i) {
     const LinearTerm& term = printed_terms()[i];
     const double ratio = here[i] / term.printed;
     table.add({term.matrix, term.row, term.column, fixed(term.printed, 4), fixed(here[i], 4), fixed(ratio, 3),
-               fixed(full_tail[i], 4), fixed(without_lag[i], 4),
+               fixed(flight_tail[i], 4), fixed(without_lag[i], 4),
                is_alike(ratio) ? "" : tolerance_of("linear_model_gtrs", term.quantity(), 90).cause});
   }
   return table;
@@ -80,12 +79,12 @@ int count_alike(const Table& terms, const char* column) {
   return alike;
 }
 
-// Longitudinal terms that the tail does not explain; the lever's hang on engine and governor.
-std::string outside_with_full_tail(const Table& terms) {
+// Longitudinal terms outside; the lever's hang on engine and governor.
+std::string longitudinal_outside(const Table& terms) {
   std::string names;
   for (std::size_t i = 0; i < terms.rows(); ++i) {
     const bool along = std::strchr("uwq", terms.text(i, "row")[0]) != nullptr;
-    const bool alike = is_alike(terms.number(i, "full_tail") / terms.number(i, "printed"));
+    const bool alike = is_alike(terms.number(i, "here") / terms.number(i, "printed"));
     if (!along || alike || terms.text(i, "column") == "power_lever") continue;
     names += (names.empty() ? "" : ", ") + terms.text(i, "row") + " by " + terms.text(i, "column");
   }
@@ -108,10 +107,9 @@ Section linear_matrices() {
   section.findings.push_back(
       {verdict_of(alike, of), "The printed matrices at 200 kt, each term within 15 %.",
        std::to_string(alike) + " of " + std::to_string(of) + " terms, " +
-           std::to_string(count_alike(terms, "full_tail")) +
-           " with a pressure ratio of 1 at the horizontal tail. Longitudinal terms outside then, those of the "
-           "lever apart: " +
-           outside_with_full_tail(terms) + "."});
+           std::to_string(count_alike(terms, "flight_tail")) +
+           " with the tail as flown. Longitudinal terms outside, those of the lever apart: " +
+           longitudinal_outside(terms) + "."});
   for (const int axis : {0, 1}) {
     section.tables.push_back({std::string("linear_200kt_") + kAxis[axis],
                               std::string("[A B], ") + kAxis[axis] + ": printed, and here",

@@ -175,7 +175,7 @@ void autorotation(const Table& here, Section& section) {
   plot.series.push_back(power);
   const double descent = last_zero(here, "descent_mps", "power_kw");
   const double ratio = at(here, "descent_mps", descent, "descent_over_vh");
-  plot.labels.push_back({descent, 0, "autorotation", kBlack, -96, 16});
+  plot.labels.push_back({descent, 0, "autorotation", kBlack, -6, 16});
   section.pictures.push_back({plot.id, svg(plot)});
 
   // Climb and induced power alone cancel where no air passes the disk.
@@ -214,7 +214,7 @@ void autorotation(const Table& here, Section& section) {
 void collective(const Table& here, Section& section) {
   Plot plot;
   plot.id = "descent_collective";
-  plot.title = "Collective that keeps the thrust";
+  plot.title = "Collective that keeps the thrust; marks measured";
   plot.x.label = "Descent over v_h";
   plot.y.label = "Change over v_h/(Omega R)";
   plot.x.low = 0;

@@ -239,6 +239,10 @@ const std::vector<Field> kFields = {
     {"smooth.spinner_sine", "smooth_spinner_sine", "ND"},
     {"smooth.side_plate_speed", "smooth_side_plate_speed", "m/s"},
     {"smooth.side_plate_axial", "smooth_side_plate_axial", "m/s"},
+    {"smooth.stall_delay_lift", "stall_delay_lift", "ND"},
+    {"smooth.stall_delay_start", "stall_delay_start", "deg"},
+    {"smooth.stall_delay_fade", "stall_delay_fade", "deg"},
+    {"smooth.stall_delay_end", "stall_delay_end", "deg"},
     {"smooth.rear_flow_start", "smooth_rear_flow_start", "rad"},
 };
 

@@ -59,7 +59,8 @@ Configuration<double> prepared(const FlightSetup<double>& setup) {
 FlightSetup<double> random_setup(Generator& random, double mast_deg, const Options& options) {
   FlightSetup<double> setup = flight_setup(aircraft(), mast_deg);
   setup.mast_rate = random.between(-0.13, 0.13);
-  setup.flap_deg = random.between(1, 74);
+  const Bounds<double>& flap_deg = aircraft().limits.flap_deg;
+  setup.flap_deg = random.between(flap_deg.low + 1, flap_deg.high - 1);
   setup.rotor_speed *= random.between(0.95, 1.05);
   setup.altitude = random.between(0, 4000);
   setup.mass *= random.between(0.85, 1.05);
@@ -270,14 +271,14 @@ TEST(derivatives_by_configuration_are_one_sided_on_knots) {
   Generator random(kSeed + 3);
   for (const double mast : {0.0, 30.0, 60.0, 90.0}) {
     FlightSetup<double> setup = random_setup(random, mast, Options{});
-    for (const double flap : {0.0, 20.0, 40.0, 75.0}) {
-      setup.flap_deg = flap;
+    for (int setting = 0; setting < aircraft().wing.flap_settings; ++setting) {
+      const double flap = setup.flap_deg = aircraft().wing.flap_deg[setting];
       const Configuration<double> c = prepared(setup);
       const Flight flight{c, random_case(random, c)};
       CHECK(found().find(flight, every_parameter()) == Status::ok);
       for (const Parameter parameter : {Parameter::mast, Parameter::flap}) {
         const bool is_mast = parameter == Parameter::mast;
-        const double end = is_mast ? 90 : 75;
+        const double end = is_mast ? 90 : aircraft().limits.flap_deg.high;
         const double step_deg = (is_mast ? mast : flap) == end ? -0.0005 : 0.0005;
         Column at[4];
         for (int k = 1; k < 4; ++k) {

@@ -76,7 +76,7 @@ TEST(options_message_tells_a_value_from_its_range) {
   }
   setup = flight_setup(aircraft_data<double>(), 0.0);
   setup.options.azimuth_stations = 2;
-  CHECK(contains(fault_of(setup), "2 lies outside 0 and 3..72"));
+  CHECK(contains(fault_of(setup), "2 lies outside 0 or 3..72"));
   // The bound itself is written with all its digits: 7.2898 m is not 7.29.
   setup = flight_setup(aircraft_data<double>(), 0.0);
   setup.sl_cg = 100;

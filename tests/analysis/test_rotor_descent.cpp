@@ -116,7 +116,7 @@ TEST(isolated_rotor_pushed_against_its_thrust_says_so) {
 }
 
 // What is printed without an equilibrium that could be flown is empty and explained.
-TEST(cli_rotor_without_a_windmill_prints_no_figures) {
+TEST_OF_XV15(cli_rotor_without_a_windmill_prints_no_figures) {
   const auto run = run_tiltrotor(
       "rotor --collective75 4,8 --speed-axial -10,-40 --grid realtime --option descent_inflow=momentum");
   CHECK_EQ(run.exit_status, 1);

@@ -21,7 +21,7 @@ TrimResult<double> hovering(double mast_deg, double rpm, double mass, double alt
 
 }  // namespace
 
-TEST(trim_tells_rotor_stall_whatever_the_rotor_speed_altitude_and_weight) {
+TEST_OF_XV15(trim_tells_rotor_stall_whatever_the_rotor_speed_altitude_and_weight) {
   double least = 1;
   double most = 0;
   for (const double mast : {0.0, 10.0, 20.0, 30.0}) {
@@ -46,7 +46,7 @@ TEST(trim_tells_rotor_stall_whatever_the_rotor_speed_altitude_and_weight) {
   CHECK_LT(most / least, 1.5);
 }
 
-TEST(trim_tells_rotor_stall_in_slow_flight_too) {
+TEST_OF_XV15(trim_tells_rotor_stall_in_slow_flight_too) {
   for (const double speed : {4.0, 8.0})
     for (const double mast : {0.0, 10.0, 20.0})
       for (const double rpm : {200.0, 300.0})

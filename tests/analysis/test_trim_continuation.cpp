@@ -90,7 +90,7 @@ TEST_OF_XV15(trim_over_less_weight_is_the_trim_of_the_cold_start) {
 }
 
 // Whatever it finds, the equations are those of the whole weight again.
-TEST(trim_over_less_weight_leaves_the_equations) {
+TEST_OF_XV15(trim_over_less_weight_leaves_the_equations) {
   static TrimWorkspace<double> work;
   TrimEquations<double> whole;
   struct Case {

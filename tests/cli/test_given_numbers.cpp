@@ -81,19 +81,19 @@ TEST(cli_numbers_given_are_printed_as_given) {
   check_repeated("rotor", {{"--collective75", "collective75_deg", "7.999999999999999"}});
 }
 
-// Slower than 1e-12 m/s is rest: no climb, no sideslip, and the numbers of speed 0.
+// Slower than 1e-15 m/s is rest: no climb, no sideslip, and the numbers of speed 0.
 TEST(cli_numbers_slower_than_rest_are_rest) {
-  for (const char* speed : {"1e-320", "1e-170", "1e-154", "9e-13"}) {
+  for (const char* speed : {"1e-320", "1e-170", "1e-154", "9e-16"}) {
     for (const std::string path : {"--climb 90", "--climb -90", "--climb 3", "--sideslip 5"}) {
       const std::string flight = path + " --speed " + speed;
       for (const std::string command : {"trim ", "modes ", "linearize "}) {
         const check::ProgramResult refused = run_tiltrotor(command + flight);
         CHECK_EQ(refused.exit_status, 1);
         if (!CHECK(contains(refused.out, ",out_of_range,"))) NOTE(command + flight);
-        CHECK(contains(refused.err, "speed 0 (below 1e-12 m/s)"));
+        CHECK(contains(refused.err, "speed 0 (below 1e-15 m/s)"));
       }
       const check::ProgramResult respond = run_tiltrotor("respond " + flight);
-      CHECK(respond.exit_status == 1 && contains(respond.err, "(below 1e-12 m/s)"));
+      CHECK(respond.exit_status == 1 && contains(respond.err, "(below 1e-15 m/s)"));
     }
     const auto without_speed = [](std::string text, const std::string& number) {
       for (std::size_t at; (at = text.find(number)) != std::string::npos;)
@@ -114,7 +114,7 @@ TEST(cli_numbers_slower_than_rest_are_rest) {
     }
   }
   // A little faster the path has its direction.
-  const CsvText climb(run_tiltrotor("trim --climb 90 --speed 1e-11 --format csv").out);
+  const CsvText climb(run_tiltrotor("trim --climb 90 --speed 1e-14 --format csv").out);
   CHECK_NEAR(climb.number(0, "sideslip_deg"), 0, 1e-3);
 }
 

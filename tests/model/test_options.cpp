@@ -127,6 +127,7 @@ TEST(options_of_the_rotor) {
   check_switch({}, kBladeLoads, [](Options& o) { o.flapping = FlapOrder::first; });
   check_switch({}, kBladeLoads, [](Options& o) { o.chord = ChordSource::text; });
   check_switch({}, kBladeLoads, [](Options& o) { o.chord = ChordSource::camrad; });
+  check_switch({}, kBladeLoads, [](Options& o) { o.stall_delay = true; });
   check_switch({}, kBladeLoads, [](Options& o) { o.twist = TwistSource::linear; });
   check_switch({}, kBladeLoads | coning_rates, [](Options& o) { o.coning_states = true; });
   check_switch(

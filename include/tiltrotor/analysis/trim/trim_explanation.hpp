@@ -11,9 +11,9 @@ namespace trim_explanation_detail {
 inline constexpr const char* kFieldWords[] = {
     "configuration or options",
     "speed must be 0..",
-    "climb angle must be within 90 deg, and 0 at speed 0 (below 1e-12 m/s)",
+    "climb angle must be within 90 deg, and 0 at speed 0 (below 1e-15 m/s)",
     "turn rate must be within 60 deg/s",
-    "sideslip must be within 60 deg, and 0 at speed 0 (below 1e-12 m/s) and climb +-90 deg",
+    "sideslip must be within 60 deg, and 0 at speed 0 (below 1e-15 m/s) and climb +-90 deg",
     "gust must be within "};
 static_assert(sizeof(kFieldWords) / sizeof(kFieldWords[0]) ==
                   static_cast<unsigned>(SteadyFlightField::gust) + 1,

@@ -31,6 +31,10 @@ struct SmoothingWidths {
   R spinner_sine;         // - : sin^2 under its square root
   R side_plate_speed;     // m/s: |v| of the side plate angle
   R side_plate_axial;     // m/s: axial speed of the side plate angle
+  R stall_delay_lift;     // - : smooth positive part of the lift lost by stall
+  R stall_delay_start;    // deg above zero lift over which stall delay fades in
+  R stall_delay_fade;     // deg: angle of attack from which it fades out
+  R stall_delay_end;      // deg: over which it fades out
   R rear_flow_start;      // rad: |alpha| from which laws without a rear side go over to their mean there
 };
 

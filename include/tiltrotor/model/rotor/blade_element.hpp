@@ -6,7 +6,7 @@
 #pragma once
 
 #include "tiltrotor/math/differentiation/batch.hpp"
-#include "tiltrotor/math/smooth.hpp"
+#include "tiltrotor/model/rotor/stall_delay.hpp"
 #include "tiltrotor/model/setup/configuration.hpp"
 
 namespace tiltrotor {
@@ -126,7 +126,10 @@ TILTROTOR_INLINE ElementLoads<T> element_loads(const Configuration<C>& c, int re
   // Blade-element theory, derived here without small angles; half_chord_dr = c dr/2.
   // dF_n = 1/2 rho U c dr (cl U_T - cd U_P),  dF_t = -1/2 rho U c dr (cl U_P + cd U_T)
   const T scale = (c.air.density * station.half_chord_dr) * speed;
-  const T lift = station.lift_weight * k.lift;
+  T lift = station.lift_weight * k.lift;
+  if (c.setup.options.stall_delay)
+    lift +=
+        (station.lift_weight * kept_by_rotation(c, station)) * lift_lost_by_stall(c, region, alpha, k.lift);
   return {scale * (lift * ut - k.drag * up), -(scale * (lift * up + k.drag * ut))};
 }
 

@@ -24,7 +24,6 @@
 #include <cmath>
 #include <limits>
 
-#include "tiltrotor/math/differentiation/lanes.hpp"
 #include "tiltrotor/math/scalar.hpp"
 
 namespace tiltrotor {
@@ -48,7 +47,7 @@ struct CurvePoint {
 
 // v^2 |v - d| = 1. `branch`: 1 wake below the disk, -1 windmill (d > 2).
 template <class R>
-TILTROTOR_NOINLINE CurvePoint<R> momentum_theory(R descent, R branch) {
+CurvePoint<R> momentum_theory(R descent, R branch) {
   const R root = std::sqrt(R(0.25) * descent * descent + branch);
   return {descent, R(-0.5) * descent + branch * root, R(-0.5) + R(0.25) * branch * descent / root,
           R(0.25) / (root * root * root)};
@@ -123,7 +122,7 @@ struct RingTerms {
 
 // For axial speed z, mean inflow v and square of the in-plane speed p; false where momentum theory holds.
 template <class R>
-TILTROTOR_NOINLINE bool ring_terms(R z, R v, R p, R windmill_descent, R ring_in_plane, RingTerms<R>& out) {
+bool ring_terms(R z, R v, R p, R windmill_descent, R ring_in_plane, RingTerms<R>& out) {
   const R inverse = R(1) / square(ring_in_plane);
   if (!(z * v < R(0) && p * inverse < square(v))) return false;
   const R t = -z / v;
@@ -135,8 +134,8 @@ TILTROTOR_NOINLINE bool ring_terms(R z, R v, R p, R windmill_descent, R ring_in_
   const R rise = R(1) + at.slope;
   const R part_slope = ring.part_slope * i2 / fall;
   const R q = p / square(v);
-  const R room = R(1) - q * inverse;
-  const R weight = square(room), weight_slope = R(-2) * inverse * room;
+  const R rest = R(1) - q * inverse;
+  const R weight = square(rest), weight_slope = R(-2) * inverse * rest;
   // lambda_0^2 weight (f(t) - part(t) q)
   const auto term = [&](R f, R f_slope, R(&slope)[3]) {
     const R net = f - ring.part * q;
@@ -159,7 +158,7 @@ TILTROTOR_NOINLINE bool ring_terms(R z, R v, R p, R windmill_descent, R ring_in_
 
 // A number with its slopes along three arguments.
 template <class T>
-TILTROTOR_NOINLINE T extended(Real<T> f, const Real<T> (&slope)[3], const T* const (&x)[3]) {
+T extended(Real<T> f, const Real<T> (&slope)[3], const T* const (&x)[3]) {
   if constexpr (ScalarTraits<T>::kTakesSlopes) {
     return ScalarTraits<T>::template from_slopes<3>(f, slope, x);
   } else {

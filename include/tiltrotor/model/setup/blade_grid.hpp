@@ -1,6 +1,7 @@
 // Stations of the blade where the blade-element integrals are summed.
 #pragma once
 
+#include "tiltrotor/math/bracketed_root.hpp"
 #include "tiltrotor/model/aircraft/aircraft.hpp"
 #include "tiltrotor/model/setup/azimuth_stations.hpp"
 #include "tiltrotor/model/setup/quadrature.hpp"
@@ -32,6 +33,22 @@ R blade_twist(const RotorTables<R>& rotor, TwistSource source, R x) {
   if (source == TwistSource::linear) return rotor.twist_linear * (x - rotor.twist_reference);
   return lookup(rotor.twist, Interpolation::linear, x) -
          lookup(rotor.twist, Interpolation::linear, rotor.twist_reference);
+}
+
+// Lift of a section before stall: `slope` per deg above `zero_deg`, at the lowest Mach number of its table.
+template <class R>
+struct PotentialLift {
+  R zero_deg, slope;
+};
+
+template <class R>
+PotentialLift<R> potential_lift(const RotorTables<R>& rotor, int region) {
+  const Table<R, 2>& table = rotor.section_lift[region];
+  const R mach = table.smooth[1].knot[0];
+  const auto lift = [&](R alpha_deg) { return lookup(table, Interpolation::linear, alpha_deg, mach); };
+  const R span = R(4);  // deg
+  const R zero = bracketed_root(lift, -span, span, R(1e-6));
+  return {zero, lift(zero + span) / span};
 }
 
 template <class R>

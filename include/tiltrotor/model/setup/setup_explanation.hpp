@@ -20,7 +20,7 @@ int explain(const SetupFault<R>& fault, char* text, int capacity) {
   const bool reads_alike = std::fabs(value - nearest) < 0.01;
   sentence << setup_field_name(fault.field) << " ";
   sentence.number(value, reads_alike ? Sentence::decimals_apart(value, nearest) : 0) << space << unit;
-  sentence << " lies outside " << (fault.field == SetupField::azimuth_stations ? "0 and " : "");
+  sentence << " lies outside " << (fault.field == SetupField::azimuth_stations ? "0 or " : "");
   sentence.number(static_cast<double>(fault.range.low)) << "..";
   sentence.number(static_cast<double>(fault.range.high)) << space << unit;
   return sentence.length();

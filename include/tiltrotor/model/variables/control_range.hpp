@@ -40,12 +40,8 @@ constexpr bool every_control_has_a_range() {
 }
 static_assert(every_control_has_a_range(), "a new kind of input has its range");
 
-// Of a stored state: trims beyond the stops included, which no trim is for a gust.
+// Of a stored state: trims beyond the stops included.
 template <class R>
 inline constexpr R kLargestControl = R(100);
-template <class R>
-R largest_stored(const Aircraft<R>& aircraft, int control) {
-  return kControlVariables[control].kind == VariableKind::gust ? aircraft.limits.gust : kLargestControl<R>;
-}
 
 }  // namespace tiltrotor

@@ -13,7 +13,7 @@ namespace tiltrotor {
 
 // A slower motion through the air is rest, m/s: it has no direction, and its square may be no number.
 template <class R>
-inline constexpr R kLeastSpeed = R(1e-12);
+inline constexpr R kLeastSpeed = R(1e-15);
 
 // +1 right, -1 left.
 template <class R>

@@ -63,6 +63,7 @@ struct Options {
   ChordSource chord = ChordSource::cutout;
   TwistSource twist = TwistSource::table;
   bool cyclic_rigging = true;   // longitudinal cyclic bias that grows with mast angle
+  bool stall_delay = false;     // lift that rotation keeps beyond stall
   bool lateral_cyclic = false;  // lateral cyclic schedule with airspeed, tables 8a-VII and 8a-VIII
   ElevatorGearing elevator_gearing = ElevatorGearing::aircraft;
   bool position_states = false;  // earth position among the active states
