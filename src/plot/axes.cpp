@@ -57,6 +57,10 @@ Layout layout(const Plot& plot, double top) {
     bx.add(s.x, plot.x.logarithmic);
     by.add(s.y, plot.y.logarithmic);
   }
+  for (const Band& b : plot.bands) {
+    by.add(b.low, plot.y.logarithmic);
+    by.add(b.high, plot.y.logarithmic);
+  }
   bx.add(plot.cells.x_edge, plot.x.logarithmic);
   by.add(plot.cells.y_edge, plot.y.logarithmic);
   Layout at{{}, scale_of(plot.y, by, 6), 0, top, 0, top + plot.axes_height, 0};

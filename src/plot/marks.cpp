@@ -35,6 +35,31 @@ std::string draw_cells(const Cells& cells, const Layout& at) {
   return out;
 }
 
+// Forth along the upper edge and back along the lower one.
+std::string draw_band(const Band& band, const Layout& at) {
+  std::string path;
+  std::string back;
+  const auto close = [&] {
+    if (!back.empty()) path += back + "z";
+    back.clear();
+  };
+  for (std::size_t i = 0; i < band.x.size(); ++i) {
+    const double x = at.px(band.x[i]);
+    const double low = at.py(band.low[i]);
+    const double high = at.py(band.high[i]);
+    if (!std::isfinite(x) || !std::isfinite(low) || !std::isfinite(high)) {
+      close();
+      continue;
+    }
+    path += (back.empty() ? "M" : "L") + coordinate(x) + " " + coordinate(high);
+    back.insert(0, "L" + coordinate(x) + " " + coordinate(low));
+  }
+  close();
+  if (path.empty()) return "";
+  return "<path class=\"band\"" + attribute("d", path) + attribute("fill", band.color) +
+         attribute("fill-opacity", 0.2) + "/>\n";
+}
+
 std::string draw_line(const Series& s, const Layout& at) {
   if (s.line == Line::none) return "";
   std::string path;

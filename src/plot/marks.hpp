@@ -1,4 +1,4 @@
-// What stands between the axes of a plot: filled cells, lines and markers.
+// What stands between the axes of a plot: filled cells and bands, lines and markers.
 #pragma once
 
 #include <string>
@@ -8,6 +8,7 @@
 namespace tiltrotor::plot {
 
 std::string draw_cells(const Cells& cells, const Layout& at);
+std::string draw_band(const Band& band, const Layout& at);
 std::string draw_line(const Series& s, const Layout& at);
 std::string draw_markers(const Series& s, const Layout& at);  // those inside the axes
 

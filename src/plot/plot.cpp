@@ -56,8 +56,9 @@ std::string svg(const Plot& plot) {
   out += text_at(kMargin, kMargin + kTitleFont, plot.title, "start", "#111111",
                  attribute("font-size", title_font) + " font-weight=\"600\"");
   out += bar + draw_key(entries) + draw_axes(plot, at);
-  out += "<g" + attribute("clip-path", "url(#" + plot.id + "_clip)") + ">\n" + draw_cells(plot.cells, at) +
-         draw_zero_lines(plot, at);
+  out += "<g" + attribute("clip-path", "url(#" + plot.id + "_clip)") + ">\n" + draw_cells(plot.cells, at);
+  for (const Band& b : plot.bands) out += draw_band(b, at);
+  out += draw_zero_lines(plot, at);
   for (const Series& s : plot.series) out += draw_line(s, at);
   out += "</g>\n<rect class=\"axes\"" + box + " fill=\"none\"" + attribute("stroke", kGrey) + "/>\n";
   for (const Series& s : plot.series) out += draw_markers(s, at);

@@ -27,6 +27,12 @@ struct Series {
   std::vector<std::string> tip;  // text shown by a browser over each marker; may be empty
 };
 
+// An area between two curves, filled under the lines.
+struct Band {
+  std::string color = kBlue;
+  std::vector<double> x, low, high;  // a value that is not finite interrupts it
+};
+
 // Text at a point of the plot.
 struct Label {
   double x, y;
@@ -57,7 +63,8 @@ struct Plot {
   std::string title;
   Axis x, y;
   Cells cells;
-  std::vector<Series> series;  // drawn in this order, above the cells
+  std::vector<Band> bands;     // above the cells
+  std::vector<Series> series;  // drawn in this order, above the bands
   std::vector<Label> labels;
   std::string note;  // below, small: with what it was drawn
   double width = 420;
@@ -65,7 +72,7 @@ struct Plot {
   bool equal_scale = false;  // a unit is as long along y as along x; the height follows
 };
 
-// Points outside the axes are clipped (lines) or left out (markers, labels).
+// Points outside the axes are clipped (lines, bands) or left out (markers, labels).
 std::string svg(const Plot& plot);
 
 }  // namespace tiltrotor::plot

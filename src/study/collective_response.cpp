@@ -6,10 +6,12 @@
 #include <stdexcept>
 
 #include "plot/plot.hpp"
+#include "study/collective_step.hpp"
 #include "study/drawn_with.hpp"
 #include "study/linear_models.hpp"
 #include "study/mode_table.hpp"
 #include "study/sections.hpp"
+#include "study/spread.hpp"
 #include "study/wording.hpp"
 #include "tiltrotor/analysis/flight/response.hpp"
 #include "tiltrotor/model/variables/frames.hpp"
@@ -20,10 +22,7 @@ using namespace plot;
 
 namespace {
 
-constexpr double kSpeed = 40;          // m/s
-constexpr double kStep = 0.005;        // s
-constexpr double kDuration = 3;        // s
-constexpr double kRecordEvery = 0.05;  // s
+constexpr double kStep = 0.005;  // s
 
 struct Case {
   const char* name;
@@ -60,13 +59,8 @@ struct Records {
 
 void record_motion(const std::string& name, const Simulation<double>& s, Table& table) {
   const State<double>& x = s.state;
-  // Climb and ground speed of symmetric flight through still air.
-  const double sp = std::sin(x.pitch);
-  const double cp = std::cos(x.pitch);
-  const double forward = x.velocity.x * cp + x.velocity.z * sp;
-  const double climb = x.velocity.x * sp - x.velocity.z * cp;
-  table.add({name, current_time(s), x.velocity.x, x.velocity.z, climb, forward, degrees(x.rates.y),
-             degrees(x.pitch)});
+  const Motion m = motion_of(x);
+  table.add({name, current_time(s), x.velocity.x, x.velocity.z, m[0], m[1], m[2], m[3]});
 }
 
 void record_modes(const std::string& name, double time, const Linear& model, Tracker& tracker, Table& table) {
@@ -84,19 +78,16 @@ void fly(const Case& which, Records& records) {
   setup.flap_deg = which.flap_deg;
   const auto changed = std::make_unique<WithoutTailWash>();
   const Configured c = configured(setup, which.tail_wash ? aircraft_data<double>() : changed->aircraft);
-  const Trimmed trim = trimmed_persistently(c, kSpeed);
+  const Trimmed trim = trimmed_persistently(c, kStepSpeed);
   if (!is_trimmed(trim.status))
     throw std::runtime_error("no trim at 40 m/s, mast 0, " + std::string(which.name));
 
-  Simulation<double> flight;
+  Simulation<double> flight = collective_step(c, trim, kStep);
   const auto work = std::make_unique<SimulationWorkspace<double>>();
   Tracker tracker;
-  const double one_degree = kRadPerDeg<double>;
-  Status status = start(c, trim.state, trim.controls, kStep, Integrator::rk4, flight);
-  if (status == Status::ok)
-    status = add_input(flight, {InputShape::step, kControlIndex.collective, one_degree, 0.0, 0.0});
-  const int steps = static_cast<int>(std::lround(kDuration / kStep));
-  const int record_steps = static_cast<int>(std::lround(kRecordEvery / kStep));
+  Status status = Status::ok;
+  const int steps = static_cast<int>(std::lround(kStepDuration / kStep));
+  const int record_steps = static_cast<int>(std::lround(kStepRecordEvery / kStep));
   const int second = static_cast<int>(std::lround(1 / kStep));
   for (int k = 0; k <= steps && status == Status::ok; ++k) {
     if (k % record_steps == 0) record_motion(which.name, flight, records.motion);
@@ -113,7 +104,7 @@ void fly(const Case& which, Records& records) {
 }
 
 Picture motion_picture(const char* id, const char* title, const char* axis, const char* column,
-                       const Table& motion) {
+                       const Table& motion, const Table& spreads) {
   Plot plot;
   plot.id = id;
   plot.title = title;
@@ -121,6 +112,8 @@ Picture motion_picture(const char* id, const char* title, const char* axis, cons
   plot.x.label = "Time after +1 deg collective, s";
   plot.y.label = axis;
   plot.axes_height = 200;
+  const Table of_column = spreads.where("quantity", std::string(column));
+  if (of_column.rows() > 0) plot.note += kBandNote;
   for (std::size_t i = 0; i < std::size(kCases); ++i) {
     const Table rows = motion.where("case", std::string(kCases[i].name));
     Series s;
@@ -129,6 +122,8 @@ Picture motion_picture(const char* id, const char* title, const char* axis, cons
     s.line = kCaseLine[i];
     s.x = rows.numbers("time_s");
     s.y = rows.numbers(column);
+    // Of the first case, the default aircraft.
+    if (i == 0 && of_column.rows() > 0) plot.bands.push_back(band_around(s, of_column, "time_s"));
     plot.series.push_back(s);
   }
   return {id, svg(plot)};
@@ -178,7 +173,7 @@ std::vector<Finding> statements(const Records& records) {
     int held = 0;
     for (const char* axis : {"longitudinal", "lateral"}) {
       const Root before = least_stable(records.modes, which.name, axis, 0);
-      const Root after = least_stable(records.modes, which.name, axis, kDuration);
+      const Root after = least_stable(records.modes, which.name, axis, kStepDuration);
       const double change = after.real - before.real;
       held += change > 0;
       found += std::string(" ") + axis + " " + root_text(before.real, before.imag) + " becomes " +
@@ -231,7 +226,7 @@ Picture root_picture(const char* axis, const Table& modes) {
 
 }  // namespace
 
-Section collective_response() {
+Section collective_response(const Uncertainty& bands) {
   Section section{"response", "Response to +1 deg collective at 40 m/s", "", {}, {}, {}};
   section.reading =
       "Mast 0, 40 m/s, level flight, then one degree more collective and nothing else; rotor speed is held "
@@ -244,10 +239,11 @@ Section collective_response() {
   for (const Case& which : kCases) fly(which, records);
   const Table& motion = records.motion;
   section.pictures = {
-      motion_picture("response_climb", "Climb rate", "Climb, m/s", "climb_mps", motion),
-      motion_picture("response_speed", "Speed over ground", "Speed, m/s", "ground_speed_mps", motion),
-      motion_picture("response_pitch", "Pitch attitude", "Pitch, deg", "pitch_deg", motion),
-      motion_picture("response_rate", "Pitch rate", "Pitch rate, deg/s", "q_degps", motion),
+      motion_picture("response_climb", "Climb rate", "Climb, m/s", "climb_mps", motion, bands.response),
+      motion_picture("response_speed", "Speed over ground", "Speed, m/s", "ground_speed_mps", motion,
+                     bands.response),
+      motion_picture("response_pitch", "Pitch attitude", "Pitch, deg", "pitch_deg", motion, bands.response),
+      motion_picture("response_rate", "Pitch rate", "Pitch rate, deg/s", "q_degps", motion, bands.response),
       root_picture("longitudinal", records.modes),
       root_picture("lateral", records.modes)};
   section.findings = statements(records);

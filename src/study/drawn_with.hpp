@@ -14,6 +14,9 @@ std::string drawn_with(ComparedAircraft aircraft, const Setup& setup);
 // The default aircraft of the program.
 std::string drawn_with();
 
+// Where doubtful inputs make a band around the curves.
+inline constexpr const char* kBandNote = " Band: what the doubtful inputs make of it.";
+
 // A rotor alone, its inflow in equilibrium.
 std::string drawn_with_rotor_alone();
 

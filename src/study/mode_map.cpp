@@ -152,7 +152,7 @@ std::vector<Finding> statements(const Table& table) {
 
 }  // namespace
 
-Section mode_map(const Sweeps& sweeps) {
+Section mode_map(const Sweeps& sweeps, const Uncertainty& bands) {
   Section section{"modes", "Modes in the complex plane", "", {}, {}, {}};
   section.reading =
       "Each line is a branch followed through speed (numbers in m/s), in the colour of its mode's name, "
@@ -184,7 +184,7 @@ Section mode_map(const Sweeps& sweeps) {
       section.pictures.push_back(mode_picture(plot, rows.where("mast_deg", mast)));
     }
   }
-  for (Picture& p : mode_speed_pictures(table)) section.pictures.push_back(std::move(p));
+  for (Picture& p : mode_speed_pictures(table, bands.modes)) section.pictures.push_back(std::move(p));
   section.findings = statements(table);
   section.tables.push_back({"modes", "eigenvalues of the complete linear model along speed", table});
   return section;

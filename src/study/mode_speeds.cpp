@@ -6,6 +6,7 @@
 #include "study/drawn_with.hpp"
 #include "study/missing.hpp"
 #include "study/reference_points.hpp"
+#include "study/spread.hpp"
 #include "study/wording.hpp"
 
 namespace tiltrotor::study {
@@ -61,7 +62,7 @@ Series limit_of(const Table& limits, std::size_t row, const Table& modes) {
   return s;
 }
 
-Plot plot_of(const ModeQuantity& q, const Table& modes, const Table& limits) {
+Plot plot_of(const ModeQuantity& q, const Table& modes, const Table& limits, const Table& spreads) {
   const std::string kind = q.kind;
   Plot plot;
   plot.id = std::string("mode_speed_") + q.mode + "_" + kind.substr(0, kind.find('_'));
@@ -75,11 +76,15 @@ Plot plot_of(const ModeQuantity& q, const Table& modes, const Table& limits) {
   plot.x.low = 0;
   plot.y.zero_line = true;
   plot.axes_height = 220;
+  const std::string column = kind == "real_1_per_s" ? "real" : kind;
+  const Table of_mode = spreads.where("mode", std::string(q.mode)).where("quantity", column);
+  if (of_mode.rows() > 0) plot.note += kBandNote;
   int color = 0;
   for (const std::string& mast : modes.different("mast_deg")) {
-    Series s = curve_of(modes, mast, q.mode, kind == "real_1_per_s" ? "real" : kind);
+    Series s = curve_of(modes, mast, q.mode, column);
     s.name = "mast " + mast;
     s.color = kLineColor[color++];
+    plot.bands.push_back(band_around(s, of_mode.where("mast_deg", mast), "speed_mps"));
     plot.series.push_back(s);
   }
   for (std::size_t i = 0; i < lines.rows(); ++i) plot.series.push_back(limit_of(lines, i, modes));
@@ -92,11 +97,11 @@ Plot plot_of(const ModeQuantity& q, const Table& modes, const Table& limits) {
 
 }  // namespace
 
-std::vector<Picture> mode_speed_pictures(const Table& modes) {
+std::vector<Picture> mode_speed_pictures(const Table& modes, const Table& spreads) {
   const Table limits = reference_points("handling_limits");
   std::vector<Picture> pictures;
   for (const ModeQuantity& q : kQuantities) {
-    const Plot plot = plot_of(q, modes, limits);
+    const Plot plot = plot_of(q, modes, limits, spreads);
     pictures.push_back({plot.id, svg(plot)});
   }
   return pictures;

@@ -107,10 +107,11 @@ bool run_report(const std::string& folder, ReportSummary summary) {
   std::optional<Validation> validation;
   try {
     Sweeps sweeps;
+    Uncertainty bands;
     const std::vector<std::function<Section()>> parts = {
-        [&] { return trim_curves(sweeps); },
-        [&] { return mode_map(sweeps); },
-        collective_response,
+        [&] { return trim_curves(sweeps, bands); },
+        [&] { return mode_map(sweeps, bands); },
+        [&] { return collective_response(bands); },
         jacobian_timing,
         conversion_corridor,
         mast_locus,
@@ -122,13 +123,16 @@ bool run_report(const std::string& folder, ReportSummary summary) {
         [&] { return control_response(sweeps); },
         frequency_responses,
         linear_matrices,
+        [&] { return uncertainty_shares(bands); },
         data_flow,
     };
-    text::Progress progress("report", parts.size() + std::size(kSweepMasts));
+    text::Progress progress("report", parts.size() + std::size(kSweepMasts) + 1);
     for (const double mast : kSweepMasts) {
       sweeps.push_back(speed_sweep(mast, kSweepStep, kHighestSpeed));
       progress.advance();
     }
+    bands = uncertainty();
+    progress.advance();
     for (const auto& part : parts) {
       sections.push_back(part());
       progress.advance();

@@ -13,17 +13,13 @@ namespace tiltrotor::study {
 
 namespace {
 
-constexpr double kShownMasts[] = {0, 15, 30, 60, 90};
 constexpr double kJudgedMasts[] = {0, 30, 60, 90};  // of the paper's statements
 
-// The printed runs at this mast angle had the flap of helicopter mode.
-constexpr double kFlappedMast = 15;
-constexpr double kFlap = 40;  // deg
-constexpr double kStep = 1;   // m/s
+constexpr double kStep = 1;  // m/s
 constexpr double kHighest = 140;
 
 bool is_shown(double mast_deg) {
-  return std::find(std::begin(kShownMasts), std::end(kShownMasts), mast_deg) != std::end(kShownMasts);
+  return std::find(std::begin(kTrimMasts), std::end(kTrimMasts), mast_deg) != std::end(kTrimMasts);
 }
 
 void add_curve(const SpeedSweep& sweep, Table& table) {
@@ -58,20 +54,13 @@ Table empty_table() {
   return table;
 }
 
-Setup shown_setup(ComparedAircraft aircraft, double mast_deg) {
-  Setup setup = setup_of(aircraft, mast_deg);
-  if (mast_deg == kFlappedMast) setup.flap_deg = kFlap;
-  return setup;
-}
-
 Table standard_curves(const Sweeps& sweeps) {
   Table table = empty_table();
   for (const SpeedSweep& sweep : sweeps) {
-    if (sweep.mast_deg == kFlappedMast) {
-      add_curve(speed_sweep(shown_setup(ComparedAircraft::standard, kFlappedMast), kStep, kHighest), table);
-    } else if (is_shown(sweep.mast_deg)) {
-      add_curve(sweep, table);
-    }
+    if (!is_shown(sweep.mast_deg)) continue;
+    const Setup setup = trim_setup(ComparedAircraft::standard, sweep.mast_deg);
+    const bool is_flown = setup.flap_deg == sweep.c.setup.flap_deg;
+    add_curve(is_flown ? sweep : speed_sweep(setup, kStep, kHighest), table);
   }
   return table;
 }
@@ -79,8 +68,8 @@ Table standard_curves(const Sweeps& sweeps) {
 Table simulated_curves() {
   Table table = empty_table();
   table.comment("The aircraft as simulated: with the controls of the printed runs.");
-  for (const double mast : kShownMasts)
-    add_curve(speed_sweep(shown_setup(ComparedAircraft::as_simulated, mast), kStep, kHighest), table);
+  for (const double mast : kTrimMasts)
+    add_curve(speed_sweep(trim_setup(ComparedAircraft::as_simulated, mast), kStep, kHighest), table);
   return table;
 }
 
@@ -169,7 +158,7 @@ std::vector<Finding> statements(const Table& curves) {
 
 }  // namespace
 
-Section trim_curves(const Sweeps& sweeps) {
+Section trim_curves(const Sweeps& sweeps, const Uncertainty& bands) {
   Section section{"trim", "Trim from hover to cruise", "", {}, {}, {}};
   section.reading =
       "Lines: this program, every level flight inside its limits, rotor speed as scheduled (589 rpm, 517 rpm "
@@ -179,7 +168,7 @@ Section trim_curves(const Sweeps& sweeps) {
       "lateral cyclic and the elevator gearing of the printed runs.";
   const Table curves = standard_curves(sweeps);
   const Table simulated = simulated_curves();
-  section.pictures = trim_pictures(curves, simulated, {std::begin(kShownMasts), std::end(kShownMasts)});
+  section.pictures = trim_pictures(curves, simulated, bands.trim);
   section.findings = statements(curves);
   const Table compared = trim_comparison();
   for (const Finding& f : trim_comparison_findings(compared)) section.findings.push_back(f);

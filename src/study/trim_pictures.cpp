@@ -6,6 +6,7 @@
 #include "plot/plot.hpp"
 #include "study/drawn_with.hpp"
 #include "study/printed_flights.hpp"
+#include "study/spread.hpp"
 #include "study/wording.hpp"
 
 namespace tiltrotor::study {
@@ -175,7 +176,7 @@ void set_marker(Kind kind, Series& s) {
   s.filled = kKinds[kind].filled;
 }
 
-Picture picture(const Quantity& quantity, const Table& curves, const std::vector<double>& masts) {
+Picture picture(const Quantity& quantity, const Table& curves, const Table& spreads) {
   Plot plot;
   plot.id = quantity.id;
   plot.title = quantity.title;
@@ -185,13 +186,19 @@ Picture picture(const Quantity& quantity, const Table& curves, const std::vector
   plot.x.low = 0;
   plot.y.zero_line = true;
   int color = 0;
-  for (const double mast : masts) {
+  const Table of_quantity = spreads.where("quantity", std::string(quantity.column));
+  const bool has_band = quantity.aircraft == ComparedAircraft::standard && of_quantity.rows() > 0;
+  if (has_band) plot.note += kBandNote;
+  for (const double mast : kTrimMasts) {
     const Table rows = curves.where("mast_deg", mast);
     Series curve;
     curve.name = "mast " + fixed(mast, 0);
     curve.color = kLineColor[color];
     curve.x = rows.numbers("speed_mps");
     for (const double y : rows.numbers(quantity.column)) curve.y.push_back(quantity.factor * y);
+    if (has_band)
+      plot.bands.push_back(
+          band_around(curve, of_quantity.where("mast_deg", mast), "speed_mps", quantity.factor));
     plot.series.push_back(curve);
     for (const Source& source : quantity.sources) {
       Series s = points(source, mast);
@@ -216,12 +223,18 @@ Picture picture(const Quantity& quantity, const Table& curves, const std::vector
 
 }  // namespace
 
-std::vector<Picture> trim_pictures(const Table& standard, const Table& simulated,
-                                   const std::vector<double>& masts) {
+Setup trim_setup(ComparedAircraft aircraft, double mast_deg) {
+  constexpr double flapped_mast = 15;
+  Setup setup = setup_of(aircraft, mast_deg);
+  if (mast_deg == flapped_mast) setup.flap_deg = aircraft_data<double>().defaults.flap_helicopter;
+  return setup;
+}
+
+std::vector<Picture> trim_pictures(const Table& standard, const Table& simulated, const Table& spreads) {
   std::vector<Picture> pictures;
   for (const Quantity& quantity : quantities()) {
     const bool is_standard = quantity.aircraft == ComparedAircraft::standard;
-    pictures.push_back(picture(quantity, is_standard ? standard : simulated, masts));
+    pictures.push_back(picture(quantity, is_standard ? standard : simulated, spreads));
   }
   return pictures;
 }

@@ -84,6 +84,47 @@ TEST(report_plot_puts_a_point_where_it_belongs) {
   CHECK_NEAR(attribute_of(text, "<circle", "cy"), top + 0.75 * height, 0.01);
 }
 
+// A rectangle of half widths 1 and 2 about a level line, interrupted once; the axes reach around it.
+TEST(report_plot_band_lies_between_its_curves) {
+  Series s;
+  s.x = {0, 10};
+  s.y = {5, 5};
+  Plot plot = plot_of(s);
+  plot.x.low = 0;
+  plot.x.high = 10;
+  plot.y.low = 0;
+  plot.y.high = 10;
+  Band band;
+  band.x = {0, 4, 5, 6, 10};
+  band.low = {4, 4, double(NAN), 4, 4};
+  band.high = {7, 7, 7, 7, 7};
+  plot.bands = {band};
+  const std::string text = svg(plot);
+  CHECK_EQ(check::XmlChecker::fault(text), "");
+  const std::string box = "<rect class=\"axes\"";
+  const double left = attribute_of(text, box, "x");
+  const double right = left + attribute_of(text, box, "width");
+  const double top = attribute_of(text, box, "y");
+  const double high = top + 0.3 * attribute_of(text, box, "height");
+  const double low = top + 0.6 * attribute_of(text, box, "height");
+  const auto corner = [](const char* pen, double x, double y) {
+    return pen + coordinate(x) + " " + coordinate(y);
+  };
+  const double width = right - left;
+  const std::string path = corner("M", left, high) + corner("L", left + 0.4 * width, high) +
+                           corner("L", left + 0.4 * width, low) + corner("L", left, low) + "z" +
+                           corner("M", left + 0.6 * width, high) + corner("L", right, high) +
+                           corner("L", right, low) + corner("L", left + 0.6 * width, low) + "z";
+  CHECK(text.find("d=\"" + path + "\"") != std::string::npos);
+  CHECK(text.find("class=\"band\"") < text.find("fill=\"none\" stroke=\"" + s.color));
+
+  plot.y = {};
+  plot.bands[0].high.assign(5, 50);
+  CHECK(svg(plot).find(">50<") != std::string::npos);
+  plot.bands = {Band{}};
+  CHECK(svg(plot).find("class=\"band\"") == std::string::npos);
+}
+
 TEST(report_plot_on_logarithmic_axes) {
   Series s;
   s.marker = Marker::circle;
