@@ -35,7 +35,7 @@ const char* word(ComparedAircraft aircraft) {
     case ComparedAircraft::as_designed:
       return "as designed";
     default:
-      return "standard (as simulated, controls of the aircraft)";
+      return "standard";
   }
 }
 

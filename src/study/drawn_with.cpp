@@ -12,9 +12,8 @@ constexpr double kPound = 0.45359237;  // kg
 std::string name() { return aircraft_identity().name; }
 
 std::string inflow_words(const Options& options) {
-  return std::string(options.inflow == InflowShape::pitt_peters ? "Pitt-Peters" : "mean alone") +
-         (options.radial_inflow == RadialInflow::annular ? ", radial shape of hover"
-                                                         : ", the same at all radii");
+  return std::string(options.inflow == InflowShape::pitt_peters ? "Pitt-Peters" : "uniform") +
+         (options.radial_inflow == RadialInflow::annular ? ", radial shape" : "");
 }
 
 }  // namespace

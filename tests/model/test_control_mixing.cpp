@@ -57,7 +57,8 @@ TEST(control_mixing_superposition_of_increments) {
   const Controls<double>& u = s.u;
   const BladeControls<double> b = mix_controls(c, u, s.x.velocity);
   // Averages and half differences are the direct increments plus the geared inceptors.
-  const double pedal_cyclic = mix_controls(c, only(&Controls<double>::pedal), s.x.velocity).long_cyclic[left];
+  const double pedal_cyclic =
+      mix_controls(c, only(&Controls<double>::pedal), s.x.velocity).long_cyclic[left] - c.gearing.rigging;
   CHECK_NEAR((b.collective[right] + b.collective[left]) / 2, u.collective, 1e-15);
   CHECK_NEAR((b.collective[right] - b.collective[left]) / 2,
              u.diff_collective - c.gearing.lateral_collective * u.lat_stick, 1e-15);

@@ -95,8 +95,8 @@ TEST(radial_inflow_fades_with_the_skew_of_the_wake) {
   CHECK_NEAR(share(c, 0.3, -0.1, 0.02), 0, 1e-3);
   CHECK_EQ(share(c, 0, -0.3, 0.05), 0.0);
   // Descent at a fifth of the induced velocity changes nothing yet; half way down the fade, 0.6 of it, is half.
-  CHECK_NEAR(share(c, 0, -0.01, 0.05), 1, 2e-3);
-  CHECK_NEAR(share(c, 0, -0.03, 0.05), 0.5, 5e-3);
+  CHECK_NEAR(share(c, 0, -0.01, 0.05), 1, 5e-3);
+  CHECK_NEAR(share(c, 0, -0.03, 0.05), 0.5, 1e-2);
 }
 
 // The switch, and mast angle, altitude and rotor speed, which the shape of the design hover does not know.

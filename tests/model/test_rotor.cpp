@@ -1,6 +1,8 @@
 // Rotor loads: section velocities by finite differences of positions in body axes, forces summed there by
 // hand for both rotors, energy balance, symmetries, convergence, hover values of an independent second
 // program.
+#include <algorithm>
+
 #include "settled_rotor.hpp"
 #include "tiltrotor/model/variables/presets.hpp"
 
@@ -79,9 +81,17 @@ TEST_OF_XV15(rotor_section_velocities_from_positions) {
         const V hub_flow =
             s.x.velocity + cross(s.x.rates, c.hub[side].arm_b) + c.tip_speed * x.lambda_0 * axes.up;
         const double axial = dot(hub_flow, axes.up);
+        const double descent =
+            std::max(0.0, -dot(s.x.velocity + cross(s.x.rates, c.hub[side].arm_b), axes.up)) /
+            (c.tip_speed * x.lambda_0);
+        const double faded = std::clamp((descent - 0.2) / 0.8, 0.0, 1.0);
         const double axial_share =
-            smooth_positive(axial, c.aircraft->smooth.through_flow * c.tip_speed) /
-            std::hypot(std::sqrt(dot(hub_flow, hub_flow)), c.aircraft->smooth.inflow_speed * c.tip_speed);
+            descent > 0 && axial <= 0
+                ? 0
+                : (1 - faded * faded * faded * (10 - 15 * faded + 6 * faded * faded)) *
+                      smooth_positive(axial, c.aircraft->smooth.through_flow * c.tip_speed) /
+                      std::hypot(std::sqrt(dot(hub_flow, hub_flow)),
+                                 c.aircraft->smooth.inflow_speed * c.tip_speed);
         const double wash =
             c.tip_speed *
             (x.lambda_0 * (1 + axial_share * shape) +

@@ -76,7 +76,8 @@ TEST(stall_delay_has_exact_derivatives) {
   }
 }
 
-// More thrust where the blade stalls, the same where it does not: hover at 25 and at 8 deg of collective.
+// The root, set at 40 deg and more, stalls at every thrust: some more of it in hover; most at the highest, which rises
+// from C_T/sigma 0.166 towards the 0.178 that another program with this law finds.
 TEST_OF_XV15(stall_delay_adds_thrust_to_a_stalled_rotor) {
   static IsolatedRotorWorkspace<double> work;
   const auto thrust = [](const Configuration<double>& c, double collective_deg) {
@@ -88,6 +89,7 @@ TEST_OF_XV15(stall_delay_adds_thrust_to_a_stalled_rotor) {
   };
   const Configuration<double> c = delayed();
   const Configuration<double> plain = configuration(0);
-  CHECK_REL(thrust(c, 8), thrust(plain, 8), 0.01);
-  CHECK_LT(1.02 * thrust(plain, 18), thrust(c, 18));
+  CHECK_REL(thrust(c, 8), thrust(plain, 8), 0.06);
+  CHECK_LT(1.05 * thrust(plain, 20), thrust(c, 20));
+  CHECK_NEAR(thrust(c, 20) / 0.0891, 0.178, 0.005);
 }
