@@ -20,7 +20,7 @@ struct Switch {
   std::string values;  // as shown in the help
   const char* help;
   std::function<void(Options&, const std::string& value, const std::string& where)> set;
-  std::function<std::string(const Options&)> value;
+  std::function<std::string(const Options&)> value;  // none: a name for several others
 };
 
 // Words in the order of the enumerators.
@@ -83,7 +83,8 @@ Switch data_set() {
   return {"data_set", sets[0] + "|" + sets[1], "inertia and tail_pressure of that aircraft",
           [sets](Options& options, const std::string& value, const std::string& where) {
             choose(static_cast<DataSet>(place_of(value, sets, where)), options);
-          }};
+          },
+          nullptr};
 }
 
 std::vector<Switch> all_switches() {
@@ -159,7 +160,7 @@ std::string model_text(const Options& options) {
   const Options standard;
   std::string text = aircraft_identity().name;
   for (const Switch& s : switches())
-    if (s.value(options) != s.value(standard)) text += " " + s.name + "=" + s.value(options);
+    if (s.value && s.value(options) != s.value(standard)) text += " " + s.name + "=" + s.value(options);
   return text;
 }
 

@@ -66,6 +66,7 @@ const std::vector<Field> kFields = {
     {"inflow.induced_power", "induced_power_factor", "ND"},
     {"inflow.shape_thrust", "inflow_shape_thrust", "ND"},
     {"inflow.shape_tip_mach", "inflow_shape_tip_mach", "ND"},
+    {"inflow.shape_descent", "inflow_shape_descent", "ND"},
     {"inflow.windmill_descent", "windmill_descent", "ND"},
     {"inflow.ring_in_plane", "ring_in_plane", "ND"},
 

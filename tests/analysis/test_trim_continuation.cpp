@@ -124,6 +124,7 @@ TEST_OF_XV15(trim_of_stalled_rotors_in_every_build) {
   CHECK_NEAR(r.weight_carried, carried, 1e-6);
 
   FlightSetup<float> setup = flight_setup(aircraft_data<float>(), 0.0F);
+  setup.options = reference_options();
   setup.options.grid = BladeGrid::realtime;
   setup.altitude = 3500;
   static Configuration<float> single;

@@ -49,6 +49,7 @@ struct InflowTables {
   R induced_power;          // choices: induced_power_factor (kappa_i)
   R shape_thrust;           // choices: inflow_shape_thrust, C_T of the hover that gives the radial shape
   R shape_tip_mach;         // choices: inflow_shape_tip_mach, of the same hover
+  R shape_descent;          // choices: inflow_shape_descent, over lambda_0, from which the shape fades
   R windmill_descent;       // choices: over v_h, where the windmill's momentum theory begins
   R ring_in_plane;          // choices: in-plane speed over induced velocity where vortex ring has faded
 };

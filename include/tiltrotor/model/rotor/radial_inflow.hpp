@@ -16,7 +16,9 @@
 
 namespace tiltrotor {
 
-// Mean inflow that follows the shape, m/s: Omega R lambda_0 c, with c = lambda_+ / V_T of the inflow law.
+// Mean inflow that follows the shape, m/s: Omega R lambda_0 c, with c = lambda_+ / V_T of the inflow law. In descent it
+// fades out from the end of momentum theory to the descent at which no air passes the disk. Choosing there is safe: the
+// fade begins and ends with two zero derivatives.
 template <class T, class C>
 T radial_inflow(const Configuration<C>& c, const RotorInput<T>& in) {
   using R = Real<T>;
@@ -24,9 +26,15 @@ T radial_inflow(const Configuration<C>& c, const RotorInput<T>& in) {
   const C inverse_tip = R(1) / c.tip_speed;
   const T mu_x = in.velocity_a.x * inverse_tip;
   const T mu_y = in.velocity_a.y * inverse_tip;
-  const T through = in.velocity_a.z * inverse_tip + in.state.lambda_0;
+  const T mu_z = in.velocity_a.z * inverse_tip;
+  const T through = mu_z + in.state.lambda_0;
   const T vt = sqrt(T(mu_x * mu_x + mu_y * mu_y + through * through + square(e.inflow_speed)));
-  return c.tip_speed * in.state.lambda_0 * (smooth_positive(through, e.through_flow) / vt);
+  const T shaped = c.tip_speed * in.state.lambda_0 * (smooth_positive(through, e.through_flow) / vt);
+  if (value(mu_z) >= R(0)) return shaped;
+  if (value(through) <= R(0)) return R(0) * shaped;
+  const R start = c.aircraft->inflow.shape_descent;
+  const T descent = -mu_z / in.state.lambda_0;  // below 1, since air passes down
+  return shaped * (R(1) - smooth_step(T((descent - start) * (R(1) / (R(1) - start)))));
 }
 
 // A blade in hover, each ring in balance with its own momentum.
