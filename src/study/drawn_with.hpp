@@ -15,7 +15,7 @@ std::string drawn_with(ComparedAircraft aircraft, const Setup& setup);
 std::string drawn_with();
 
 // Where doubtful inputs make a band around the curves.
-inline constexpr const char* kBandNote = " Band: what the doubtful inputs make of it.";
+inline constexpr const char* kBandNote = " Band: doubtful inputs.";
 
 // A rotor alone, its inflow in equilibrium.
 std::string drawn_with_rotor_alone();

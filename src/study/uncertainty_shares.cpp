@@ -27,13 +27,16 @@ constexpr struct {
               {"dutch_roll", "mast 90, 100 m/s", "dutch_roll damping_ratio"},
               {"climb_3_s", "3 s after +1 deg collective", "climb_mps"}};
 
+// As many decimals as show that many digits of a width.
+int decimals(double width, int digits) {
+  return width > 0 ? std::max(0, digits - 1 - static_cast<int>(std::floor(std::log10(width)))) : 0;
+}
+
 // To the place of the first digit of half the band.
-std::string rounded_by_band(double value, double below, double above) {
-  const double half = 0.5 * (below + above);
+std::string rounded_by_band(double value, double half) {
   if (!(half > 0)) return "";
-  const int place = static_cast<int>(std::floor(std::log10(half)));
-  const double unit = std::pow(10.0, place);
-  return fixed(std::round(value / unit) * unit, std::max(0, -place));
+  const double unit = std::pow(10.0, std::floor(std::log10(half)));
+  return fixed(std::round(value / unit) * unit, decimals(half, 1));
 }
 
 // The inputs of the largest shares, "name 43 %".
@@ -62,7 +65,11 @@ Table point_table(const Uncertainty& bands) {
     const double value = bands.points.number(i, "value");
     const double below = bands.points.number(i, "below");
     const double above = bands.points.number(i, "above");
-    table.add({point, quantity, value, below, above, rounded_by_band(value, below, above),
+    const double half = 0.5 * (below + above);
+    if (!std::isfinite(half)) continue;  // an input leaves no such mode
+    const int shown = decimals(half, 2);
+    table.add({point, quantity, fixed(value, shown), fixed(below, shown), fixed(above, shown),
+               rounded_by_band(value, half),
                largest(bands.parts.where("point", point).where("quantity", quantity))});
   }
   return table;
@@ -74,7 +81,8 @@ Table input_table(const Uncertainty& bands) {
   columns.push_back("reason");
   Table table(columns);
   table.comment(
-      "below, above: how far the true value may lie from the one used. Shares in the squares of a band:");
+      "below, above: how far the true value may lie from the one used. Shares in the squares of a band,");
+  table.comment("empty below 0.05:");
   for (const auto& shown : kShown)
     table.comment(std::string(shown.column) + ": " + shown.quantity + " at " + shown.point);
   for (const DoubtfulInput& input : doubtful_inputs()) {
@@ -83,7 +91,8 @@ Table input_table(const Uncertainty& bands) {
       const Table part = bands.parts.where("point", std::string(shown.point))
                              .where("quantity", std::string(shown.quantity))
                              .where("input", input.name);
-      row.emplace_back(part.rows() > 0 ? fixed(100 * part.number(0, "share"), 1) : std::string());
+      const std::string percent = part.rows() > 0 ? fixed(100 * part.number(0, "share"), 1) : "";
+      row.emplace_back(percent == "0.0" ? "" : percent);
     }
     row.emplace_back(input.reason);
     table.add(row);

@@ -267,6 +267,13 @@ TEST_OF_XV15(report_uncertainty_of_every_input) {
     CHECK_NEAR(sum, 1, 1e-5);
     CHECK_NEAR(std::sqrt(squares), found.points.number(i, "above"), 1e-5 * (1e-3 + std::sqrt(squares)));
   }
+  const Table digits = uncertainty_shares(found).tables[0].table;
+  for (std::size_t i = 0; i < digits.rows(); ++i) {
+    const double half = 0.5 * (digits.number(i, "below") + digits.number(i, "above"));
+    const double off = std::fabs(digits.number(i, "rounded") - digits.number(i, "value"));
+    CHECK(off <= half && std::isfinite(off));
+    CHECK(!digits.text(i, "mostly").empty());
+  }
   for (const double mast : kTrimMasts) CHECK(found.trim.where("mast_deg", mast).rows() > 0);
   CHECK(found.response.where("quantity", std::string("climb_mps")).rows() == 61);
 
