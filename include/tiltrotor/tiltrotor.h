@@ -272,10 +272,10 @@ typedef struct tr_outputs {
   tr_real airspeed_mps;                      /* relative to the air at the aircraft, gust included */
   tr_real angle_of_attack_rad, sideslip_rad; /* the same; of the body; 0 at rest */
   tr_real specific_force_mps2[3]; /* at the centre of gravity, body axes: what an accelerometer reads */
-  tr_real load_factor; /* specific force normal to the motion through the air (at rest all) over gravity,
+  tr_real load_factor;    /* specific force normal to the motion through the air (at rest all) over gravity,
                           < 0 where it pushes down */
-  tr_real climb_rate_mps;         /* relative to the undisturbed air */
-  tr_real thrust_n[2];            /* resultant force of a rotor on its hub */
+  tr_real climb_rate_mps; /* relative to the undisturbed air */
+  tr_real thrust_n[2];    /* resultant force of a rotor on its hub */
   tr_real torque_nm[2];
   tr_real power_w[2];        /* shaft power */
   tr_real collective_rad[2]; /* blade pitch at 0.75 radius */

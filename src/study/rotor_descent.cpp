@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "plot/plot.hpp"
+#include "study/drawn_with.hpp"
 #include "study/flights.hpp"
 #include "study/missing.hpp"
 #include "study/reference_points.hpp"
@@ -110,6 +111,7 @@ void mean_inflow(const Table& here, Section& section) {
   Plot plot;
   plot.id = "descent_inflow";
   plot.title = "Mean inflow of one rotor, climb to windmill";
+  plot.note = drawn_with_rotor_alone();
   plot.x.label = "Climb speed over v_h";
   plot.y.label = "Induced velocity over v_h";
   plot.x.low = -2.7;
@@ -164,6 +166,7 @@ void autorotation(const Table& here, Section& section) {
   Plot plot;
   plot.id = "descent_power";
   plot.title = "Power of one rotor at the thrust of hover";
+  plot.note = drawn_with_rotor_alone();
   plot.x.label = "Descent, m/s";
   plot.y.label = "Power, kW";
   plot.x.low = -kClimb;

@@ -113,8 +113,9 @@ TEST(cli_states_may_stand_in_any_order) {
   }
   const check::ScratchFolder folder;
   const std::string path = folder.write("states.csv", header + "\n" + cells + "\n");
-  const CsvText actual(
-      run_tiltrotor("derivative --preset reference --mast " + file.text(row, "mast_deg") + " --states " + path).out);
+  const CsvText actual(run_tiltrotor("derivative --preset reference --mast " + file.text(row, "mast_deg") +
+                                     " --states " + path)
+                           .out);
   for (const char* state : states) {
     const std::string column = std::string("d_") + state;
     CHECK_REL(actual.number(0, column), file.number(row, column), tolerance);

@@ -1,6 +1,8 @@
 // Hyperbolic tangent of a plain number, with the same bits on every machine.
 #pragma once
 
+#include "tiltrotor/math/arithmetic.hpp"
+
 namespace tiltrotor {
 
 // tanh(x) for |x| <= 5 within 2 units in the last place: Lambert's continued fraction x/(1 + x^2/(3 + x^2/(5 + ..))),
