@@ -218,6 +218,7 @@ void collective(const Table& here, Section& section) {
   Plot plot;
   plot.id = "descent_collective";
   plot.title = "Collective that keeps the thrust; marks measured";
+  plot.note = drawn_with_rotor_alone();
   plot.x.label = "Descent over v_h";
   plot.y.label = "Change over v_h/(Omega R)";
   plot.x.low = 0;
