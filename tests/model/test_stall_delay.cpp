@@ -38,8 +38,8 @@ TEST_OF_XV15(stall_delay_knows_the_sections) {
   const double zero[] = {-2.4, -0.31, -0.76, -0.87};
   const double slope[] = {0.1095, 0.1124, 0.1096, 0.1119};
   for (int k = 0; k < kSectionRegions; ++k) {
-    CHECK_NEAR(c.potential_lift[k].zero_deg, zero[k], 0.05);
-    CHECK_NEAR(c.potential_lift[k].slope, slope[k], 0.003);
+    CHECK_NEAR(potential_lift(c.aircraft->rotor, k).zero_deg, zero[k], 0.05);
+    CHECK_NEAR(potential_lift(c.aircraft->rotor, k).slope, slope[k], 0.003);
   }
 }
 
@@ -47,7 +47,7 @@ TEST_OF_XV15(stall_delay_knows_the_sections) {
 TEST(stall_delay_restores_what_stall_takes) {
   const Configuration<double> c = delayed();
   for (int k = 0; k < kSectionRegions; ++k) {
-    const PotentialLift<double>& p = c.potential_lift[k];
+    const PotentialLift<double> p = potential_lift(c.aircraft->rotor, k);
     CHECK_EQ(lift_lost_by_stall(c, k, p.zero_deg * kRadPerDeg<double>, 0.0), 0.0);
     CHECK_EQ(lift_lost_by_stall(c, k, 50.1 * kRadPerDeg<double>, 0.5), 0.0);
     CHECK_EQ(lift_lost_by_stall(c, k, -20 * kRadPerDeg<double>, -0.5), 0.0);

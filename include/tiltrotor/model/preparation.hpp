@@ -24,8 +24,6 @@ Status prepare(const Aircraft<R>& aircraft, const FlightSetup<R>& setup, Configu
   c.apparent_mass_0 = o.apparent_mass == ApparentMass::impermeable ? aircraft.inflow.apparent_mass_uniform
                                                                    : aircraft.inflow.apparent_mass_loaded;
   c.blade = blade_stations(aircraft.rotor, o);
-  for (int k = 0; o.stall_delay && k < kSectionRegions; ++k)
-    c.potential_lift[k] = potential_lift(aircraft.rotor, k);
   c.azimuth = averaged_azimuth<R>(aircraft.rotor.blades, azimuth_count(o));
   c.setup = setup;
   if (o.radial_inflow == RadialInflow::annular) shape_mean_inflow(c);

@@ -29,8 +29,9 @@ T lift_lost_by_stall(const Configuration<C>& c, int region, const T& alpha, cons
   using R = Real<T>;
   const SmoothingWidths<R>& e = c.aircraft->smooth;
   const T alpha_deg = alpha * kDegPerRad<R>;
-  const T above = alpha_deg - c.potential_lift[region].zero_deg;
-  const T lost = smooth_positive(T(c.potential_lift[region].slope * above - lift), e.stall_delay_lift);
+  const PotentialLift<R> potential = potential_lift(c.aircraft->rotor, region);
+  const T above = alpha_deg - potential.zero_deg;
+  const T lost = smooth_positive(T(potential.slope * above - lift), e.stall_delay_lift);
   const T in = smooth_step(T(above * (R(1) / e.stall_delay_start)));
   const T out = smooth_step(T((alpha_deg - e.stall_delay_fade) * (R(1) / e.stall_delay_end)));
   return lost * in * (R(1) - out);

@@ -46,7 +46,6 @@ struct FixedSetup {
   R induced_power_factor;  // kappa_i
   R apparent_mass_0;
   BladeStations<R> blade;
-  PotentialLift<R> potential_lift[kSectionRegions];  // with the switch stall_delay
   AzimuthStations<R> azimuth;                        // Averaged mode
 };
 
