@@ -46,7 +46,7 @@ struct FixedSetup {
   R induced_power_factor;  // kappa_i
   R apparent_mass_0;
   BladeStations<R> blade;
-  AzimuthStations<R> azimuth;                        // Averaged mode
+  AzimuthStations<R> azimuth;  // Averaged mode
 };
 
 template <class C>
