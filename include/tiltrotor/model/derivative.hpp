@@ -31,7 +31,7 @@ void recorded_derivative(const Configuration<C>& c, const State<T>& x, const Con
 
   for (const Side side : {right, left}) {
     rotor_input(c, x, steps.velocity_b, steps.controls, side, steps.rotor_input);
-    local_rotor_response(c, steps.rotor_input, azimuth, steps.local.rotor, steps.rotor[side]);
+    local_rotor_response(c, steps.rotor_input, azimuth, steps.local.first, steps.rotor[side]);
     out_of_line([&] {
       steps.advance_ratio[side] = advance_ratio(c, steps.rotor_input.velocity_a);
       steps.hub_loads[side] = hub_loads(c, side, x.rotor[side], steps.rotor[side].loads);
@@ -41,7 +41,7 @@ void recorded_derivative(const Configuration<C>& c, const State<T>& x, const Con
 
   airframe_input(c, x, steps.velocity_b, steps.controls, steps.rotor, steps.advance_ratio,
                  steps.airframe_input);
-  local_airframe_response(c, steps.airframe_input, steps.local.airframe, steps.airframe, record);
+  local_airframe_response(c, steps.airframe_input, steps.local.second, steps.airframe, record);
 
   out_of_line([&] { steps.total = steps.hub_loads[right] + steps.hub_loads[left] + steps.airframe.total; });
   out_of_line([&] { rigid_body_rates(c, x, steps.total, rates); });

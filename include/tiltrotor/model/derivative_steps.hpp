@@ -18,7 +18,7 @@ struct DerivativeSteps {
   Loads<T> total;
   AirframeInput<T> airframe_input;
   AirframeResponse<T> airframe;
-  LocalWorkspace<T> local;  // of the component being evaluated
+  TakingTurns<LocalRotor<T>, LocalAirframe<T>, T> local;  // rotors, then the airframe
 };
 
 }  // namespace tiltrotor

@@ -3,9 +3,16 @@
 // and where nothing would be gained, the component is simply called.
 #pragma once
 
-#include "tiltrotor/model/local_workspace.hpp"
+#include "tiltrotor/math/differentiation/local_workspace.hpp"
+#include "tiltrotor/model/airframe/airframe.hpp"
+#include "tiltrotor/model/rotor/rotor.hpp"
 
 namespace tiltrotor {
+
+template <class T>
+using LocalRotor = LocalWorkspace<RotorInput, RotorResponse, RotorWorkspace, T>;
+template <class T>
+using LocalAirframe = LocalWorkspace<AirframeInput, AirframeResponse, AirframeWorkspace, T>;
 
 // Partials of a configuration reach a component beside its input: it must then be evaluated on T itself.
 template <class T, class C>
@@ -16,23 +23,23 @@ inline constexpr bool kScalarsFit = kIsPlain<C> ||
 // `azimuth`: of the first blade, rad; used in the individual-blade mode alone.
 template <class T, class C>
 void local_rotor_response(const Configuration<C>& c, const RotorInput<T>& in, Real<T> azimuth,
-                          LocalRotorWorkspace<T>& work, RotorResponse<T>& out) {
+                          LocalRotor<T>& work, RotorResponse<T>& out) {
   static_assert(kScalarsFit<T, C>,
                 "a configuration with partials has the scalar of the state, of at most 16 directions");
   const bool averaged = c.setup.options.azimuth == AzimuthMode::averaged;
-  if (!averaged) individual_azimuth(c.aircraft->rotor.blades, azimuth, work.blades);
-  const AzimuthStations<Real<T>>& stations = averaged ? c.azimuth : work.blades;
+  if (!averaged) individual_azimuth(c.aircraft->rotor.blades, azimuth, work.inner.stations);
+  const AzimuthStations<Real<T>>& stations = averaged ? c.azimuth : work.inner.stations;
   preaccumulate(in, work.chain, out, [&](const auto& local, auto& found) {
-    rotor_response(c, local, stations, work.rotor, found);
+    rotor_response(c, local, stations, work.inner, found);
   });
 }
 template <class T, class C, class Record>
-void local_airframe_response(const Configuration<C>& c, const AirframeInput<T>& in,
-                             LocalAirframeWorkspace<T>& work, AirframeResponse<T>& out, Record& record) {
+void local_airframe_response(const Configuration<C>& c, const AirframeInput<T>& in, LocalAirframe<T>& work,
+                             AirframeResponse<T>& out, Record& record) {
   static_assert(kScalarsFit<T, C>,
                 "a configuration with partials has the scalar of the state, of at most 16 directions");
   preaccumulate(in, work.chain, out, [&](const auto& local, auto& found) {
-    airframe_response(c, local, work.airframe, found, record);
+    airframe_response(c, local, work.inner, found, record);
   });
 }
 

@@ -8,7 +8,8 @@ namespace tiltrotor {
 template <class T>
 struct RotorWorkspace {
   BladeGroup<T> blades;
-  RotorInput<T> input_at_rest;  // of a rotor whose gimbal does not move: first-order flapping alone
+  AzimuthStations<Real<T>> stations;  // of individual blades
+  RotorInput<T> input_at_rest;        // of a rotor whose gimbal does not move: first-order flapping alone
   RotorLoads<T> loads_at_rest;
 };
 
