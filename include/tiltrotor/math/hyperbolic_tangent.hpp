@@ -5,7 +5,7 @@
 
 namespace tiltrotor {
 
-// tanh(x) for |x| <= 5 within 2 units in the last place: Lambert's continued fraction x/(1 + x^2/(3 + x^2/(5 + ..))),
+// tanh(x) for |x| <= 5 within 4e-16 in double precision: Lambert's continued fraction x/(1 + x^2/(3 + x^2/(5 + ..))),
 // NIST Digital Library 4.39.1.
 template <class R>
 R hyperbolic_tangent(R x) {

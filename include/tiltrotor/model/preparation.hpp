@@ -10,7 +10,7 @@ namespace tiltrotor {
 // Prepare a configuration. Status out_of_range (and `c` unusable) when a setting lies outside its range, which
 // first_out_of_range() names; bad_arithmetic when this code or the processor does not compute as
 // arithmetic.hpp says.
-// Cost: about one derivative; with the radial shape of the inflow some ten.
+// Cost: a few derivatives of the real-time grid, some forty with the radial shape of the inflow.
 template <class R>
 Status prepare(const Aircraft<R>& aircraft, const FlightSetup<R>& setup, Configuration<R>& c) {
   c = Configuration<R>{};

@@ -68,12 +68,14 @@ template <class R>
 R annular_inflow(const AnnularHover<R>& hover, R* speed) {
   const RotorTables<R>& rotor = hover.c.aircraft->rotor;
   R thrust = R(0);
+  R v = R(0);
   int i = 0;
   for (int region = 0; region < kSectionRegions; ++region) {
     for (; i < hover.c.blade.region_end[region]; ++i) {
       const BladeStation<R>& s = hover.c.blade.station[i];
-      speed[i] = s.lift_weight > R(0) ? hover.induced_speed(region, s) : speed[i - 1];
-      thrust += static_cast<R>(rotor.blades) * hover.lift(region, s, speed[i]);
+      if (s.lift_weight > R(0)) v = hover.induced_speed(region, s);
+      thrust += static_cast<R>(rotor.blades) * hover.lift(region, s, v);
+      speed[i] = v;
     }
   }
   const R tip_speed = hover.omega * rotor.radius;
@@ -82,7 +84,7 @@ R annular_inflow(const AnnularHover<R>& hover, R* speed) {
 
 // Sets the inflow shape of every station, s(x) - 1, and leaves in c.air the air of the design hover. `c`: its
 // fixed setup and its options are set.
-// Cost: some ten derivatives.
+// Cost: some forty derivatives of the real-time grid.
 template <class R>
 void shape_mean_inflow(Configuration<R>& c) {
   const RotorTables<R>& rotor = c.aircraft->rotor;
