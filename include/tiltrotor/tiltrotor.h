@@ -220,7 +220,7 @@ const char* tr_aircraft_description(int32_t aircraft);
 
 /* Makes an aircraft at rest: all states and controls zero, time zero. `version` is TR_API_VERSION.
  * With TR_WRONG_VERSION `sim` is untouched; with TR_BAD_ARGUMENT and TR_OUT_OF_RANGE it is not initialised.
- * Cost: 1 derivative. */
+ * Cost: some 40 derivatives, once. */
 tr_status tr_init(tr_sim* sim, uint32_t version, const tr_setup* setup);
 
 /* Bytes the library really uses, for tools that place memory: at most TR_SIM_SIZE and TR_WORK_SIZE. */
