@@ -48,6 +48,7 @@ constexpr Unit kUnits[] = {
     {"deg/s", kDegPerRad, "rad/s"},
     {"rpm", kPi / 30, "rad/s"},
     {"rad/s", 1, "rad/s"},
+    {"rad/s2", 1, "rad/s2"},
     {"ft/s", kFoot, "m/s"},
     {"kt", kKnot, "m/s"},
     {"m/s", 1, "m/s"},
@@ -64,6 +65,8 @@ constexpr Unit kUnits[] = {
     {"N m/rad", 1, "N m/rad"},
     {"ft lbf s/rad", kFoot* kPoundForce, "N m s/rad"},
     {"N m s/rad", 1, "N m s/rad"},
+    {"N", 1, "N"},
+    {"K", 1, "K"},
     {"hp", kHorsepower, "W"},
     {"W", 1, "W"},
 };

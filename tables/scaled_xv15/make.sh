@@ -25,15 +25,15 @@ laws='
     of["slug ft2"] = of["kg m2"] = of["slug ft2/deg"] = of["kg m2/deg"] = mass * L ^ 2
     of["in"] = of["ft"] = of["m"] = L; of["ft2"] = of["m2"] = L ^ 2; of["ft3"] = of["m3"] = L ^ 3
     of["ft/s"] = of["kt"] = of["m/s"] = of["ft/s/deg"] = speed
-    of["rpm"] = of["rad/s"] = of["deg/s"] = 1 / time
-    of["in lbf"] = of["N m"] = of["ft lbf/rad"] = of["ft lbf/deg"] = of["N m/rad"] = mass * L
+    of["rpm"] = of["rad/s"] = of["deg/s"] = 1 / time; of["rad/s2"] = 1 / time ^ 2
+    of["N"] = mass; of["in lbf"] = of["N m"] = of["ft lbf/rad"] = of["ft lbf/deg"] = of["N m/rad"] = mass * L
     of["ft lbf s/rad"] = of["N m s/rad"] = mass * L * time
     of["hp"] = of["W"] = mass * speed
     of["lb/ft2"] = of["Pa"] = D * L
   }
   # Hands and feet, the atmosphere and its gusts have their own size.
   function factor(name, unit) {
-    if (name ~ /^(stick|pedal|collective)_.*travel/ || name == "guess_stick_step" || name ~ /^altitude_|^gust_/) return 1
+    if (name ~ /^(stick|pedal|collective)_.*travel/ || name == "guess_stick_step" || name ~ /^altitude_|^gust_|^wind_/) return 1
     if (name ~ /^engine_power_/) return of[unit] / (D * speed)
     if (name ~ /^(mast_torque|transmission_limit)/) return of[unit] / D
     if (name == "rotor_blade_flap_inertia" || name == "rotor_chord") return of[unit] * blade

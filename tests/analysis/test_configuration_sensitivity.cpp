@@ -27,12 +27,14 @@ double usual_change(Parameter parameter) {
     case Parameter::flap:
       return 0.1;
     case Parameter::mast_rate:
+    case Parameter::mast_acceleration:
     case Parameter::sl_cg:
     case Parameter::wl_cg:
     case Parameter::air_density:
     case Parameter::hub_spring_factor:
       return 0.1;
     case Parameter::rotor_speed:
+    case Parameter::rotor_acceleration:
       return 1;
     case Parameter::altitude:
     case Parameter::mass:
@@ -59,6 +61,8 @@ Configuration<double> prepared(const FlightSetup<double>& setup) {
 FlightSetup<double> random_setup(Generator& random, double mast_deg, const Options& options) {
   FlightSetup<double> setup = flight_setup(aircraft(), mast_deg);
   setup.mast_rate = random.between(-0.13, 0.13);
+  setup.mast_acceleration = random.between(-0.35, 0.35);
+  setup.rotor_acceleration = random.between(-3, 3);
   const Bounds<double>& flap_deg = aircraft().limits.flap_deg;
   setup.flap_deg = random.between(flap_deg.low + 1, flap_deg.high - 1);
   setup.rotor_speed *= random.between(0.95, 1.05);
@@ -222,8 +226,10 @@ TEST(derivatives_by_configuration_equal_central_differences) {
           const double by = k == 0 ? -step : step;
           if (parameter == Parameter::mast) setup.mast_deg += by * kDegPerRad<double>;
           if (parameter == Parameter::mast_rate) setup.mast_rate += by;
+          if (parameter == Parameter::mast_acceleration) setup.mast_acceleration += by;
           if (parameter == Parameter::flap) setup.flap_deg += by * kDegPerRad<double>;
           if (parameter == Parameter::rotor_speed) setup.rotor_speed += by;
+          if (parameter == Parameter::rotor_acceleration) setup.rotor_acceleration += by;
           if (parameter == Parameter::altitude) setup.altitude += by;
           if (parameter == Parameter::mass) setup.mass += by;
           if (parameter == Parameter::sl_cg) setup.sl_cg += by;
@@ -311,6 +317,10 @@ TEST(derivatives_by_configuration_follow_closed_forms) {
   Generator random(kSeed + 4);
   Flight flight = random_flight(random, 0, Options{});  // at mast 0 the CG does not depend on the mass
   flight.s.x.rates.x = flight.s.x.rates.z = 0;
+  // With the masts at rest: moving ones add a travel of the CG over the mass, and moments of their own.
+  ConfigurationSetting<double> at_rest = flight.c.setup;
+  at_rest.mast_rate = at_rest.mast_acceleration = 0;
+  CHECK(reconfigure(at_rest, flight.c) == Status::ok);
   CHECK(found().find(flight, every_parameter()) == Status::ok);
   const Configuration<double>& c = flight.c;
   Evaluation<double> e;
@@ -366,7 +376,7 @@ TEST(derivatives_by_configuration_refuse_what_they_cannot_do) {
 // A set in any order, more than a pass holds or fewer, names the same columns.
 TEST(derivatives_by_configuration_do_not_depend_on_their_company) {
   Generator random(kSeed + 6);
-  const Flight flight = random_flight(random, 40, Options{});
+  Flight flight = random_flight(random, 40, Options{});
   CHECK(found().find(flight, every_parameter()) == Status::ok);
   const Column rotor_speed = found().column(static_cast<int>(Parameter::rotor_speed));
   const Column inertia = found().column(static_cast<int>(Parameter::inertia_xz));

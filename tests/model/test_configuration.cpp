@@ -11,6 +11,8 @@ namespace {
 FlightSetup<double> random_setup(Generator& random, const Options& options) {
   FlightSetup<double> setup = flight_setup(aircraft(), random.between(0, 90));
   setup.mast_rate = random.between(-0.13, 0.13);
+  setup.mast_acceleration = random.between(-0.35, 0.35);
+  setup.rotor_acceleration = random.between(-3, 3);
   setup.flap_deg = random.between(0, 75);
   setup.rotor_speed = random.between(50, 65);
   setup.altitude = random.between(-500, 11000);
@@ -76,7 +78,8 @@ TEST(configuration_refuses_a_setting_out_of_range) {
   };
   for (const Bad& bad : {Bad{&S::mast_deg, 90.01}, Bad{&S::mast_rate, 1.01}, Bad{&S::flap_deg, -0.01},
                          Bad{&S::rotor_speed, 10}, Bad{&S::altitude, 11001}, Bad{&S::mass, 1},
-                         Bad{&S::sl_cg, 9}, Bad{&S::wl_cg, 0}, Bad{&S::mast_deg, std::nan("")}}) {
+                         Bad{&S::mast_acceleration, -11}, Bad{&S::rotor_acceleration, 51}, Bad{&S::sl_cg, 9},
+                         Bad{&S::wl_cg, 0}, Bad{&S::mast_deg, std::nan("")}}) {
     Configuration<double> c = before;
     S setting = before.setup;
     setting.*bad.member = bad.value;

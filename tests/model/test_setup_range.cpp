@@ -21,11 +21,17 @@ void set(FlightSetup<double>& s, SetupField field, double value) {
     case SetupField::mast_rate:
       s.mast_rate = value;
       break;
+    case SetupField::mast_acceleration:
+      s.mast_acceleration = value;
+      break;
     case SetupField::flap_deg:
       s.flap_deg = value;
       break;
     case SetupField::rotor_speed:
       s.rotor_speed = value;
+      break;
+    case SetupField::rotor_acceleration:
+      s.rotor_acceleration = value;
       break;
     case SetupField::altitude:
       s.altitude = value;

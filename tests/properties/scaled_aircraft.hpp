@@ -89,7 +89,7 @@ class ScaledAircraft {
   void scale_masses() {
     MassTables<double>& m = aircraft_.mass;
     times(s_.mass(), m.gross, m.nacelles);
-    times(s_.length, m.sl_cg, m.wl_cg, m.sl_nacelle, m.wl_nacelle);
+    times(s_.length, m.sl_cg, m.wl_cg, m.sl_nacelle, m.wl_nacelle, m.nacelle_gyration);
     for (Inertia<double>* i : {&m.inertia, &m.inertia_slope, &m.design_0, &m.design_90})
       times(s_.inertia(), *i);
     MastTables<double>& mast = aircraft_.mast;
@@ -157,11 +157,16 @@ class ScaledAircraft {
     const auto ranges = [](double factor, Bounds<double>& range) { times(factor, range.low, range.high); };
     LimitTables<double>& l = aircraft_.limits;
     ranges(1 / s_.time(), l.mast_rate);
+    ranges(1 / (s_.time() * s_.time()), l.mast_acceleration);
+    ranges(1 / (s_.time() * s_.time()), l.rotor_acceleration);
     ranges(1 / s_.time(), l.rotor_speed);
     ranges(s_.mass(), l.mass);
     ranges(s_.length, l.sl_cg);
     ranges(s_.length, l.wl_cg);
-    times(s_.speed(), l.speed, l.gust, aircraft_.guess.wing_speed);
+    times(s_.force(), l.outside_force);
+    times(s_.moment(), l.outside_moment);
+    times(1 / s_.time(), l.gust_rate);
+    times(s_.speed(), l.speed, l.gust, l.wind, aircraft_.guess.wing_speed);
   }
 
   Aircraft<double> aircraft_;

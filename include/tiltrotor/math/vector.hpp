@@ -49,6 +49,15 @@ template <class T>
 T dot(const Vec3<T>& a, const Vec3<T>& b) {
   return a.x * b.x + a.y * b.y + a.z * b.z;
 }
+// a with a vector that is plain, or its own.
+template <class T, class C>
+Vec3<T> plus_fixed(const Vec3<T>& a, const Vec3<C>& fixed) {
+  return {a.x + fixed.x, a.y + fixed.y, a.z + fixed.z};
+}
+template <class T, class C>
+Vec3<T> minus_fixed(const Vec3<T>& a, const Vec3<C>& fixed) {
+  return {a.x - fixed.x, a.y - fixed.y, a.z - fixed.z};
+}
 // Component of a along a direction.
 template <class T, class C>
 T component(const Vec3<T>& a, const Vec3<C>& direction) {

@@ -7,7 +7,8 @@
 
 namespace tiltrotor {
 
-// `velocity_b`: of the CG relative to the air, m/s. A moving mast carries the hub along an arc about the
+// `velocity_b`: of the airframe at the CG relative to the air, m/s; gusts of the rotor's place are taken off here. A
+// moving mast carries the hub along an arc about the
 // conversion axis and pitches the hub frame nose down. Derived here; mast geometry NASA CR-166536 p. B-31:
 // V_H = C_HB [ V + omega x r_hub + bM' l (cos bM, 0, sin bM) ],  omega_H = C_HB omega - (0, bM', 0).
 template <class T, class C>
@@ -17,7 +18,9 @@ void rotor_input(const Configuration<C>& c, const State<T>& x, const Vec3<T>& ve
   const HubFrame<C>& hub = c.hub[side];
   const Vec3<C> swing_b = {c.setup.mast_rate * c.aircraft->mast.length * cos(c.mast), C(R(0)),
                            c.setup.mast_rate * c.aircraft->mast.length * sin(c.mast)};
-  Vec3<T> hub_velocity_b = velocity_b + rate_cross_arm(x.rates, hub.arm_b);
+  const Vec3<T> rates_in_air = minus_fixed(x.rates, c.around.gust_rates_b);
+  Vec3<T> hub_velocity_b =
+      minus_fixed(velocity_b, c.around.rotor_gust_b[side]) + rate_cross_arm(rates_in_air, hub.arm_b);
   hub_velocity_b = {hub_velocity_b.x + swing_b.x, hub_velocity_b.y, hub_velocity_b.z + swing_b.z};
   Vec3<T> hub_rates_h = hub.from_body.apply(x.rates);
   hub_rates_h.y = hub_rates_h.y - c.setup.mast_rate;
@@ -51,8 +54,8 @@ void airframe_input(const Configuration<C>& c, const State<T>& x, const Vec3<T>&
   using R = Real<T>;
   const C unit_force = c.air.density * kPi<R> * square(c.tip_speed * c.aircraft->rotor.radius);
   const auto size = [](const Vec3<T>& force) { return sqrt(dot(force, force)); };
-  in.velocity_b = velocity_b;
-  in.rates_b = x.rates;
+  in.velocity_b = minus_fixed(velocity_b, c.around.wing_gust_b);
+  in.rates_b = minus_fixed(x.rates, c.around.gust_rates_b);
   for (const Side side : {right, left}) in.mean_wash[side] = c.tip_speed * x.rotor[side].lambda_0;
   in.rotor_force = (size(rotor[right].loads.force_a) + size(rotor[left].loads.force_a)) * (R(1) / unit_force);
   in.advance_ratio = R(0.5) * (advance[right] + advance[left]);

@@ -25,8 +25,9 @@ template <class T, class C, class Record>
 void recorded_derivative(const Configuration<C>& c, const State<T>& x, const Controls<T>& u, Real<T> azimuth,
                          DerivativeSteps<T>& steps, State<T>& rates, Record&& record) {
   out_of_line([&] {
-    steps.velocity_b = x.velocity - u.gust;
-    steps.controls = mix_controls(c, u, steps.velocity_b);
+    const Vec3<T> velocity_b = x.velocity - u.gust;
+    steps.controls = mix_controls(c, u, velocity_b);
+    steps.velocity_b = airframe_velocity(velocity_b, c.mass.nacelles);
   });
 
   for (const Side side : {right, left}) {

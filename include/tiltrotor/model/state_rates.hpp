@@ -7,19 +7,32 @@
 
 namespace tiltrotor {
 
-// `total`: aerodynamic force and moment about the CG.
+// `total`: aerodynamic force and moment about the CG; loads from outside are added. Wind carries the aircraft over
+// the ground.
 template <class T, class C>
 void rigid_body_rates(const Configuration<C>& c, const State<T>& x, const Loads<T>& total, State<T>& rates) {
-  const RigidBodyRates<T> body = rigid_body(c.mass, x.velocity, x.rates, x.roll, x.pitch, x.yaw, total);
+  const Loads<T> all = {plus_fixed(total.force, c.outside.force), plus_fixed(total.moment, c.outside.moment)};
+  const RigidBodyRates<T> body = rigid_body(c.mass, x.velocity, x.rates, x.roll, x.pitch, x.yaw, all);
   rates.velocity = body.velocity;
   rates.rates = body.rates;
   rates.roll = body.roll;
   rates.pitch = body.pitch;
   rates.yaw = body.yaw;
-  rates.position = body.position;
+  rates.position = plus_fixed(body.position, c.around.wind_n);
 }
 
-// The hub's angular acceleration, known from the rigid body, is added to the flapping on demand.
+// Angular acceleration of the hub, in the axes of its mast, which itself turns at -bM' about y.
+template <class T, class C>
+Vec3<T> hub_acceleration_h(const Configuration<C>& c, int side, const Vec3<T>& rates_b,
+                           const Vec3<T>& acceleration_b) {
+  const Vec3<T> rates = c.hub[side].from_body.apply(rates_b);
+  const Vec3<T> turned = c.hub[side].from_body.apply(acceleration_b);
+  return {turned.x + c.setup.mast_rate * rates.z, turned.y - c.setup.mast_acceleration,
+          turned.z - c.setup.mast_rate * rates.x};
+}
+
+// The hub's angular acceleration, known from the rigid body, is added to the flapping on demand. Inflow keeps its
+// speed when the rotor's changes, hence not its ratio to the tip's.
 template <class T, class C>
 void rotor_rates(const Configuration<C>& c, const State<T>& x, const RotorResponse<T>& rotor, int side,
                  State<T>& rates) {
@@ -30,11 +43,12 @@ void rotor_rates(const Configuration<C>& c, const State<T>& x, const RotorRespon
   out.b1s = rotor.flapping.b1s_rate;
   out.b1c_rate = rotor.flapping.b1c_acceleration;
   out.b1s_rate = rotor.flapping.b1s_acceleration;
-  out.lambda_0 = rotor.inflow.lambda_0;
-  out.lambda_c = rotor.inflow.lambda_c;
-  out.lambda_s = rotor.inflow.lambda_s;
+  const C slower = c.setup.rotor_acceleration / c.setup.rotor_speed;
+  out.lambda_0 = rotor.inflow.lambda_0 - slower * x.rotor[side].lambda_0;
+  out.lambda_c = rotor.inflow.lambda_c - slower * x.rotor[side].lambda_c;
+  out.lambda_s = rotor.inflow.lambda_s - slower * x.rotor[side].lambda_s;
   if (o.flap_angular_acceleration && o.flapping == FlapOrder::second) {
-    const Vec3<T> acceleration_a = mirror_axial(c.hub[side].from_body.apply(rates.rates), side);
+    const Vec3<T> acceleration_a = mirror_axial(hub_acceleration_h(c, side, x.rates, rates.rates), side);
     out.b1c_rate += acceleration_a.y;
     out.b1s_rate -= acceleration_a.x;
   }

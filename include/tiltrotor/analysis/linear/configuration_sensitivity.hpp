@@ -23,8 +23,10 @@ namespace tiltrotor {
 enum class ConfigurationParameter : unsigned char {
   mast,
   mast_rate,
+  mast_acceleration,
   flap,
   rotor_speed,
+  rotor_acceleration,
   altitude,
   mass,
   sl_cg,
@@ -48,8 +50,10 @@ struct ParameterFacts {
 inline constexpr ParameterFacts kParameterFacts[] = {
     {ConfigurationParameter::mast, "mast", "rad"},
     {ConfigurationParameter::mast_rate, "mast_rate", "rad/s"},
+    {ConfigurationParameter::mast_acceleration, "mast_acceleration", "rad/s^2"},
     {ConfigurationParameter::flap, "flap", "rad"},
     {ConfigurationParameter::rotor_speed, "rotor_speed", "rad/s"},
+    {ConfigurationParameter::rotor_acceleration, "rotor_acceleration", "rad/s^2"},
     {ConfigurationParameter::altitude, "altitude", "m"},  // density and speed of sound with it
     {ConfigurationParameter::mass, "mass", "kg"},         // inertia is not scaled with it
     {ConfigurationParameter::sl_cg, "sl_cg", "m"},        // of the CG at mast 0, + aft
@@ -82,8 +86,10 @@ void move_setting(ConfigurationParameter parameter, const C& by, ConfigurationSe
   using P = ConfigurationParameter;
   if (parameter == P::mast) s.mast_deg += by * kDegPerRad<R>;
   if (parameter == P::mast_rate) s.mast_rate += by;
+  if (parameter == P::mast_acceleration) s.mast_acceleration += by;
   if (parameter == P::flap) s.flap_deg += by * kDegPerRad<R>;
   if (parameter == P::rotor_speed) s.rotor_speed += by;
+  if (parameter == P::rotor_acceleration) s.rotor_acceleration += by;
   if (parameter == P::altitude) s.altitude += by;
   if (parameter == P::mass) s.mass += by;
   if (parameter == P::sl_cg) s.sl_cg += by;
@@ -105,8 +111,10 @@ void move_consequence(ConfigurationParameter parameter, const C& by, Configurati
 
 template <class T>
 ConfigurationSetting<T> converted(const ConfigurationSetting<Real<T>>& s) {
-  return {T(s.mast_deg), T(s.mast_rate), T(s.flap_deg), T(s.rotor_speed),
-          T(s.altitude), T(s.mass),      T(s.sl_cg),    T(s.wl_cg)};
+  return {T(s.mast_deg), T(s.mast_rate),   T(s.mast_acceleration),
+          T(s.flap_deg), T(s.rotor_speed), T(s.rotor_acceleration),
+          T(s.altitude), T(s.mass),        T(s.sl_cg),
+          T(s.wl_cg)};
 }
 
 // The same numbers in the scalar T.
@@ -128,6 +136,7 @@ void moved_configuration(const Configuration<Real<T>>& c, const ConfigurationPar
   static_cast<FixedSetup<Real<T>>&>(moved) = c;
   static_cast<ConfigurationSetting<T>&>(moved.setup) = sensitivity_detail::converted<T>(c.setup);
   moved.setup.options = c.setup.options;
+  moved.around = c.around;
   for (int k = 0; k < count; ++k) sensitivity_detail::move_setting<T>(parameter[k], by[k], moved.setup);
   configure(moved);
   for (int k = 0; k < count; ++k) sensitivity_detail::move_consequence(parameter[k], by[k], moved);

@@ -130,7 +130,7 @@ bool is_wingborne(const Configuration<R>& c, R speed) {
 // temperature.
 template <class R>
 R shaft_power(const Configuration<R>& c, R engine_rating) {
-  const Air<R> here = standard_air(c.setup.altitude);
+  const Air<R> here = surrounding_air(c.setup.altitude, c.around.warmer, c.around.pressure_above);
   const Air<R> sea_level = standard_air(R(0));
   const R lapse = here.density / sea_level.density * (here.speed_of_sound / sea_level.speed_of_sound);
   const ControlTables<R>& t = c.aircraft->controls;

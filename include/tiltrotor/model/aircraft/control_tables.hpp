@@ -36,18 +36,26 @@ struct Bounds {
 // What the model takes; all from choices.csv but the flap angles, which are those of the flap settings.
 template <class R>
 struct LimitTables {
-  Bounds<R> mast_deg;     // mast_min, mast_max
-  Bounds<R> mast_rate;    // mast_rate_min, mast_rate_max, rad/s
-  Bounds<R> flap_deg;     // first and last flap setting
-  Bounds<R> rotor_speed;  // rotor_speed_min, rotor_speed_max, rad/s
-  Bounds<R> altitude;     // altitude_min, altitude_max, m
-  Bounds<R> mass;         // mass_min, mass_max, kg
-  Bounds<R> sl_cg;        // cg_station_min, cg_station_max, at mast 0, m
-  Bounds<R> wl_cg;        // cg_waterline_min, cg_waterline_max, at mast 0, m
+  Bounds<R> mast_deg;            // mast_min, mast_max
+  Bounds<R> mast_rate;           // mast_rate_min, mast_rate_max, rad/s
+  Bounds<R> mast_acceleration;   // mast_acceleration_min, mast_acceleration_max, rad/s^2
+  Bounds<R> flap_deg;            // first and last flap setting
+  Bounds<R> rotor_speed;         // rotor_speed_min, rotor_speed_max, rad/s
+  Bounds<R> rotor_acceleration;  // rotor_acceleration_min, rotor_acceleration_max, rad/s^2
+  Bounds<R> altitude;            // altitude_min, altitude_max, m
+  Bounds<R> mass;                // mass_min, mass_max, kg
+  Bounds<R> sl_cg;               // cg_station_min, cg_station_max, at mast 0, m
+  Bounds<R> wl_cg;               // cg_waterline_min, cg_waterline_max, at mast 0, m
   R speed;  // speed_max: of a steady flight, and along and across the shaft of a rotor alone, m/s
   Bounds<R> collective;  // collective_min, collective_max: of a command, rad
   R increment;           // increment_max: of a command on a blade or surface, rad
   R gust;                // gust_max: of a command, m/s
+  R wind;                // wind_max: of the air over the ground, each component, m/s
+  R gust_rate;           // gust_rate_max, rad/s
+  R warmer;              // warmer_max: than the standard atmosphere, either way, K
+  R pressure_above;      // pressure_above_max: of it, either way
+  R outside_force,
+      outside_moment;  // outside_force_max, N, outside_moment_max about the stations' origin, N m
 };
 
 // Setup where nothing else is asked for; its mass and CG are those of MassTables.

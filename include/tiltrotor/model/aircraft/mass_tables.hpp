@@ -17,6 +17,7 @@ struct MassTables {
   R nacelles_quoted;         // weight_pylons_both, kg, the alternative
   R sl_cg, wl_cg;            // SL_CG_aft_helicopter, WL_CG_helicopter: CG at mast 0, m
   R sl_nacelle, wl_nacelle;  // SL_pylon_CG, WL_pylon_CG: CG of the tilting part at mast 0, m
+  R nacelle_gyration;        // choices: nacelle_gyration, of the tilting part about its own CG in pitch, m
   Inertia<R> inertia;        // Ixx_0 .. Ixz_0 at mast 0, for the gross weight
   Inertia<R> inertia_slope;  // dIxx_dbm .. dIxz_dbm, kg m^2 per degree of mast angle
   R flown_pitch, flown_yaw;  // choices: flown_inertia_pitch, flown_inertia_yaw, over the inertia above

@@ -11,8 +11,8 @@ namespace tiltrotor {
 // What the airframe components see of the aircraft: 14 numbers.
 template <class T>
 struct AirframeInput {
-  Vec3<T> velocity_b;           // CG relative to the air, m/s
-  Vec3<T> rates_b;              // rad/s
+  Vec3<T> velocity_b;           // airframe at the CG relative to the air at the wing, m/s
+  Vec3<T> rates_b;              // relative to the air, rad/s
   T mean_wash[2];               // v0 = lambda_0 Omega R of each rotor, m/s
   T rotor_force;                // C_RF: resultant forces of both rotors over rho pi Omega^2 R^4
   T advance_ratio;              // mean in-plane advance ratio of the rotors
@@ -52,6 +52,12 @@ T sideslip_angle(const Vec3<T>& v, Real<T> e) {
 template <class T>
 T total_speed(const Vec3<T>& v, Real<T> e) {
   return sqrt(dot(v, v) + e * e);
+}
+
+// The same relative to the air at the tail.
+template <class T, class C>
+Vec3<T> velocity_at_tail(const Configuration<C>& c, const AirframeInput<T>& in) {
+  return minus_fixed(in.velocity_b, c.around.tail_gust_b - c.around.wing_gust_b);
 }
 
 // Free-stream quantities shared by the components, from the CG's velocity.

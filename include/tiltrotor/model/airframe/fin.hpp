@@ -29,15 +29,16 @@ Loads<T> fin_loads(const Configuration<C>& c, const AirframeInput<T>& in, const 
   const SmoothingWidths<R>& e = c.aircraft->smooth;
   const Options& o = c.setup.options;
   const Vec3<C> arm = station_arm(c.mass, f.surface.sl, side_sign<R>(side) * f.surface.bl, f.surface.wl);
-  const Vec3<T> v = in.velocity_b + rate_cross_arm(in.rates_b, arm) +
-                    along(T(wash_ratio * in.mean_wash[side]), c.nacelle_axis_b);
+  const Vec3<T> free = velocity_at_tail(c, in);
+  const Vec3<T> v =
+      free + rate_cross_arm(in.rates_b, arm) + along(T(wash_ratio * in.mean_wash[side]), c.nacelle_axis_b);
   const T alpha = angle_of_attack(v, e);
 
   // Local sideslip: geometric, reduced by the rotors' and the body's sidewash, plus the roll-rate sidewash.
   const T geometric = sideslip_angle(v, f.speed_floor) - f.surface.incidence;
   const T body = body_sidewash(c, stream);
   const T rotors = lookup(f.rotor_sidewash, o.tables, stream.speed_kt, stream.abs_beta_deg);  // 6-VIII
-  const T half_span_over_speed = (c.aircraft->wing.span / R(2)) / total_speed(in.velocity_b, e.rate_speed);
+  const T half_span_over_speed = (c.aircraft->wing.span / R(2)) / total_speed(free, e.rate_speed);
   const T beta = rotors * body * geometric +
                  half_span_over_speed * (f.sidewash_roll * in.rates_b.x + f.sidewash_yaw * in.rates_b.z);
 

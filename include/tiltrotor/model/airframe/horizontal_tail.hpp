@@ -15,7 +15,8 @@ Loads<T> horizontal_tail_loads(const Configuration<C>& c, const AirframeInput<T>
   const Options& o = c.setup.options;
   const Vec3<C> arm = station_arm(c.mass, h.surface.sl, R(0), h.surface.wl);
   const T wash = wash_ratio * (R(0.5) * (in.mean_wash[right] + in.mean_wash[left]));
-  const Vec3<T> v = in.velocity_b + rate_cross_arm(in.rates_b, arm) + along(wash, c.nacelle_axis_b);
+  const Vec3<T> free = velocity_at_tail(c, in);
+  const Vec3<T> v = free + rate_cross_arm(in.rates_b, arm) + along(wash, c.nacelle_axis_b);
   const T alpha = angle_of_attack(v, e);
   const T beta = sideslip_angle(v, e.lateral_plane_speed);
 
@@ -39,8 +40,7 @@ Loads<T> horizontal_tail_loads(const Configuration<C>& c, const AirframeInput<T>
                  : o.tail_pressure == TailPressure::constant ? C(h.pressure.at_90)
                                                              : C(R(1));
   // Body velocity, not the local one: the pressure ratio holds the rest (p. A-87).
-  const T q = (R(0.5) * c.air.density * loss) * ratio *
-              (in.velocity_b.x * in.velocity_b.x + in.velocity_b.z * in.velocity_b.z);
+  const T q = (R(0.5) * c.air.density * loss) * ratio * (free.x * free.x + free.z * free.z);
   const T scale = q * h.surface.area * tail_sideslip_factor(c, stream);
   // Turned by the angle of the flow, without the incidence (p. A-88).
   return force_at(arm, scale * wind_force(lift, drag, T(R(0)), T(alpha - downwash), beta));

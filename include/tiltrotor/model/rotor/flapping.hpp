@@ -17,8 +17,8 @@ struct FlapRates {
 
 // Derived here: moment balance of a rigid blade about the hub centre, first order in hub rates, summed over
 // the blades times cos psi and sin psi.
-// b1c'' = -2 Omega b1s' - (K b1c + C b1c' - Mc)/J - 2 Omega wx
-// b1s'' = +2 Omega b1c' - (K b1s + C b1s' - Ms)/J - 2 Omega wy          J = N_b I_b / 2
+// b1c'' = -2 Omega b1s' - (K b1c + C b1c' - Mc)/J - 2 Omega wx - Omega' b1s
+// b1s'' = +2 Omega b1c' - (K b1s + C b1s' - Ms)/J - 2 Omega wy + Omega' b1c          J = N_b I_b / 2
 // The terms wy', -wx' of the hub's angular acceleration are added by the complete model when switched on.
 template <class T, class C>
 FlapRates<T> flap_rates(const Configuration<C>& c, const RotorState<T>& x, const Vec3<T>& hub_rates_a,
@@ -31,9 +31,9 @@ FlapRates<T> flap_rates(const Configuration<C>& c, const RotorState<T>& x, const
   const R damping = rotor.hub_damping * inverse_j;
   return {x.b1c_rate, x.b1s_rate,
           mc * inverse_j - two_omega * x.b1s_rate - spring * x.b1c - damping * x.b1c_rate -
-              two_omega * hub_rates_a.x,
+              two_omega * hub_rates_a.x - c.setup.rotor_acceleration * x.b1s,
           ms * inverse_j + two_omega * x.b1c_rate - spring * x.b1s - damping * x.b1s_rate -
-              two_omega * hub_rates_a.y};
+              two_omega * hub_rates_a.y + c.setup.rotor_acceleration * x.b1c};
 }
 
 // First-order gimbal: tilt rates that balance the equations above without the acceleration, given the moments

@@ -102,12 +102,12 @@ void rotor_response(const Configuration<C>& c, const RotorInput<T>& in,
   });
 }
 
-// Hub force and moment on the airframe, body axes about the CG: force, spring moment and torque.
+// Hub force and moment on the airframe, body axes about the CG: force, spring moment and the torque of the shaft.
 // The load harmonics are balanced inside the gimbal and are not added again.
 template <class T, class C>
 Loads<T> hub_loads(const Configuration<C>& c, int side, const RotorState<T>& x, const RotorLoads<T>& loads) {
   const HubFrame<C>& hub = c.hub[side];
-  const Vec3<T> moment_a = {c.hub_spring * x.b1s, -(c.hub_spring * x.b1c), -loads.torque};
+  const Vec3<T> moment_a = {c.hub_spring * x.b1s, -(c.hub_spring * x.b1c), -(loads.torque + c.spin_up)};
   Loads<T> loads_b = force_at(hub.arm_b, hub.from_body.apply_inverse(mirror_polar(loads.force_a, side)));
   loads_b.moment = loads_b.moment + hub.from_body.apply_inverse(mirror_axial(moment_a, side));
   return loads_b;

@@ -47,4 +47,16 @@ Air<C> standard_air(const C& altitude_m) {
           sqrt(C(heat_ratio * gas_constant * temperature)), temperature};
 }
 
+// Warmer by so many kelvin than the standard atmosphere at that altitude, under (1 + `pressure_above`) times its
+// pressure: density goes with pressure over temperature, the speed of sound with the root of temperature.
+template <class C>
+Air<C> surrounding_air(const C& altitude_m, Real<C> warmer, Real<C> pressure_above) {
+  using R = Real<C>;
+  const Air<C> standard = standard_air(altitude_m);
+  const C temperature = standard.temperature + warmer;
+  const C ratio = temperature / standard.temperature;
+  return {standard.density * (R(1) + pressure_above) / ratio, standard.speed_of_sound * sqrt(ratio),
+          temperature};
+}
+
 }  // namespace tiltrotor

@@ -14,22 +14,26 @@
 #include "tiltrotor/model/setup/blade_grid.hpp"
 #include "tiltrotor/model/setup/gearing.hpp"
 #include "tiltrotor/model/setup/mass_properties.hpp"
+#include "tiltrotor/model/setup/nacelle_motion.hpp"
 #include "tiltrotor/model/setup/setup_range.hpp"
 #include "tiltrotor/model/setup/wing_constants.hpp"
 #include "tiltrotor/model/variables/frames.hpp"
+#include "tiltrotor/model/variables/surroundings.hpp"
 
 namespace tiltrotor {
 
 // What may change in flight. Ranges: setup_range().
 template <class C>
 struct ConfigurationSetting {
-  C mast_deg;      // 0 helicopter .. 90 airplane
-  C mast_rate;     // rad/s, + towards airplane
-  C flap_deg;      // flaperons follow the flap settings of the tables
-  C rotor_speed;   // rad/s
-  C altitude;      // m
-  C mass;          // kg
-  C sl_cg, wl_cg;  // CG at mast 0, m
+  C mast_deg;            // 0 helicopter .. 90 airplane
+  C mast_rate;           // rad/s, + towards airplane
+  C mast_acceleration;   // rad/s^2
+  C flap_deg;            // flaperons follow the flap settings of the tables
+  C rotor_speed;         // rad/s
+  C rotor_acceleration;  // rad/s^2
+  C altitude;            // m
+  C mass;                // kg
+  C sl_cg, wl_cg;        // CG at mast 0, m
 };
 
 // What the user chooses. Defaults by mast angle: flight_setup().
@@ -52,15 +56,18 @@ struct FixedSetup {
 template <class C>
 struct Configuration : FixedSetup<Real<C>> {
   FlightSetup<C> setup;  // as it is now
-  C mast;                // rad
+  Surroundings<Real<C>> around;
+  C mast;  // rad
   Air<C> air;
   MassProperties<C> mass;
   Vec3<C> nacelle_axis_b;  // (sin, 0, -cos) of the mast angle: thrust direction without cant
   Vec3<C> pivot_arm_b;     // CG to conversion axis at the centre line, m
   HubFrame<C> hub[2];
-  C tip_speed;   // m/s
-  C coning;      // rad, when it is no state
-  C hub_spring;  // N m/rad
+  Loads<C> outside;  // those around, about the CG
+  C tip_speed;       // m/s
+  C spin_up;         // what a change of rotor speed takes of a rotor, N m
+  C coning;          // rad, when it is no state
+  C hub_spring;      // N m/rad
   WingConstants<C> wing;
   Gearing<C> gearing;
   GridPoint<C> pedal_mast[1];  // places on the mast and flap axes of the tables
@@ -93,7 +100,7 @@ Vec3<C> station_arm(const MassProperties<C>& mass, Real<C> sl, Real<C> bl, Real<
   return {mass.sl_cg - sl, C(bl), mass.wl_cg - wl};
 }
 
-// What follows from `c.setup`, its fixed part being prepared.
+// What follows from `c.setup` and `c.around`, its fixed part being prepared.
 template <class C>
 void configure(Configuration<C>& c) {
   using R = Real<C>;
@@ -103,13 +110,19 @@ void configure(Configuration<C>& c) {
   const C& mast_deg = setup.mast_deg;
   const C& flap_deg = setup.flap_deg;
   c.mast = mast_deg * kRadPerDeg<R>;
-  c.air = standard_air(setup.altitude);
+  c.air = surrounding_air(setup.altitude, c.around.warmer, c.around.pressure_above);
   c.mass = mass_properties(aircraft, mast_deg, setup.mass, setup.sl_cg, setup.wl_cg, o);
 
   const MastTables<R>& mast = aircraft.mast;
   const SineCosine<C> tilt = sine_and_cosine(c.mast);
   c.nacelle_axis_b = {tilt.sine, C(R(0)), -tilt.cosine};
+  const Loads<R>& outside = c.around.outside;
+  const Vec3<C> pull = {C(outside.force.x), C(outside.force.y), C(outside.force.z)};
+  c.outside = force_at(station_arm(c.mass, R(0), R(0), R(0)), pull);
+  c.outside.moment = plus_fixed(c.outside.moment, outside.moment);
   c.pivot_arm_b = station_arm(c.mass, mast.sl_pivot, R(0), mast.wl_pivot);
+  c.mass.nacelles =
+      nacelle_motion(aircraft, o, setup.mass, tilt, c.pivot_arm_b, setup.mast_rate, setup.mast_acceleration);
   const SineCosine<C> cant = sine_and_cosine(o.mast_cant ? C(mast.cant * tilt.cosine) : C(R(0)));
   for (int side = 0; side < 2; ++side) {
     const Vec3<C> pivot =
@@ -118,6 +131,7 @@ void configure(Configuration<C>& c) {
   }
 
   c.tip_speed = setup.rotor_speed * aircraft.rotor.radius;
+  c.spin_up = static_cast<R>(aircraft.rotor.blades) * aircraft.rotor.flap_inertia * setup.rotor_acceleration;
   c.coning = aircraft.rotor.coning.at(mast_deg);
   c.hub_spring = aircraft.rotor.hub_spring * static_cast<R>(o.hub_spring_factor);
   c.wing = wing_constants(aircraft, o, mast_deg, flap_deg);

@@ -14,8 +14,10 @@ enum class SetupField : unsigned char {
   none,
   mast_deg,
   mast_rate,
+  mast_acceleration,
   flap_deg,
   rotor_speed,
+  rotor_acceleration,
   altitude,
   mass,
   sl_cg,
@@ -36,8 +38,10 @@ struct FieldName {
 inline constexpr FieldName kFieldNames[] = {{"", ""},
                                             {"mast angle", "deg"},
                                             {"mast rate", "rad/s"},
+                                            {"mast acceleration", "rad/s^2"},
                                             {"flap", "deg"},
                                             {"rotor speed", "rad/s"},
+                                            {"rotor acceleration", "rad/s^2"},
                                             {"altitude", "m"},
                                             {"mass", "kg"},
                                             {"CG station", "m"},
@@ -67,10 +71,14 @@ Bounds<R> setup_range(const Aircraft<R>& aircraft, SetupField field) {
       return limits.mast_deg;
     case SetupField::mast_rate:
       return limits.mast_rate;
+    case SetupField::mast_acceleration:
+      return limits.mast_acceleration;
     case SetupField::flap_deg:
       return limits.flap_deg;
     case SetupField::rotor_speed:
       return limits.rotor_speed;
+    case SetupField::rotor_acceleration:
+      return limits.rotor_acceleration;
     case SetupField::altitude:
       return limits.altitude;
     case SetupField::mass:
@@ -110,8 +118,10 @@ SetupFault<R> first_out_of_range(const Aircraft<R>& aircraft, const FlightSetup<
     R value;
   } given[] = {{SetupField::mast_deg, setup.mast_deg},
                {SetupField::mast_rate, setup.mast_rate},
+               {SetupField::mast_acceleration, setup.mast_acceleration},
                {SetupField::flap_deg, setup.flap_deg},
                {SetupField::rotor_speed, setup.rotor_speed},
+               {SetupField::rotor_acceleration, setup.rotor_acceleration},
                {SetupField::altitude, setup.altitude},
                {SetupField::mass, setup.mass},
                {SetupField::sl_cg, setup.sl_cg},
