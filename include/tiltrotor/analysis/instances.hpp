@@ -20,7 +20,9 @@
                                    const ControlSet&, LinearizationWorkspace<R, POLICY>&, LinearModel<R>&, \
                                    R);                                                                     \
   PREFIX template Status advance(const Configuration<R>&, SimulationWorkspace<R, POLICY>&, Simulation<R>&, \
-                                 const R*);
+                                 const R*);                                                                \
+  PREFIX template Status advance_moving(MovingConfiguration<R>&, SimulationWorkspace<R, POLICY>&,          \
+                                        Simulation<R>&, const R*);
 
 #define TILTROTOR_COMMON_INSTANCES(PREFIX, R)                                                               \
   PREFIX template Status residualise(const LinearModel<R>&, ResidualisationWorkspace<R>&, LinearModel<R>&); \

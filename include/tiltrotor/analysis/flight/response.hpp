@@ -9,47 +9,23 @@
 // into equal parts where it is too long for the method (stable_step.hpp). change_step() goes on with another
 // one, so that a flight may end at any time.
 //
-// Simulation is plain: a snapshot is a copy, and a replay is exact. Heading, and position when it is a state,
-// are integrated with the rest. A and B at any moment: linearize(c, current_state(flight),
-// current_controls(flight), ..., current_azimuth(c, flight)); the rates it finds are the first evaluation of
-// the step that follows:
-// advance(c, work, flight, model.xdot) takes them over and finds the same bits for one derivative less.
+// Heading, and position when it is a state, are integrated with the rest. A and B at any moment: linearize(c,
+// current_state(flight), current_controls(flight), ..., current_azimuth(c, flight)); the rates it finds are the
+// first evaluation of the step that follows: advance(c, work, flight, model.xdot) takes them over and finds the
+// same bits for one derivative less.
+//
+// Masts, rotor speed and air that move while the flight lasts: advance_moving().
 #pragma once
 
 #include <type_traits>
 
-#include "tiltrotor/analysis/flight/input_signal.hpp"
+#include "tiltrotor/analysis/flight/configuration_motion.hpp"
+#include "tiltrotor/analysis/flight/simulation.hpp"
 #include "tiltrotor/analysis/flight/stable_step.hpp"
-#include "tiltrotor/analysis/flight/travel.hpp"
 #include "tiltrotor/analysis/linear/differentiation.hpp"
 #include "tiltrotor/math/integrate.hpp"
 
 namespace tiltrotor {
-
-// rk3: explicit, three derivatives a part of a step; for frames of 5 ms and less.
-// rk4: explicit, four derivatives a part of a step.
-// rodas3: Rosenbrock, L-stable, two derivatives and one Jacobian a step; for longer steps and stiff settings.
-enum class Integrator : unsigned char { rk3, rk4, rodas3 };
-
-inline constexpr int kMaxInputs = 8;
-template <class R>
-inline constexpr R kLongestStep = R(1);  // s
-
-template <class R>
-struct Simulation {
-  State<R> state;
-  Travel travel;         // its sums, more exactly
-  Controls<R> controls;  // what the inputs add to; may be changed between steps
-  InputSignal<R> input[kMaxInputs];
-  int inputs;
-  Integrator integrator;
-  R dt;
-  R origin;         // s, when steps of dt began
-  unsigned steps;   // done since; time = origin + steps dt
-  Status status;    // of the last step; a failed flight stays where it was
-  int fault_state;  // place in kStateVariables of the state that failed, or -1
-  R fault_time;     // s, end of the step that failed
-};
 
 template <class R, class Policy = DefaultDifferentiation>
 struct SimulationWorkspace {
@@ -69,107 +45,6 @@ struct SimulationWorkspace {
   R whole[state_count];  // every state, for those that stand still
 };
 
-template <class R>
-R current_time(const Simulation<R>& s) {
-  return s.origin + static_cast<R>(s.steps) * s.dt;
-}
-
-// Position of the right rotor's first blade.
-template <class R>
-R current_azimuth(const Configuration<R>& c, const Simulation<R>& s) {
-  return c.setup.rotor_speed * current_time(s);
-}
-
-// The state with bank and heading within half a turn: what the next step begins with.
-template <class R>
-State<R> current_state(const Simulation<R>& s) {
-  Travel travel = s.travel;
-  follow(s.state, travel);
-  return without_turns(s.state, travel);
-}
-
-// Controls at a time: the simulation's own and every input.
-template <class R>
-Controls<R> controls_at(const Simulation<R>& s, R time) {
-  R u[control_count];
-  flatten(s.controls, u);
-  for (int k = 0; k < s.inputs; ++k) u[s.input[k].control] += value_at(s.input[k], time);
-  Controls<R> controls;
-  unflatten(u, controls);
-  return controls;
-}
-
-// Controls are constant between the edges of inputs. How long they stay as they are, `since` the beginning of
-// the next step: to the next edge inside it, or to its end. An edge within kEdgeRoundings of the times is
-// on the step boundary.
-inline constexpr int kEdgeRoundings = 8;
-inline constexpr int kMaxStretches = kMaxInputs * kMaxEdges + 1;  // of constant controls in a step
-template <class R>
-R next_change(const Simulation<R>& s, R since) {
-  const R begin = current_time(s);
-  R next = s.dt;
-  for (int k = 0; k < s.inputs; ++k) {
-    R times[kMaxEdges];
-    const int count = edges(s.input[k], times);
-    const R size = begin + s.dt + std::fabs(s.input[k].start);
-    const R rounding = R(kEdgeRoundings) * std::numeric_limits<R>::epsilon() * size;
-    for (int i = 0; i < count; ++i) {
-      const R edge = times[i] - begin;
-      if (edge > since + rounding && edge < s.dt - rounding && edge < next) next = edge;
-    }
-  }
-  return next;
-}
-
-// What acts from now on, to the next change.
-template <class R>
-Controls<R> current_controls(const Simulation<R>& s) {
-  return controls_at(s, current_time(s) + R(0.5) * next_change(s, R(0)));
-}
-
-// Begin at a state with constant controls, no inputs, time 0. dt: 0 < dt <= 1 s.
-// Status: ok; out_of_range (dt); not_finite (state or controls).
-template <class R>
-Status start(const Configuration<R>& c, const State<R>& x, const Controls<R>& u, R dt, Integrator integrator,
-             Simulation<R>& s) {
-  s.state = x;
-  s.travel = Travel{};
-  s.controls = u;
-  s.inputs = 0;
-  s.integrator = integrator;
-  s.dt = dt;
-  s.origin = R(0);
-  s.steps = 0;
-  s.fault_state = -1;
-  s.fault_time = R(0);
-  s.status = Status::ok;
-  if (c.aircraft == nullptr) return s.status = Status::bad_argument;
-  if (!(dt > R(0) && dt <= kLongestStep<R>)) return s.status = Status::out_of_range;
-  bool finite = true;
-  State<R>::each(x, [&finite](R value) { finite = finite && is_finite(value); });
-  Controls<R>::each(u, [&finite](R value) { finite = finite && is_finite(value); });
-  if (!finite) s.status = Status::not_finite;
-  return s.status;
-}
-
-// Status: ok; bad_argument (no room left, or the signal is not valid).
-template <class R>
-Status add_input(Simulation<R>& s, const InputSignal<R>& signal) {
-  if (s.inputs >= kMaxInputs || !is_valid(signal)) return Status::bad_argument;
-  s.input[s.inputs++] = signal;
-  return Status::ok;
-}
-
-// Goes on with steps of another length, 0 < dt <= 1 s. Status: ok; out_of_range, and nothing is changed.
-template <class R>
-Status change_step(Simulation<R>& s, R dt) {
-  if (!(dt > R(0) && dt <= kLongestStep<R>)) return Status::out_of_range;
-  s.origin = current_time(s);
-  s.steps = 0;
-  s.dt = dt;
-  return Status::ok;
-}
-
 namespace response_detail {
 
 // Right side of the active states at constant controls.
@@ -179,6 +54,21 @@ struct RightSide {
   SimulationWorkspace<R, Policy>& work;
   const Controls<R>& controls;
   int& fault_state;
+  R azimuth_at_0;
+  const MovingConfiguration<R>* moving;  // of `c`, or nullptr
+
+  R azimuth(R time) const {
+    if (moving == nullptr) return azimuth_at_0 + c.setup.rotor_speed * time;
+    return azimuth_at_0 + moving->from.rotor_speed * moving->begin +
+           turned(moving->from, time - moving->begin);
+  }
+  void place_configuration(R time, const R* x) const {
+    if (moving == nullptr) return;
+    R down = work.whole[kStateIndex.position.z];
+    for (int k = 0; k < work.active.count; ++k)
+      if (work.active.index[k] == kStateIndex.position.z) down += x[k];
+    place(*moving, time, down);
+  }
 
   template <class T>
   void rates(const T* x, T* rates, R azimuth) const {
@@ -196,7 +86,8 @@ struct RightSide {
   }
 
   Status operator()(R time, const R* x, R* xdot) const {
-    rates(x, xdot, c.setup.rotor_speed * time);
+    place_configuration(time, x);
+    rates(x, xdot, azimuth(time));
     for (int k = 0; k < work.active.count; ++k) {
       if (!is_finite(xdot[k])) {
         fault_state = work.active.index[k];
@@ -212,21 +103,24 @@ Status rodas3(const RightSide<R, Policy>& f, R time, R dt) {
   SimulationWorkspace<R, Policy>& work = f.work;
   const Configuration<R>& c = f.c;
   const int n = work.active.count;
-  const R azimuth = c.setup.rotor_speed * time;
+  const R azimuth = f.azimuth(time);
+  f.place_configuration(time, work.x);
   for (int k = 0; k < n; ++k) work.scale[k] = state_scale<R>(work.active.index[k]);
   Policy::jacobian([&f, azimuth](const auto* x, auto* rates) { f.rates(x, rates, azimuth); },
                    {n, n, work.x, work.scale, work.rates}, work.differentiation,
                    [&work](int i, int j, R slope) { work.jacobian(i, j) = slope; });
   const R* known = work.rates;
-  if (c.setup.options.azimuth == AzimuthMode::averaged)
+  if (c.setup.options.azimuth == AzimuthMode::averaged && f.moving == nullptr)
     return rodas3_step(f, work.jacobian, {time, dt, work.x, n, known}, work.method.rosenbrock);
 
-  // Blades that turn make f depend on time; azimuth carries no partials, so a central difference.
+  // Blades that turn and masts that move make f depend on time; they carry no partials, so a central difference.
   const R step = std::cbrt(std::numeric_limits<R>::epsilon());
+  const R rotor_speed = c.setup.rotor_speed;
+  f.place_configuration(time + step / rotor_speed, work.x);
   f.rates(static_cast<const R*>(work.x), work.ahead, azimuth + step);
+  f.place_configuration(time - step / rotor_speed, work.x);
   f.rates(static_cast<const R*>(work.x), work.behind, azimuth - step);
-  for (int k = 0; k < n; ++k)
-    work.ahead[k] = c.setup.rotor_speed * (work.ahead[k] - work.behind[k]) / (R(2) * step);
+  for (int k = 0; k < n; ++k) work.ahead[k] = rotor_speed * (work.ahead[k] - work.behind[k]) / (R(2) * step);
   return rodas3_step(f, work.jacobian, {time, dt, work.x, n, known, work.ahead}, work.method.rosenbrock);
 }
 
@@ -274,18 +168,26 @@ Status hold(const RightSide<R, Policy>& f, Integrator integrator, R time, R dura
   return Status::ok;
 }
 
-}  // namespace response_detail
-
-// One step of dt, from edge to edge of the inputs inside it, in equal parts where the method would be
-// unstable (stable_step.hpp). Status: ok; not_finite or out_of_range (the flight has diverged: fault_state
-// and fault_time tell which state and when, the state stays that of the last good step); singular (rodas3);
-// bad_argument (an unknown integrator). A failed simulation does not move again. Cost of a part: three
-// derivatives (rk3); four (rk4); two and a Jacobian (rodas3). `xdot`[state_count]: the rates at the present
-// state and controls, when they are known (LinearModel); they spare rk3 and rk4 their first derivative.
+// The configuration at the end of a stretch of a step.
 template <class R, class Policy>
-Status advance(const Configuration<R>& c, SimulationWorkspace<R, Policy>& work, Simulation<R>& s,
-               const R* xdot = nullptr) {
-  if (s.status != Status::ok) return s.status;
+Status arrive(const MovingConfiguration<R>& moving, R time, bool at_stop, const RightSide<R, Policy>& f,
+              int& fault_state) {
+  Configuration<R>& c = *moving.configuration;
+  f.place_configuration(time, f.work.x);
+  if (at_stop) {
+    stop_mast<R>(c.setup, c.aircraft->limits.mast_deg);
+    configure(c);
+  }
+  const SetupField fault = first_out_of_range(*c.aircraft, c.setup).field;
+  if (fault == SetupField::none) return Status::ok;
+  if (fault == SetupField::altitude) fault_state = kStateIndex.position.z;
+  return Status::out_of_range;
+}
+
+// A step; `moving`: of `c`, or nullptr.
+template <class R, class Policy>
+Status advance(const Configuration<R>& c, MovingConfiguration<R>* moving,
+               SimulationWorkspace<R, Policy>& work, Simulation<R>& s, const R* xdot) {
   work.active = active_states(c.setup.options, true);
   const int n = work.active.count;
   Travel travel = s.travel;
@@ -302,15 +204,31 @@ Status advance(const Configuration<R>& c, SimulationWorkspace<R, Policy>& work, 
     known = work.rates;
   }
   const R begin = current_time(s);
+  R azimuth = s.azimuth;
   R since = R(0);
   for (int k = 0; k < kMaxStretches && since < s.dt && s.status == Status::ok; ++k) {
-    const R until = next_change(s, since);
+    R until = next_change(s, since);
+    bool stops = false;
+    if (moving != nullptr) {
+      moving->from = c.setup;
+      moving->begin = begin + since;
+      const R stop = since + time_to_stop(moving->from, c.aircraft->limits.mast_deg, until - since);
+      stops = stop < until;
+      if (stops) until = stop;
+    }
     const Controls<R> controls = controls_at(s, begin + R(0.5) * (since + until));
-    const response_detail::RightSide<R, Policy> f{c, work, controls, s.fault_state};
-    const int count =
-        response_detail::parts(s.integrator, until - since, fastest_rates(c, s.state, controls));
-    s.status = response_detail::hold(f, s.integrator, begin + since, until - since, count, known);
-    known = nullptr;
+    const RightSide<R, Policy> f{c, work, controls, s.fault_state, azimuth, moving};
+    if (until > since) {
+      const int count = parts(s.integrator, until - since, fastest_rates(c, s.state, controls));
+      s.status = hold(f, s.integrator, begin + since, until - since, count, known);
+      known = nullptr;
+    }
+    if (moving != nullptr && s.status == Status::ok) {
+      const R azimuth_now = f.azimuth(begin + until);
+      s.status = arrive(*moving, begin + until, stops, f, s.fault_state);
+      if (moving->from.rotor_acceleration != R(0))
+        azimuth = azimuth_now - c.setup.rotor_speed * (begin + until);
+    }
     since = until;
   }
   for (int k = 0; k < n && s.status == Status::ok; ++k) {
@@ -331,8 +249,44 @@ Status advance(const Configuration<R>& c, SimulationWorkspace<R, Policy>& work, 
   for (int k = 0; k < n; ++k) work.whole[work.active.index[k]] = work.x[k];
   unflatten(work.whole, s.state);
   s.travel = travel;
+  s.azimuth = azimuth;
   ++s.steps;
   return s.status;
+}
+
+}  // namespace response_detail
+
+// One step of dt, from edge to edge of the inputs inside it, in equal parts where the method would be
+// unstable (stable_step.hpp). Status: ok; not_finite or out_of_range (the flight has diverged: fault_state
+// and fault_time tell which state and when, the state stays that of the last good step); singular (rodas3);
+// bad_argument (an unknown integrator). A failed simulation does not move again. Cost of a part: three
+// derivatives (rk3); four (rk4); two and a Jacobian (rodas3). `xdot`[state_count]: the rates at the present
+// state and controls, when they are known (LinearModel); they spare rk3 and rk4 their first derivative.
+template <class R, class Policy>
+Status advance(const Configuration<R>& c, SimulationWorkspace<R, Policy>& work, Simulation<R>& s,
+               const R* xdot = nullptr) {
+  if (s.status != Status::ok) return s.status;
+  return response_detail::advance(c, static_cast<MovingConfiguration<R>*>(nullptr), work, s, xdot);
+}
+
+// The same, while masts and rotors move as the rates and accelerations of the setting carry them, every evaluation
+// sees them where they are, and air follows the altitude when asked to. At its stop a mast stays; the step is cut
+// there. The configuration goes along and is as it was unless ok; out_of_range also where it leaves the ranges of
+// a setting. Where nothing moves: the bits of advance(), for its cost; else a twentieth of a derivative more an
+// evaluation.
+template <class R, class Policy>
+Status advance_moving(MovingConfiguration<R>& moving, SimulationWorkspace<R, Policy>& work, Simulation<R>& s,
+                      const R* xdot = nullptr) {
+  if (s.status != Status::ok) return s.status;
+  Configuration<R>& c = *moving.configuration;
+  if (!is_moving<R>(c.setup) && !moving.air_follows_altitude) return advance(c, work, s, xdot);
+  const ConfigurationSetting<R> before = c.setup;
+  const Status status = response_detail::advance(c, &moving, work, s, xdot);
+  if (status != Status::ok) {
+    static_cast<ConfigurationSetting<R>&>(c.setup) = before;
+    configure(c);
+  }
+  return status;
 }
 
 }  // namespace tiltrotor
