@@ -11,6 +11,7 @@
 #include "cli/flight_range.hpp"
 #include "cli/input_text.hpp"
 #include "cli/linear_options.hpp"
+#include "cli/mast_moves.hpp"
 #include "cli/matrix_log.hpp"
 #include "cli/output.hpp"
 #include "cli/response_columns.hpp"
@@ -32,6 +33,7 @@ struct Plan {
   double rest;  // s, of a shorter last step; 0: there is none
   Integrator integrator;
   std::vector<InputSignal<double>> inputs;
+  MastMoves masts;
   std::size_t modes_every;  // steps; 0: never
 };
 
@@ -51,8 +53,16 @@ Plan read_plan(const Arguments& arguments) {
   plan.rest = is_whole(steps) ? 0 : duration - static_cast<double>(plan.steps) * plan.dt;
   plan.integrator = static_cast<Integrator>(arguments.choice("--method", "rk4", {"rk3", "rk4", "rodas3"}));
   for (const std::string& text : arguments.texts("--input")) {
-    plan.inputs.push_back(parse_input(text, arguments.where("--input")));
-    if (plan.inputs.back().start > duration) {
+    double begins = 0;
+    if (is_mast_move(text)) {
+      const MastMove move = parse_mast_move(text, arguments.where("--input"));
+      plan.masts.add(move, arguments.where("--input") + " " + text);
+      begins = move.start;
+    } else {
+      plan.inputs.push_back(parse_input(text, arguments.where("--input")));
+      begins = plan.inputs.back().start;
+    }
+    if (begins > duration) {
       throw UsageError(arguments.where("--input") + " " + text + ": starts after the end of the flight, " +
                        number_text(duration) + " s");
     }
@@ -120,13 +130,13 @@ class Companions {
 
 int fly(const TrimmedFlight& flight, const Plan& plan, Simulation<double>& simulation, Analyses& analyses,
         Companions& companions, Records& records) {
-  const Configuration<double>& c = flight.configuration;
+  Configuration<double> c = flight.configuration;
   const std::size_t steps = plan.steps + (plan.rest > 0 ? 1 : 0);
   Progress progress("respond", steps);
   int exit_status = exit_success;
   for (std::size_t step = 0;; ++step) {
     const std::string now = number_text(current_time(simulation), 6) + " s";
-    Row row = response_row(flight, simulation);
+    Row row = response_row(flight, c, simulation);
     const Status linear = companions.accompany(step, c, simulation, analyses, row);
     records.add(row);
     if (linear != Status::ok) {
@@ -135,7 +145,7 @@ int fly(const TrimmedFlight& flight, const Plan& plan, Simulation<double>& simul
     }
     if (step == steps) return exit_status;
     Status status = step == plan.steps ? change_step(simulation, plan.rest) : Status::ok;
-    if (status == Status::ok) status = advance(c, analyses, simulation);
+    if (status == Status::ok) status = plan.masts.advance(c, analyses, simulation);
     if (status != Status::ok) {
       progress.message("respond: the flight cannot be continued beyond " + now + fault_text(simulation) +
                        ": " + status_text(status));
@@ -168,6 +178,7 @@ int run(const Arguments& arguments) {
     }
     if (status == Status::ok) {
       require_inputs(*simulation, arguments.where("--input"));
+      plan.masts.require_range(flight.configuration.setup.mast_deg, arguments.where("--input"));
       return fly(flight, plan, *simulation, *work, companions, records);
     }
     std::fprintf(stderr, "tiltrotor: respond: cannot start: %s\n", status_text(status));

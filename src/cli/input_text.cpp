@@ -19,7 +19,8 @@ const char* const kInputGrammar =
     "  UNIT   deg (the default) or rad for angles, in for the stick and pedal, mps for gusts\n"
     "  SHAPE  step (the default without END), pulse (the default with END) or doublet (half the time each "
     "way)\n"
-    "Examples: collective=1deg@0  pedal=0.5in@1..2  long_stick=1in@1..3:doublet\n";
+    "Masts move by mast=CHANGE[deg]@START..END at a constant rate, within their range; rows hold the angle.\n"
+    "Examples: collective=1deg@0  pedal=0.5in@1..2  long_stick=1in@1..3:doublet  mast=30deg@1..5\n";
 
 namespace {
 

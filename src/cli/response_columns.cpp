@@ -82,14 +82,16 @@ std::vector<std::string> response_columns(bool with_modes, const Options& option
   return names;
 }
 
-Row response_row(const TrimmedFlight& flight, const Simulation<double>& simulation) {
+Row response_row(const TrimmedFlight& flight, const Configuration<double>& now,
+                 const Simulation<double>& simulation) {
   const Moment moment{simulation, simulation.state, current_controls(simulation)};
   Row row;
   for (const Column& column : columns) row.emplace_back(column.value(moment));
   const Options& options = flight.configuration.setup.options;
   for (const std::string& name : completing_columns(own_columns(), options, true)) {
     if (is_setting(name)) {
-      row.emplace_back(as_given(flight.setting(name)));
+      const bool moved = name == "mast_deg" && now.setup.mast_deg != flight.configuration.setup.mast_deg;
+      row.emplace_back(as_given(moved ? now.setup.mast_deg : flight.setting(name)));
       continue;
     }
     const double value = completing_value(name, moment.x, moment.u);

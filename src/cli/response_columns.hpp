@@ -13,7 +13,8 @@ namespace tiltrotor::cli {
 std::vector<std::string> response_columns(bool with_modes, const Options& options = {});
 
 // State now and the controls that act from now on; `flight` is where it began.
-Row response_row(const TrimmedFlight& flight, const Simulation<double>& simulation);
+Row response_row(const TrimmedFlight& flight, const Configuration<double>& now,
+                 const Simulation<double>& simulation);
 
 // Name, real and imaginary part and branch of the body's and the downwash's modes; the rotors' are left out.
 // Empty cells when `set` is null.

@@ -31,4 +31,9 @@ Status advance(const Configuration<double>& c, Analyses& work, Simulation<double
   return advance(c, work.simulation, simulation, xdot);
 }
 
+Status advance_moving(MovingConfiguration<double>& moving, Analyses& work, Simulation<double>& simulation,
+                      const double* xdot) {
+  return advance_moving(moving, work.simulation, simulation, xdot);
+}
+
 }  // namespace tiltrotor

@@ -31,5 +31,7 @@ Status linearize(const Configuration<double>& c, const State<double>& x, const C
                  const ControlSet& columns, Analyses& work, LinearModel<double>& model, double azimuth = 0);
 Status advance(const Configuration<double>& c, Analyses& work, Simulation<double>& simulation,
                const double* xdot = nullptr);
+Status advance_moving(MovingConfiguration<double>& moving, Analyses& work, Simulation<double>& simulation,
+                      const double* xdot = nullptr);
 
 }  // namespace tiltrotor
