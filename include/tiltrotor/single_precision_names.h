@@ -26,6 +26,11 @@
 #define tr_control_name tr_control_name_single
 #define tr_control_unit tr_control_unit_single
 #define tr_version tr_version_single
+#define tr_get_configuration tr_get_configuration_single
+#define tr_set_configuration tr_set_configuration_single
+#define tr_default_environment tr_default_environment_single
+#define tr_set_environment tr_set_environment_single
+#define tr_set_loads tr_set_loads_single
 #define tr_save tr_save_single
 #define tr_load_saved tr_load_saved_single
 

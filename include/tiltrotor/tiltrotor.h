@@ -59,15 +59,15 @@ extern "C" {
 
 #ifdef TR_SINGLE_PRECISION
 typedef float tr_real;
-#define TR_API_VERSION 0x00020004u
-#define TR_SIM_SIZE 3072
+#define TR_API_VERSION 0x00030004u
+#define TR_SIM_SIZE 3584
 #define TR_WORK_SIZE TR_SINGLE_WORK_SIZE
 #else
 typedef double tr_real;
 /* Changes when a program must be compiled again: interface in the upper half, bytes of a tr_real in the
  * lower. */
-#define TR_API_VERSION 0x00020008u
-#define TR_SIM_SIZE 6144 /* bytes */
+#define TR_API_VERSION 0x00030008u
+#define TR_SIM_SIZE 6656 /* bytes */
 #define TR_WORK_SIZE TR_DOUBLE_WORK_SIZE
 #endif
 
@@ -244,7 +244,7 @@ tr_status tr_set_controls(tr_sim* sim, const tr_real* controls, size_t length);
 tr_status tr_step(tr_sim* sim, tr_work* work, tr_real dt);
 
 /* Snapshot and restore. tr_set_state accepts finite states of |velocity| <= 300 m/s, |rates| <= 20 rad/s,
- * |roll| <= 1000 rad, |pitch| <= 89.5 deg, |yaw| <= 1e6 rad, |angles and inflow| <= 2, |their rates| <= 200
+ * |roll| <= 1000 rad, |pitch| <= 89.9999 deg, |yaw| <= 1e6 rad, |angles and inflow| <= 2, |their rates| <= 200
  * rad/s, |position| <= 1e9 m, |controls| <= 100, time 0..1e9 s, steps <= 1e15; no step leads beyond.
  * roll_rad, yaw_rad and position_m count where they round to their numbers in x; elsewhere x counts.
  * TR_NOT_FINITE, TR_OUT_OF_RANGE. Cost: a copy. */
@@ -392,5 +392,7 @@ tr_status tr_hash(const tr_real* numbers, size_t length, uint64_t* hash);
 #ifdef __cplusplus
 }
 #endif
+
+#include "tiltrotor/conditions.h"
 
 #endif

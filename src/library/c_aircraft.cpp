@@ -1,5 +1,6 @@
 // The C interface: the aircraft, its controls, its state and what follows from them.
 #include <cmath>
+#include <limits>
 
 #include "library/c_state.hpp"
 #include "library/c_words.hpp"
@@ -107,13 +108,13 @@ tr_status make(const FlightSetup<R>& setup, tr_sim* sim) {
   const Status status = prepare(aircraft_data<R>(), setup, configuration);
   if (status != Status::ok) return translated(status);
   Sim& s = *::new (static_cast<void*>(sim->reserved)) Sim;
-  s.configuration = configuration;
-  s.configuration.aircraft = nullptr;
+  keep(configuration, s);
   s.x = State<R>{};
   s.travel = Travel{};
   s.u = Controls<R>{};
   s.time = 0;
   s.steps = 0;
+  s.air = {false, R(0), std::numeric_limits<R>::infinity()};
   s.mark = kMark;
   return TR_OK;
 }
@@ -223,8 +224,14 @@ tr_status tr_set_state(tr_sim* sim, const tr_state* state) {
   if (ready != TR_OK) return ready;
   if (state == nullptr) return TR_BAD_ARGUMENT;
   const tr_status status = check_state(*state);
-  if (status == TR_OK) put_state(*state, *opened(sim));
-  return status;
+  if (status != TR_OK) return status;
+  Sim& s = *opened(sim);
+  const State<R> before = s.x;
+  unflatten(state->x, s.x);
+  const tr_status in_air = follow_air(s);
+  s.x = before;
+  if (in_air == TR_OK) put_state(*state, s);
+  return in_air;
 }
 
 tr_status tr_derivative(const tr_sim* sim, tr_real* rates, size_t length) {
@@ -258,14 +265,14 @@ tr_status tr_get_outputs(const tr_sim* sim, tr_outputs* outputs) {
   o.airspeed_mps = airspeed;
   o.angle_of_attack_rad = airspeed >= kLeastSpeed<R> ? atan2(v.z, v.x) : R(0);
   o.sideslip_rad = airspeed >= kLeastSpeed<R> ? atan2(v.y, std::sqrt(v.x * v.x + v.z * v.z)) : R(0);
-  Vec3<R> force{};
+  Vec3<R> force = c.outside.force;
   for (const Loads<R>& loads : e.loads.component) force = force + loads.force;
   const Vec3<R> specific = (R(1) / c.mass.mass) * force;
   o.specific_force_mps2[0] = specific.x;
   o.specific_force_mps2[1] = specific.y;
   o.specific_force_mps2[2] = specific.z;
   o.load_factor = load_factor(specific, v);
-  o.climb_rate_mps = -e.rates.position.z;
+  o.climb_rate_mps = c.around.wind_n.z - e.rates.position.z;
   for (int side = 0; side < 2; ++side) {
     const RotorLoads<R>& rotor = e.rotor[side].loads;
     const RotorState<R>& x = s.x.rotor[side];

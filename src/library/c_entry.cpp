@@ -15,6 +15,11 @@ decltype(::tr_save) tr_save;
 decltype(::tr_load_saved) tr_load_saved;
 decltype(::tr_derivative) tr_derivative;
 decltype(::tr_get_outputs) tr_get_outputs;
+decltype(::tr_get_configuration) tr_get_configuration;
+decltype(::tr_set_configuration) tr_set_configuration;
+decltype(::tr_default_environment) tr_default_environment;
+decltype(::tr_set_environment) tr_set_environment;
+decltype(::tr_set_loads) tr_set_loads;
 decltype(::tr_trim) tr_trim;
 decltype(::tr_linearize) tr_linearize;
 decltype(::tr_linearize_and_step) tr_linearize_and_step;
@@ -119,4 +124,29 @@ tr_status tr_modes(tr_work* work, const tr_linear_shape* shape, const tr_real* a
                    tr_mode* modes, size_t capacity, size_t* count) {
   const tr_status status = processor_status();
   return status == TR_OK ? checked::tr_modes(work, shape, a, a_length, modes, capacity, count) : status;
+}
+
+tr_status tr_get_configuration(const tr_sim* sim, tr_configuration* configuration) {
+  const tr_status status = processor_status();
+  return status == TR_OK ? checked::tr_get_configuration(sim, configuration) : status;
+}
+
+tr_status tr_set_configuration(tr_sim* sim, const tr_configuration* configuration) {
+  const tr_status status = processor_status();
+  return status == TR_OK ? checked::tr_set_configuration(sim, configuration) : status;
+}
+
+tr_status tr_default_environment(tr_environment* environment) {
+  const tr_status status = processor_status();
+  return status == TR_OK ? checked::tr_default_environment(environment) : status;
+}
+
+tr_status tr_set_environment(tr_sim* sim, const tr_environment* environment) {
+  const tr_status status = processor_status();
+  return status == TR_OK ? checked::tr_set_environment(sim, environment) : status;
+}
+
+tr_status tr_set_loads(tr_sim* sim, const tr_load* loads, size_t count) {
+  const tr_status status = processor_status();
+  return status == TR_OK ? checked::tr_set_loads(sim, loads, count) : status;
 }

@@ -20,15 +20,17 @@ tr_status check_step(const tr_work* work, R dt) {
 tr_status step(Sim& s, tr_work* work, R dt, const R* xdot) {
   StepCallWorkspace& call = workspace_in<StepCallWorkspace>(work);
   const Configuration<R>& c = equipped(s, call.configuration);
+  MovingConfiguration<R> moving{&call.configuration, s.air.follows, s.air.altitude, {}, 0};
   const Integrator integrator = dt <= kLongestOfRk3 ? Integrator::rk3 : Integrator::rk4;
   const double time = s.time + static_cast<double>(dt);
   if (time > kLongestFlight || s.steps >= kMostSteps) return TR_OUT_OF_RANGE;
-  // The model does not depend on time: every step begins a simulation of its own, and time is counted here.
+  // The model does not depend on time but by its setting, which is kept: every step begins a simulation of its own, and time is counted here.
   const Status started = start(c, s.x, s.u, dt, integrator, call.simulation);
   if (started != Status::ok) return translated(started);
   call.simulation.travel = s.travel;
-  const Status advanced = advance(c, call.workspace, call.simulation, xdot);
+  const Status advanced = advance_moving(moving, call.workspace, call.simulation, xdot);
   if (advanced != Status::ok) return translated(advanced);
+  if (is_moving<R>(s.configuration.setup) || s.air.follows) keep(call.configuration, s);
   s.x = call.simulation.state;
   s.travel = call.simulation.travel;
   s.time = time;

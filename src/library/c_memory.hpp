@@ -17,6 +17,12 @@ using R = tr_real;
 
 inline constexpr std::uint32_t kMark = 0x54520000u + TR_API_VERSION;  // "TR"
 
+// Where the air of a flight is taken from: the altitude of the setup, or that of the aircraft.
+struct AirOrigin {
+  bool follows;
+  R altitude, ground_down;  // m
+};
+
 struct Sim {
   std::uint32_t mark;              // kMark once initialised
   Configuration<R> configuration;  // without its aircraft: stored bytes hold no address
@@ -25,6 +31,7 @@ struct Sim {
   Controls<R> u;
   double time;
   std::uint64_t steps;
+  AirOrigin air;
 };
 static_assert(sizeof(Sim) <= sizeof(tr_sim) && alignof(Sim) <= alignof(tr_sim));
 static_assert(std::is_trivially_copyable_v<Sim>, "a snapshot is a copy of the bytes");

@@ -15,7 +15,7 @@ namespace tiltrotor::c_interface {
 namespace {
 
 constexpr unsigned char kMagic[8] = {'t', 'r', 's', 'a', 'v', 'e', 'd', 0x1a};
-constexpr std::uint32_t kFormat = 1;
+constexpr std::uint32_t kFormat = 2;
 
 // Least significant byte first. Out of line: there are many numbers, and little memory for code on a target.
 TILTROTOR_NOINLINE void put(std::uint64_t bits, std::size_t bytes, unsigned char* to) {
@@ -83,6 +83,33 @@ constexpr void each_of_header(H& header, Visit&& visit) {
   visit(header.identity);
 }
 
+// What may change in flight and is not in the setup.
+struct Conditions {
+  R mast_rate, mast_acceleration, rotor_acceleration, wl_cg;
+  tr_environment environment;
+  std::uint32_t air_follows;
+  Loads<R> outside;
+};
+
+template <class Saved, class Visit>
+constexpr void each_of_conditions(Saved& saved, Visit&& visit) {
+  visit(saved.mast_rate);
+  visit(saved.mast_acceleration);
+  visit(saved.rotor_acceleration);
+  visit(saved.wl_cg);
+  auto& e = saved.environment;
+  for (auto& wind : e.wind_mps) visit(wind);
+  for (auto& gust : e.gust_mps)
+    for (auto& component : gust) visit(component);
+  for (auto& rate : e.gust_rates_radps) visit(rate);
+  visit(e.altitude_origin_m);
+  visit(e.temperature_offset_k);
+  visit(e.pressure_ratio);
+  visit(e.ground_down_m);
+  visit(saved.air_follows);
+  Loads<R>::each(saved.outside, visit);
+}
+
 template <class Setup, class State, class Visit>
 constexpr void each_of_flight(Setup& setup, State& state, Visit&& visit) {
   visit(setup.aircraft);
@@ -115,6 +142,8 @@ constexpr std::size_t bytes_of_flight() {
   const tr_setup setup{};
   const tr_state state{};
   each_of_flight(setup, state, counter);
+  const Conditions conditions{};
+  each_of_conditions(conditions, counter);
   return counter.bytes;
 }
 constexpr std::size_t kHeaderBytes = bytes_of_header();
@@ -133,6 +162,28 @@ std::uint64_t identity() {
   const char* const version = TILTROTOR_VERSION;
   return hashed(hash_of(reinterpret_cast<const unsigned char*>(version), std::strlen(version)),
                 aircraft_fingerprint());
+}
+
+Conditions conditions_of(const Sim& s) {
+  const FlightSetup<R>& setup = s.configuration.setup;
+  Conditions c{setup.mast_rate, setup.mast_acceleration, setup.rotor_acceleration, setup.wl_cg, {}, 0, {}};
+  get_environment(s, c.environment);
+  c.air_follows = s.air.follows ? 1 : 0;
+  c.outside = s.configuration.around.outside;
+  return c;
+}
+
+// Ranges of what make() does not look at.
+tr_status check_conditions(const Conditions& c, const tr_state& state, FlightSetup<R>& wanted) {
+  const tr_status possible = check_environment(c.environment);
+  if (possible != TR_OK) return possible;
+  if (c.air_follows > 1 || !within_limits(c.outside)) return TR_OUT_OF_RANGE;
+  wanted.mast_rate = c.mast_rate;
+  wanted.mast_acceleration = c.mast_acceleration;
+  wanted.rotor_acceleration = c.rotor_acceleration;
+  wanted.wl_cg = c.wl_cg;
+  if (c.air_follows == 1) wanted.altitude = c.environment.altitude_origin_m - state.x[TR_DOWN];
+  return TR_OK;
 }
 
 // The sums are those of the rounded numbers that the state shows.
@@ -165,7 +216,10 @@ tr_status tr_save(const tr_sim* sim, void* bytes, size_t length, size_t* used) {
   const tr_setup setup = setup_of(s.configuration.setup);
   tr_state state;
   get_state(s, state);
-  each_of_flight(setup, state, Writer(to + kHeaderBytes));
+  const Conditions conditions = conditions_of(s);
+  Writer writer(to + kHeaderBytes);
+  each_of_flight(setup, state, writer);
+  each_of_conditions(conditions, writer);
   put(hash_of(to, kChecked), sizeof(std::uint64_t), to + kChecked);
   return TR_OK;
 }
@@ -185,16 +239,24 @@ tr_status tr_load_saved(tr_sim* sim, uint32_t version, const void* bytes, size_t
 
   tr_setup setup;
   tr_state state;
-  each_of_flight(setup, state, Reader(from + kHeaderBytes));
+  Conditions conditions;
+  Reader reader(from + kHeaderBytes);
+  each_of_flight(setup, state, reader);
+  each_of_conditions(conditions, reader);
   const tr_status in_range = check_state(state);
   if (in_range != TR_OK) return in_range;
   if (!adds_up(state)) return TR_OUT_OF_RANGE;
   FlightSetup<R> wanted;
   const tr_status possible = wanted_setup(setup, wanted);
   if (possible != TR_OK) return possible;
+  const tr_status in_ranges = check_conditions(conditions, state, wanted);
+  if (in_ranges != TR_OK) return in_ranges;
   const tr_status made = make(wanted, sim);
-  if (made == TR_OK) put_state(state, *opened(sim));
-  return made;
+  if (made != TR_OK) return made;
+  Sim& s = *opened(sim);
+  put_state(state, s);
+  const tr_status around = put_environment(conditions.environment, conditions.air_follows == 1, s);
+  return around == TR_OK ? put_loads(conditions.outside, s) : around;
 }
 
 }  // namespace tiltrotor::c_interface::checked

@@ -20,4 +20,16 @@ tr_status check_state(const tr_state& state);
 void get_state(const Sim& s, tr_state& state);
 void put_state(const tr_state& state, Sim& s);
 
+// The configuration of a call, kept: stored bytes hold no address.
+void keep(const Configuration<R>& c, Sim& s);
+// What may change in flight, checked and set; unless TR_OK, nothing is changed. `follows`: whether the air follows the
+// altitude. The velocity of the state stays as it is.
+tr_status check_environment(const tr_environment& environment);
+bool within_limits(const Loads<R>& outside);
+void get_environment(const Sim& s, tr_environment& environment);
+tr_status put_environment(const tr_environment& environment, bool follows, Sim& s);
+tr_status put_loads(const Loads<R>& total, Sim& s);
+// Air of the altitude that a new position is at.
+tr_status follow_air(Sim& s);
+
 }  // namespace tiltrotor::c_interface

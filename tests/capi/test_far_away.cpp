@@ -129,7 +129,7 @@ TEST(capi_every_state_is_bounded_where_a_step_can_go) {
     if (i <= TR_W) return tr_real(300);
     if (i <= TR_R) return tr_real(20);
     if (i == TR_ROLL) return tr_real(1000);
-    if (i == TR_PITCH) return tr_real(89.5) * tr_real(3.14159265358979323846L) / tr_real(180);
+    if (i == TR_PITCH) return tr_real(89.9999) * tr_real(3.14159265358979323846L) / tr_real(180);
     if (i == TR_YAW) return tr_real(1e6);
     if (i >= TR_NORTH) return tr_real(1e9);
     if (i > TR_DOWNWASH) return i % 2 == 1 ? tr_real(200) : tr_real(2);

@@ -78,7 +78,10 @@ constexpr std::size_t kMast = kHeader + 16;
 constexpr std::size_t kTime = kMast + 6 * sizeof(tr_real);
 constexpr std::size_t kState = kTime + 16;
 constexpr std::size_t kSums = kState + (TR_STATES + TR_CONTROLS) * sizeof(tr_real);
-constexpr std::size_t kEnd = kSums + 5 * 8 + 8;
+constexpr std::size_t kConditions =
+    kSums + 5 * 8;  // 4 settings, 22 numbers of the environment, a flag, 6 of loads
+constexpr std::size_t kFlag = kConditions + 26 * sizeof(tr_real);
+constexpr std::size_t kEnd = kFlag + 4 + 6 * sizeof(tr_real) + 8;
 
 void write_file(const std::string& path, const void* bytes, std::size_t length) {
   std::ofstream(path, std::ios::binary).write(static_cast<const char*>(bytes), std::streamsize(length));
@@ -207,9 +210,26 @@ TEST(capi_forged_numbers_in_saved_bytes_are_refused) {
       CHECK_EQ(loaded(sim, forged(good, at, little_endian(wild))), finite ? TR_OUT_OF_RANGE : TR_NOT_FINITE);
     }
   }
+  // Settings, environment (but for the altitude of the origin, which is no matter while the air follows none, and the
+  // ground, which may be anywhere), loads.
+  for (const tr_real wild : {kNan, -kInfinity, tr_real(-3e9)}) {
+    const auto forged_at = [&](std::size_t k) {
+      return loaded(sim, forged(good, kConditions + k * sizeof wild, little_endian(wild)));
+    };
+    const tr_status refused = wild == tr_real(-3e9) ? TR_OUT_OF_RANGE : TR_NOT_FINITE;
+    for (std::size_t k = 0; k < 4; ++k) CHECK_EQ(forged_at(k), TR_OUT_OF_RANGE);
+    for (std::size_t k = 4; k < 25; ++k)
+      if (k != 22) CHECK_EQ(forged_at(k), refused);
+    for (const std::size_t k : {22u, 25u})
+      CHECK(forged_at(k) == (refused == TR_NOT_FINITE ? refused : TR_OK));
+    sim = before;
+    for (std::size_t k = 0; k < 6; ++k)
+      CHECK_EQ(loaded(sim, forged(good, kFlag + 4 + k * sizeof wild, little_endian(wild))), TR_OUT_OF_RANGE);
+  }
+  CHECK_EQ(loaded(sim, forged(good, kFlag, {2})), TR_OUT_OF_RANGE);
   for (const double wild : {-1.0, 1.1e9, 1e300}) {
     CHECK_EQ(loaded(sim, forged(good, kTime, little_endian(wild))), TR_OUT_OF_RANGE);
-    for (std::size_t at = kSums; at < kEnd - 8; at += 8)
+    for (std::size_t at = kSums; at < kConditions; at += 8)
       CHECK_EQ(loaded(sim, forged(good, at, little_endian(wild))), TR_OUT_OF_RANGE);
   }
   CHECK_EQ(loaded(sim, forged(good, kTime + 8, Bytes(8, 0xff))), TR_OUT_OF_RANGE);  // steps
@@ -224,7 +244,7 @@ TEST(capi_saved_bytes_have_a_fixed_order) {
     return Bytes(bytes.begin() + std::ptrdiff_t(from), bytes.begin() + std::ptrdiff_t(from + count));
   };
   CHECK(at(0, 7) == Bytes({'t', 'r', 's', 'a', 'v', 'e', 'd'}));
-  CHECK(at(12, 4) == Bytes({sizeof(tr_real), 0, 2, 0}));
+  CHECK(at(12, 4) == Bytes({sizeof(tr_real), 0, 3, 0}));
   CHECK(at(kHeader, 4) == Bytes({static_cast<unsigned char>(tr_aircraft_at(0)), 0, 0, 0}));
   // 30 is 0x403e000000000000, in single precision 0x41f00000.
   const Bytes thirty = sizeof(tr_real) == 8 ? Bytes{0, 0, 0, 0, 0, 0, 0x3e, 0x40} : Bytes{0, 0, 0xf0, 0x41};

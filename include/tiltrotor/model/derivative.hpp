@@ -48,7 +48,7 @@ void recorded_derivative(const Configuration<C>& c, const State<T>& x, const Con
   out_of_line([&] { rigid_body_rates(c, x, steps.total, rates); });
   out_of_line([&] {
     for (const Side side : {right, left}) rotor_rates(c, x, steps.rotor[side], side, rates);
-    rates.downwash = downwash_rate(c, x, steps.velocity_b, steps.airframe.downwash);
+    rates.downwash = downwash_rate(c, x, steps.airframe_input.velocity_b, steps.airframe.downwash);
   });
 }
 

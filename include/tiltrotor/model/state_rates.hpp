@@ -57,8 +57,8 @@ void rotor_rates(const Configuration<C>& c, const State<T>& x, const RotorRespon
 }
 
 // eps' = (eps_0 - eps) V/l_t: derived here, a lag by the time the flow takes from wing to tail, with V =
-// sqrt(|v|^2 + (20 m/s)^2) (choices.csv: downwash_arm, downwash_speed_floor). `velocity_b`: of the CG
-// relative to the air, m/s.
+// sqrt(|v|^2 + (20 m/s)^2) (choices.csv: downwash_arm, downwash_speed_floor). `velocity_b`: of the
+// airframe at the CG relative to the air at the wing, m/s.
 template <class T, class C>
 T downwash_rate(const Configuration<C>& c, const State<T>& x, const Vec3<T>& velocity_b,
                 const T& downwash_at_rest) {

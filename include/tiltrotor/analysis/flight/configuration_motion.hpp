@@ -73,18 +73,21 @@ struct MovingConfiguration {
   R begin;                       // s
 };
 
+// Air of another altitude, nothing else being changed.
+template <class R>
+void set_altitude(Configuration<R>& c, R altitude) {
+  c.setup.altitude = altitude;
+  c.air = surrounding_air(altitude, c.around.warmer, c.around.pressure_above);
+}
+
 // The configuration at a time of the step and a position.
 template <class R>
 void place(const MovingConfiguration<R>& moving, R time, R down) {
   Configuration<R>& c = *moving.configuration;
   ConfigurationSetting<R>& setting = c.setup;
   setting = carried(moving.from, time - moving.begin);
-  if (moving.air_follows_altitude) setting.altitude = moving.altitude_origin - down;
-  if (is_moving(moving.from)) {
-    configure(c);
-  } else {
-    c.air = surrounding_air(setting.altitude, c.around.warmer, c.around.pressure_above);
-  }
+  if (moving.air_follows_altitude) set_altitude(c, moving.altitude_origin - down);
+  if (is_moving(moving.from)) configure(c);
 }
 
 }  // namespace tiltrotor

@@ -22,6 +22,7 @@
 #include "tiltrotor/analysis/flight/configuration_motion.hpp"
 #include "tiltrotor/analysis/flight/simulation.hpp"
 #include "tiltrotor/analysis/flight/stable_step.hpp"
+#include "tiltrotor/analysis/flight/steep_attitude.hpp"
 #include "tiltrotor/analysis/linear/differentiation.hpp"
 #include "tiltrotor/math/integrate.hpp"
 
@@ -42,10 +43,16 @@ struct SimulationWorkspace {
   R rates[state_count];
   R ahead[state_count], behind[state_count];
   R scale[state_count];
-  R whole[state_count];  // every state, for those that stand still
+  R upright[state_count];  // active states with Euler angles, in steep flight
+  R whole[state_count];    // every state, for those that stand still
 };
 
 namespace response_detail {
+
+// Places of the attitude and of the body rates among the active states: the first nine are alive always.
+inline constexpr int kRoll = kStateIndex.roll, kPitch = kStateIndex.pitch, kYaw = kStateIndex.yaw;
+inline constexpr int kRates[] = {kStateIndex.rates.x, kStateIndex.rates.y, kStateIndex.rates.z};
+static_assert(kYaw == 8 && kRoll == 6 && kPitch == 7);
 
 // Right side of the active states at constant controls.
 template <class R, class Policy>
@@ -56,6 +63,7 @@ struct RightSide {
   int& fault_state;
   R azimuth_at_0;
   const MovingConfiguration<R>* moving;  // of `c`, or nullptr
+  const Rotation<R>* steep;              // attitude at the beginning of a part in steep flight, or nullptr
 
   R azimuth(R time) const {
     if (moving == nullptr) return azimuth_at_0 + c.setup.rotor_speed * time;
@@ -85,9 +93,28 @@ struct RightSide {
     for (int k = 0; k < work.active.count; ++k) rates[k] = at.x[work.active.index[k]];
   }
 
+  // The attitude by its turn since the beginning of the part: steep_attitude.hpp.
+  void steep_rates(const R* x, R* xdot, R azimuth) const {
+    const Vec3<R> turn = {x[kRoll], x[kPitch], x[kYaw]};
+    const EulerAngles<R> now = euler_angles(turned_by(turn, *steep), work.whole[kRoll]);
+    for (int k = 0; k < work.active.count; ++k) work.upright[k] = x[k];
+    work.upright[kRoll] = now.roll - work.whole[kRoll];
+    work.upright[kPitch] = now.pitch;
+    work.upright[kYaw] = now.yaw - work.whole[kYaw];
+    rates(static_cast<const R*>(work.upright), xdot, azimuth);
+    const Vec3<R> rate = turn_rate(turn, {x[kRates[0]], x[kRates[1]], x[kRates[2]]});
+    xdot[kRoll] = rate.x;
+    xdot[kPitch] = rate.y;
+    xdot[kYaw] = rate.z;
+  }
+
   Status operator()(R time, const R* x, R* xdot) const {
     place_configuration(time, x);
-    rates(x, xdot, azimuth(time));
+    if (steep == nullptr) {
+      rates(x, xdot, azimuth(time));
+    } else {
+      steep_rates(x, xdot, azimuth(time));
+    }
     for (int k = 0; k < work.active.count; ++k) {
       if (!is_finite(xdot[k])) {
         fault_state = work.active.index[k];
@@ -125,7 +152,8 @@ Status rodas3(const RightSide<R, Policy>& f, R time, R dt) {
 }
 
 template <class R, class Policy>
-Status step(const RightSide<R, Policy>& f, Integrator integrator, R time, R dt, const R* known) {
+Status explicit_or_rodas3(const RightSide<R, Policy>& f, Integrator integrator, R time, R dt,
+                          const R* known) {
   SimulationWorkspace<R, Policy>& work = f.work;
   const int n = work.active.count;
   switch (integrator) {
@@ -137,6 +165,45 @@ Status step(const RightSide<R, Policy>& f, Integrator integrator, R time, R dt, 
       return rodas3(f, time, dt);
   }
   return Status::bad_argument;
+}
+
+// A part in steep flight: the places of the attitude hold its turn meanwhile.
+template <class R, class Policy>
+Status steep_step(const RightSide<R, Policy>& f, Integrator integrator, R time, R dt, const R* known) {
+  SimulationWorkspace<R, Policy>& work = f.work;
+  R* const x = work.x;
+  const EulerAngles<R> before = {work.whole[kRoll] + x[kRoll], x[kPitch], work.whole[kYaw] + x[kYaw]};
+  const Rotation<R> start = body_from_earth(before);
+  const R bank = x[kRoll], heading = x[kYaw];  // added so far
+  x[kRoll] = x[kPitch] = x[kYaw] = R(0);
+  if (known != nullptr) {
+    work.rates[kRoll] = R(0.25) * x[kRates[0]];
+    work.rates[kPitch] = R(0.25) * x[kRates[1]];
+    work.rates[kYaw] = R(0.25) * x[kRates[2]];
+  }
+  RightSide<R, Policy> steep = f;
+  steep.steep = &start;
+  const Status status = explicit_or_rodas3(steep, integrator, time, dt, known);
+  if (status != Status::ok) return status;
+  const Vec3<R> turn = {x[kRoll], x[kPitch], x[kYaw]};
+  const EulerAngles<R> now = euler_angles(turned_by(turn, start), before.roll);
+  const auto added = [](R from, R to) {
+    return static_cast<R>(within_half_a_turn(static_cast<double>(to) - static_cast<double>(from)));
+  };
+  x[kRoll] = bank + added(before.roll, now.roll);
+  // Straight up and down are left to the neighbourhood: there, bank and heading are one.
+  const R most = state_bound<R>(kPitch);
+  x[kPitch] = now.pitch > most ? most : now.pitch < -most ? -most : now.pitch;
+  x[kYaw] = heading + added(before.yaw, now.yaw);
+  return status;
+}
+
+// rodas3 keeps to Euler angles: its Jacobian is that of the state.
+template <class R, class Policy>
+Status step(const RightSide<R, Policy>& f, Integrator integrator, R time, R dt, const R* known) {
+  const bool is_steep = std::fabs(f.work.x[kPitch]) > kSteepPitch<R>;
+  return is_steep && integrator != Integrator::rodas3 ? steep_step(f, integrator, time, dt, known)
+                                                      : explicit_or_rodas3(f, integrator, time, dt, known);
 }
 
 // Equal parts of a step in which the method is stable. The limit ends the loop; no state within its bounds
@@ -217,7 +284,7 @@ Status advance(const Configuration<R>& c, MovingConfiguration<R>* moving,
       if (stops) until = stop;
     }
     const Controls<R> controls = controls_at(s, begin + R(0.5) * (since + until));
-    const RightSide<R, Policy> f{c, work, controls, s.fault_state, azimuth, moving};
+    const RightSide<R, Policy> f{c, work, controls, s.fault_state, azimuth, moving, nullptr};
     if (until > since) {
       const int count = parts(s.integrator, until - since, fastest_rates(c, s.state, controls));
       s.status = hold(f, s.integrator, begin + since, until - since, count, known);
@@ -248,6 +315,8 @@ Status advance(const Configuration<R>& c, MovingConfiguration<R>* moving,
   }
   for (int k = 0; k < n; ++k) work.whole[work.active.index[k]] = work.x[k];
   unflatten(work.whole, s.state);
+  if (moving != nullptr && moving->air_follows_altitude)
+    set_altitude(*moving->configuration, moving->altitude_origin - s.state.position.z);
   s.travel = travel;
   s.azimuth = azimuth;
   ++s.steps;

@@ -143,19 +143,26 @@ Status change_step(Simulation<R>& s, R dt) {
 }
 
 // Another setting in flight. The state stays, but for the inflow: it keeps its speed, and so changes its ratio to
-// the tip's. Blades keep their azimuth. Status as of reconfigure(); unless ok, nothing is changed.
+// the tip's. Status as of reconfigure(); unless ok, nothing is changed.
 template <class R>
-Status change_configuration(const ConfigurationSetting<R>& setting, Configuration<R>& c, Simulation<R>& s) {
+Status change_configuration(const ConfigurationSetting<R>& setting, Configuration<R>& c, State<R>& x) {
   const R before = c.setup.rotor_speed;
   const Status status = reconfigure(setting, c);
   if (status != Status::ok || setting.rotor_speed == before) return status;
-  s.azimuth += (before - setting.rotor_speed) * current_time(s);
   const R faster = before / setting.rotor_speed;
-  for (RotorState<R>& rotor : s.state.rotor) {
+  for (RotorState<R>& rotor : x.rotor) {
     rotor.lambda_0 *= faster;
     rotor.lambda_c *= faster;
     rotor.lambda_s *= faster;
   }
+  return status;
+}
+// The same; blades keep their azimuth.
+template <class R>
+Status change_configuration(const ConfigurationSetting<R>& setting, Configuration<R>& c, Simulation<R>& s) {
+  const R before = c.setup.rotor_speed;
+  const Status status = change_configuration(setting, c, s.state);
+  if (status == Status::ok) s.azimuth += (before - c.setup.rotor_speed) * current_time(s);
   return status;
 }
 
