@@ -10,6 +10,7 @@
 #include "run_program.hpp"
 #include "text/csv_line.hpp"
 #include "text/json.hpp"
+#include "this_aircraft.hpp"
 
 using check::built;
 using check::CsvText;
@@ -72,7 +73,8 @@ TEST(cli_states_of_trim_are_in_equilibrium) {
     const std::string switches = std::string(flight).find("coning") == std::string::npos
                                      ? ""
                                      : " --option coning_states=on --grid realtime";
-    const check::ProgramResult result = run_program(built("tiltrotor") + " trim " + flight + " | " +
+    const std::string trim = this_aircraft::flown(std::string("trim ") + flight);
+    const check::ProgramResult result = run_program(built("tiltrotor") + " " + trim + " | " +
                                                     built("tiltrotor") + " derivative --states -" + switches);
     CHECK_EQ(result.exit_status, 0);
     const CsvText rates(result.out);

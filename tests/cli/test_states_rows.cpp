@@ -7,10 +7,12 @@
 #include "cli/csv_text.hpp"
 #include "cli/scratch_folder.hpp"
 #include "run_program.hpp"
+#include "this_aircraft.hpp"
 
 using check::CsvText;
 using check::run_tiltrotor;
 using check::ScratchFolder;
+using this_aircraft::flown;
 
 namespace {
 
@@ -175,18 +177,19 @@ TEST(cli_bad_states_that_stand_still_are_refused) {
   } cases[] = {{"--option coning_states=on", "coning_right_deg"}, {"--option position_states=on", "north_m"}};
   for (const auto& [options, column] : cases) {
     const std::string flight =
-        run_tiltrotor(std::string("respond --speed 40 --duration 0.05 --input long_stick=1@0 ") + options)
+        run_tiltrotor(
+            flown(std::string("respond --speed 40 --duration 0.05 --input long_stick=1@0 ") + options))
             .out;
     const std::string path = folder.write("s.csv", flight);
     CHECK_EQ(run_tiltrotor("loads --states " + path + " " + options).exit_status, 0);
     check_refused(folder, flight, std::string(": column ") + column + ": ");
     check_refused(folder, flight, "with these options the state stands still; give");
   }
-  const std::string trim = run_tiltrotor("trim --speed 40").out;
+  const std::string trim = run_tiltrotor(flown("trim --speed 40")).out;
   for (const auto& [options, column] : {std::pair("--option inflow=uniform", "nc_right"),
                                         std::pair("--option downwash_lag=off", "downwash_deg")}) {
     check_refused(folder, trim, std::string(":2: column ") + column, options);
-    const std::string own = run_tiltrotor(std::string("trim --speed 40 ") + options).out;
+    const std::string own = run_tiltrotor(flown(std::string("trim --speed 40 ") + options)).out;
     const check::ProgramResult read =
         run_tiltrotor("loads --states " + folder.write("own.csv", own) + " " + options);
     if (!CHECK_EQ(read.exit_status, 0)) NOTE(options << ": " << read.err);
