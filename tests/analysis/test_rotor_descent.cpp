@@ -9,6 +9,7 @@
 #include "cli/csv_text.hpp"
 #include "rotor_stand.hpp"
 #include "run_program.hpp"
+#include "this_aircraft.hpp"
 
 using check::CsvText;
 using check::run_tiltrotor;
@@ -60,11 +61,13 @@ std::vector<double> roots(const Configuration<double>& c, double axial, double c
 // The solver against a search of the whole range of inflow. At 40 m/s the blades balance a windmill up to 4
 // deg; from 6 deg on they give more thrust than its wake can carry, and the one root left is no flow that
 // exists: 6 m/s down through a rotor that descends at 40, its wake faster still, against the air.
-TEST_OF_XV15(isolated_rotor_finds_the_windmill) {
+TEST(isolated_rotor_finds_the_windmill) {
   rotor_stand::Stand stand(0, by_momentum());
   const Configuration<double>& c = stand.configuration;
   int windmills = 0, none = 0, two_stable = 0;
-  for (const double axial : {-30.0, -36.0, -40.0, -44.0, -50.0, -60.0}) {
+  const double scale = this_aircraft::speed();
+  for (const double speed : {-30.0, -36.0, -40.0, -44.0, -50.0, -60.0}) {
+    const double axial = scale * speed;
     for (double collective = -4; collective <= 12; collective += 2) {
       const std::vector<double> at = roots(c, axial, collective);
       if (!CHECK(!at.empty())) continue;
@@ -89,9 +92,9 @@ TEST_OF_XV15(isolated_rotor_finds_the_windmill) {
     }
   }
   CHECK(windmills > 20 && none > 10 && two_stable > 20);
-  CHECK(stand.run(flow(4, -40)) == Status::ok);
-  CHECK_NEAR(stand.rotor.input.state.lambda_0 * c.tip_speed, 17.7, 0.1);
-  CHECK(stand.run(flow(8, -40)) == Status::vortex_ring);
+  CHECK(stand.run(flow(4, -40 * scale)) == Status::ok);
+  CHECK_NEAR(stand.rotor.input.state.lambda_0 * c.tip_speed, roots(c, -40 * scale, 4).at(0), 0.1);
+  CHECK(stand.run(flow(8, -40 * scale)) == Status::vortex_ring);
   CHECK(stand.rotor.momentum == MomentumRange::other_branch);
 }
 
@@ -116,9 +119,11 @@ TEST(isolated_rotor_pushed_against_its_thrust_says_so) {
 }
 
 // What is printed without an equilibrium that could be flown is empty and explained.
-TEST_OF_XV15(cli_rotor_without_a_windmill_prints_no_figures) {
-  const auto run = run_tiltrotor(
-      "rotor --collective75 4,8 --speed-axial -10,-40 --grid realtime --option descent_inflow=momentum");
+TEST(cli_rotor_without_a_windmill_prints_no_figures) {
+  const std::string slow = this_aircraft::shortest(this_aircraft::given("--speed-axial", -10));
+  const std::string fast = this_aircraft::shortest(this_aircraft::given("--speed-axial", -40));
+  const auto run = run_tiltrotor("rotor --collective75 4,8 --speed-axial " + slow + "," + fast +
+                                 " --grid realtime --option descent_inflow=momentum");
   CHECK_EQ(run.exit_status, 1);
   const CsvText csv(run.out);
   const char* status[] = {"vortex_ring", "vortex_ring", "ok", "vortex_ring"};
@@ -128,8 +133,8 @@ TEST_OF_XV15(cli_rotor_without_a_windmill_prints_no_figures) {
       CHECK_EQ(csv.text(i, column).empty(), std::string(status[i]) != "ok");
     CHECK(!csv.text(i, "axial_ratio").empty());
   }
-  CHECK(run.err.find("collective 8 deg, axial -40 m/s: no windmill found") != std::string::npos);
-  CHECK(run.err.find("collective 8 deg, axial -10 m/s: the rotor descends in its own wake") !=
+  CHECK(run.err.find("collective 8 deg, axial " + fast + " m/s: no windmill found") != std::string::npos);
+  CHECK(run.err.find("collective 8 deg, axial " + slow + " m/s: the rotor descends in its own wake") !=
         std::string::npos);
 }
 
