@@ -15,7 +15,7 @@ const char* const usage_text =
     "usage: run_tests [--list] [--verbose] [--skip PREFIX] [NAME ...]\n"
     "  NAME           run the tests whose name contains NAME (several: any of them)\n"
     "  --skip PREFIX  leave out the tests whose name begins with PREFIX\n"
-    "  --list         print the names only\n"
+    "  --list         print the names only; with --verbose also those left out, whose each is and where it stands\n"
     "  --verbose      print each test's name before it runs, and its time\n"
     "exit status: 0 all passed, 1 a test failed, 2 nothing was run\n";
 
@@ -110,6 +110,17 @@ bool is_of_this_aircraft(const Test& test) {
   return test.aircraft == check::any_aircraft || test.aircraft == tiltrotor::aircraft_identity().id;
 }
 
+// Every test with its aircraft, and how many there are of each kind.
+void print_table(const std::vector<Test>& tests) {
+  int count[2] = {0, 0};
+  for (const Test& test : tests) {
+    const bool of_any = test.aircraft == check::any_aircraft;
+    ++count[of_any ? 0 : 1];
+    std::printf("%-9s %s  %s:%d\n", of_any ? "any" : "XV-15", test.name.c_str(), test.file, test.line);
+  }
+  std::printf("%d of any aircraft, %d of the XV-15\n", count[0], count[1]);
+}
+
 bool run(const Test& test, bool verbose) {
   running_test = test.name.c_str();
   failures_of_running_test = 0;
@@ -167,24 +178,19 @@ int main(int count, char** arguments) {
   }
   if (!sort_tests() || !every_name_matches(options)) return exit_nothing_run;
 
-  std::vector<Test> selected;
-  int left_out = 0;
-  for (const Test& test : all_tests()) {
-    if (!is_selected(test, options)) continue;
-    if (is_of_this_aircraft(test)) {
-      selected.push_back(test);
-    } else {
-      ++left_out;
-      if (options.verbose) std::printf("out   %s\n", test.name.c_str());
-    }
+  std::vector<Test> selected, left_out;
+  for (const Test& test : all_tests())
+    if (is_selected(test, options)) (is_of_this_aircraft(test) ? selected : left_out).push_back(test);
+  if (options.list && options.verbose) {
+    selected.insert(selected.end(), left_out.begin(), left_out.end());
+    print_table(selected);
+    return 0;
   }
-  if (left_out > 0 && !options.list) {
-    std::printf(
-        "%d tests left out: they know numbers of the XV-15, and this is the %s (--verbose names them)\n",
-        left_out, tiltrotor::aircraft_identity().name);
-  }
+  if (options.verbose)
+    for (const Test& test : left_out) std::printf("out   %s\n", test.name.c_str());
   if (selected.empty()) {
-    std::fputs("run_tests: there is no test to run\n", stderr);
+    std::fprintf(stderr, "run_tests: there is no test to run%s\n",
+                 left_out.empty() ? "" : ": those selected know numbers of the XV-15");
     return exit_nothing_run;
   }
   int passed = 0;
@@ -196,6 +202,11 @@ int main(int count, char** arguments) {
       ++(run(test, options.verbose) ? passed : failed);
     }
   }
-  if (!options.list) std::printf("%d passed, %d failed\n", passed, failed);
+  if (options.list) return 0;
+  std::printf("%d passed, %d failed", passed, failed);
+  if (!left_out.empty())
+    std::printf(", %d left out: they know numbers of the XV-15, and this is the %s (--verbose names them)",
+                static_cast<int>(left_out.size()), tiltrotor::aircraft_identity().name);
+  std::printf("\n");
   return failed == 0 ? 0 : 1;
 }

@@ -7,6 +7,7 @@
 
 #include "check.hpp"
 #include "csv_file.hpp"
+#include "this_aircraft.hpp"
 #include "tiltrotor/analysis/instances.hpp"
 #include "tiltrotor/model/aircraft/aircraft_data.hpp"
 #include "tiltrotor/model/variables/presets.hpp"
@@ -17,9 +18,11 @@ using namespace tiltrotor;
 
 inline constexpr double kDeg = kRadPerDeg<double>;
 
-inline Configuration<double> configuration(double mast_deg, const Options& options = Options{}) {
+inline Configuration<double> configuration(double mast_deg, const Options& options = Options{},
+                                           double altitude = 0) {
   FlightSetup<double> setup = flight_setup(aircraft_data<double>(), mast_deg);
   setup.options = options;
+  setup.altitude = altitude;
   Configuration<double> c;
   CHECK(prepare(aircraft_data<double>(), setup, c) == Status::ok);
   return c;
@@ -31,6 +34,20 @@ inline Configuration<double> reference_configuration(double mast_deg) {
 }
 
 inline SteadyFlight<double> level(double speed) { return {speed, 0, 0, 0}; }
+
+// The flight of the XV-15 at sea level as this aircraft flies it (this_aircraft.hpp), `altitude` higher than there.
+inline Configuration<double> flown_configuration(double mast_deg, double altitude = 0,
+                                                 const Options& options = Options{}) {
+  return configuration(mast_deg, options, this_aircraft::altitude() + altitude);
+}
+inline SteadyFlight<double> flown(SteadyFlight<double> flight) {
+  const double speed = this_aircraft::speed();
+  return {speed * flight.speed,
+          flight.climb,
+          flight.turn_rate / speed,
+          flight.sideslip,
+          {speed * flight.gust.x, speed * flight.gust.y, speed * flight.gust.z}};
+}
 
 inline TrimResult<double> trimmed(const Configuration<double>& c, const SteadyFlight<double>& flight,
                                   const TrimOptions& options = {}) {

@@ -129,16 +129,16 @@ TEST_OF_XV15(modes_names_of_known_roots) {
 
 // Along sweeps within the corridor the names alone, without following, stay with a mode while it moves, and
 // following agrees with them.
-TEST_OF_XV15(modes_names_persist_along_a_sweep) {
+TEST(modes_names_persist_along_a_sweep) {
   static ModeSet<double> set, previous;
   struct Sweep {
     double mast, from, to;
   };
   for (const Sweep& sweep : {Sweep{90, 60, 140}, Sweep{60, 50, 85}, Sweep{30, 30, 70}}) {
-    const Configuration<double> c = configuration(sweep.mast);
+    const Configuration<double> c = flown_configuration(sweep.mast);
     bool first = true;
     for (double speed = sweep.from; speed <= sweep.to; speed += 2.5) {
-      const TrimResult<double> r = trimmed(c, level(speed));
+      const TrimResult<double> r = trimmed(c, flown(level(speed)));
       modes_of(c, r.state, r.controls, set);
       if (!first) {
         CHECK(follow(previous, set) == Status::ok);
@@ -196,12 +196,12 @@ TEST_OF_XV15(modes_follow_takes_branches_from_the_previous_set) {
 }
 
 // From hover on, pairs split and merge: every mode still has one name and none twice.
-TEST_OF_XV15(modes_names_in_helicopter_mode_and_turns) {
+TEST(modes_names_in_helicopter_mode_and_turns) {
   static ModeSet<double> set, previous;
-  const Configuration<double> c = configuration(0);
+  const Configuration<double> c = flown_configuration(0);
   bool first = true;
   for (double speed = 0; speed <= 50; speed += 2.5) {
-    const TrimResult<double> r = trimmed(c, level(speed));
+    const TrimResult<double> r = trimmed(c, flown(level(speed)));
     modes_of(c, r.state, r.controls, set);
     check_names_unique(set);
     if (!first) CHECK(follow(previous, set) == Status::ok);
@@ -213,9 +213,9 @@ TEST_OF_XV15(modes_names_in_helicopter_mode_and_turns) {
     first = false;
   }
   for (double mast : {0.0, 30.0, 60.0, 90.0}) {
-    const Configuration<double> turning = configuration(mast);
+    const Configuration<double> turning = flown_configuration(mast);
     const TrimResult<double> r =
-        trimmed(turning, {mast < 90 ? 30.0 + mast / 2 : 80.0, 3 * kDeg, 8 * kDeg, 2 * kDeg});
+        trimmed(turning, flown({mast < 90 ? 30.0 + mast / 2 : 80.0, 3 * kDeg, 8 * kDeg, 2 * kDeg}));
     CHECK(is_trimmed(r.status));
     modes_of(turning, r.state, r.controls, set);
     check_names_unique(set);

@@ -9,6 +9,7 @@
 #include "cli/csv_text.hpp"
 #include "rotor_stand.hpp"
 #include "run_program.hpp"
+#include "this_aircraft.hpp"
 
 using check::CsvText;
 using check::run_tiltrotor;
@@ -60,11 +61,13 @@ std::vector<double> roots(const Configuration<double>& c, double axial, double c
 // The solver against a search of the whole range of inflow. At 40 m/s the blades balance a windmill up to 4
 // deg; from 6 deg on they give more thrust than its wake can carry, and the one root left is no flow that
 // exists: 6 m/s down through a rotor that descends at 40, its wake faster still, against the air.
-TEST_OF_XV15(isolated_rotor_finds_the_windmill) {
+TEST(isolated_rotor_finds_the_windmill) {
   rotor_stand::Stand stand(0, by_momentum());
   const Configuration<double>& c = stand.configuration;
   int windmills = 0, none = 0, two_stable = 0;
-  for (const double axial : {-30.0, -36.0, -40.0, -44.0, -50.0, -60.0}) {
+  const double scale = this_aircraft::speed();
+  for (const double speed : {-30.0, -36.0, -40.0, -44.0, -50.0, -60.0}) {
+    const double axial = scale * speed;
     for (double collective = -4; collective <= 12; collective += 2) {
       const std::vector<double> at = roots(c, axial, collective);
       if (!CHECK(!at.empty())) continue;
@@ -89,9 +92,9 @@ TEST_OF_XV15(isolated_rotor_finds_the_windmill) {
     }
   }
   CHECK(windmills > 20 && none > 10 && two_stable > 20);
-  CHECK(stand.run(flow(4, -40)) == Status::ok);
-  CHECK_NEAR(stand.rotor.input.state.lambda_0 * c.tip_speed, 17.7, 0.1);
-  CHECK(stand.run(flow(8, -40)) == Status::vortex_ring);
+  CHECK(stand.run(flow(4, -40 * scale)) == Status::ok);
+  CHECK_NEAR(stand.rotor.input.state.lambda_0 * c.tip_speed, roots(c, -40 * scale, 4).at(0), 0.1);
+  CHECK(stand.run(flow(8, -40 * scale)) == Status::vortex_ring);
   CHECK(stand.rotor.momentum == MomentumRange::other_branch);
 }
 
@@ -116,9 +119,11 @@ TEST(isolated_rotor_pushed_against_its_thrust_says_so) {
 }
 
 // What is printed without an equilibrium that could be flown is empty and explained.
-TEST_OF_XV15(cli_rotor_without_a_windmill_prints_no_figures) {
-  const auto run = run_tiltrotor(
-      "rotor --collective75 4,8 --speed-axial -10,-40 --grid realtime --option descent_inflow=momentum");
+TEST(cli_rotor_without_a_windmill_prints_no_figures) {
+  const std::string slow = this_aircraft::shortest(this_aircraft::given("--speed-axial", -10));
+  const std::string fast = this_aircraft::shortest(this_aircraft::given("--speed-axial", -40));
+  const auto run = run_tiltrotor("rotor --collective75 4,8 --speed-axial " + slow + "," + fast +
+                                 " --grid realtime --option descent_inflow=momentum");
   CHECK_EQ(run.exit_status, 1);
   const CsvText csv(run.out);
   const char* status[] = {"vortex_ring", "vortex_ring", "ok", "vortex_ring"};
@@ -128,14 +133,14 @@ TEST_OF_XV15(cli_rotor_without_a_windmill_prints_no_figures) {
       CHECK_EQ(csv.text(i, column).empty(), std::string(status[i]) != "ok");
     CHECK(!csv.text(i, "axial_ratio").empty());
   }
-  CHECK(run.err.find("collective 8 deg, axial -40 m/s: no windmill found") != std::string::npos);
-  CHECK(run.err.find("collective 8 deg, axial -10 m/s: the rotor descends in its own wake") !=
+  CHECK(run.err.find("collective 8 deg, axial " + fast + " m/s: no windmill found") != std::string::npos);
+  CHECK(run.err.find("collective 8 deg, axial " + slow + " m/s: the rotor descends in its own wake") !=
         std::string::npos);
 }
 
 // In axial flow the balance of the mean inflow is the whole problem: it has one root at any pitch and descent,
 // which the solver finds; the status is that of the boundaries -0.45 and -1.50 v_h.
-TEST_OF_XV15(isolated_rotor_descends_on_one_branch) {
+TEST(isolated_rotor_descends_on_one_branch) {
   rotor_stand::Stand stand(0, realtime());
   const Configuration<double>& c = stand.configuration;
   int in_ring = 0, windmills = 0;
@@ -165,7 +170,7 @@ TEST_OF_XV15(isolated_rotor_descends_on_one_branch) {
 
 // At constant pitch a rotor that sinks faster gains thrust (heave is damped), but in vortex ring it loses
 // thrust; momentum theory knows no loss.
-TEST_OF_XV15(isolated_rotor_heave_damping_is_negative_in_vortex_ring) {
+TEST(isolated_rotor_heave_damping_is_negative_in_vortex_ring) {
   rotor_stand::Stand stand(0, realtime()), momentum(0, by_momentum());
   const auto damping = [](rotor_stand::Stand& on, double descent) {
     (void)on.run(flow(8, -descent - 0.5));
@@ -184,7 +189,7 @@ TEST_OF_XV15(isolated_rotor_heave_damping_is_negative_in_vortex_ring) {
 
 // Autorotation: power passes through zero while the rotor still draws a little air up through the disk, as much
 // as its profile power needs: between the descent without through-flow, 1.89 v_h, and the windmill's, 2.3.
-TEST_OF_XV15(isolated_rotor_autorotates) {
+TEST(isolated_rotor_autorotates) {
   rotor_stand::Stand stand(0, realtime());
   const Configuration<double>& c = stand.configuration;
   for (const double collective : {0.0, 2.0, 4.0}) {
@@ -215,18 +220,19 @@ TEST(cli_rotor_in_vortex_ring_prints_figures_and_says_so) {
 }
 
 // Over the whole range of flow, pitch and cyclic, found or not.
-TEST_OF_XV15(isolated_rotor_raises_no_floating_point_exception) {
+TEST(isolated_rotor_raises_no_floating_point_exception) {
   std::uint32_t seed = 77;
   const auto random = [&seed](double low, double high) {
     seed = seed * 1664525u + 1013904223u;
     return low + (high - low) * seed / 4294967296.0;
   };
+  const double most = aircraft_data<double>().limits.speed;
   for (const double mast_deg : {0.0, 90.0}) {
     rotor_stand::Stand stand(mast_deg, realtime());
     for (int k = 0; k < 500; ++k) {
       const double part = k % 4 == 0 ? 1 : 0.3;
-      RotorFlow<double> f =
-          flow(random(-90, 90) * part, random(-150, 150) * part, k % 3 == 0 ? 0 : random(-150, 150) * part);
+      RotorFlow<double> f = flow(random(-90, 90) * part, random(-most, most) * part,
+                                 k % 3 == 0 ? 0 : random(-most, most) * part);
       if (k % 5 == 0) f.cyclic = CyclicUse::cancels_tilt;
       if (k % 5 == 1) f.long_cyclic = random(-0.5, 0.5);
       std::feclearexcept(FE_ALL_EXCEPT);

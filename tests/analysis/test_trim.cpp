@@ -80,7 +80,7 @@ TEST_OF_XV15(trim_published_conditions_from_cold_start) {
 
 // Newton's second law in earth axes: a steady turn accelerates by turn rate x velocity; component forces and
 // weight must supply it. Nothing of the body-axes equations is used.
-TEST_OF_XV15(trim_fulfils_newtons_law_in_earth_axes) {
+TEST(trim_fulfils_newtons_law_in_earth_axes) {
   struct Case {
     double mast_deg, speed, climb_deg, turn_deg, sideslip_deg;
   };
@@ -89,8 +89,9 @@ TEST_OF_XV15(trim_fulfils_newtons_law_in_earth_axes) {
                         {60, 60, 5, 8, 4},     {60, 80, 0, -15, 0}, {90, 80, 20, 0, 5}, {90, 100, 5, 10, 0},
                         {90, 120, -8, 10, -2}, {90, 140, 0, -5, 1}};
   for (const Case& k : cases) {
-    const Configuration<double> c = configuration(k.mast_deg);
-    const SteadyFlight<double> flight{k.speed, k.climb_deg * kDeg, k.turn_deg * kDeg, k.sideslip_deg * kDeg};
+    const Configuration<double> c = flown_configuration(k.mast_deg);
+    const SteadyFlight<double> flight =
+        flown({k.speed, k.climb_deg * kDeg, k.turn_deg * kDeg, k.sideslip_deg * kDeg});
     const TrimResult<double> r = trimmed(c, flight);
     if (!CHECK(is_trimmed(r.status))) {
       NOTE("mast " << k.mast_deg << ", " << k.speed << " m/s, " << k.climb_deg << " " << k.turn_deg);
@@ -109,9 +110,9 @@ TEST_OF_XV15(trim_fulfils_newtons_law_in_earth_axes) {
     CHECK_NEAR(f.x / weight, -m * flight.turn_rate * v.y / weight, 1e-9);
     CHECK_NEAR(f.y / weight, m * flight.turn_rate * v.x / weight, 1e-9);
     CHECK_NEAR(f.z / weight, -1, 1e-9);
-    CHECK_NEAR(std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z), k.speed, 1e-12 * 150);
-    CHECK_NEAR(-v.z, k.speed * std::sin(flight.climb), 1e-11);
-    CHECK_NEAR(r.state.velocity.y, k.speed * std::sin(flight.sideslip), 1e-12);
+    CHECK_NEAR(std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z), flight.speed, 1e-12 * 150);
+    CHECK_NEAR(-v.z, flight.speed * std::sin(flight.climb), 1e-11);
+    CHECK_NEAR(r.state.velocity.y, flight.speed * std::sin(flight.sideslip), 1e-12);
     if (k.speed > 0) CHECK_LT(0, r.state.velocity.x);
     // The turn is steady in roll, pitch and heading.
     CHECK_NEAR(e.rates.roll, 0, 1e-12);
@@ -217,15 +218,15 @@ TEST(trim_under_every_set_of_states) {
 
 // Download: force of the wakes on the wing against the rotors' thrust. In a glide the rotors hardly pull;
 // then it is taken over a tenth of the weight.
-TEST_OF_XV15(trim_download_over_the_thrust) {
+TEST(trim_download_over_the_thrust) {
   struct Case {
     double mast_deg, speed, climb_deg;
     bool pulls;
   };
   for (const Case& k :
        {Case{0, 0, 0, true}, Case{0, 20, 0, true}, Case{90, 90, 0, true}, Case{90, 90, -6, false}}) {
-    const Configuration<double> c = configuration(k.mast_deg);
-    const TrimResult<double> r = trimmed(c, {k.speed, k.climb_deg * kDeg, 0, 0});
+    const Configuration<double> c = flown_configuration(k.mast_deg);
+    const TrimResult<double> r = trimmed(c, flown({k.speed, k.climb_deg * kDeg, 0, 0}));
     CHECK(is_trimmed(r.status));
     Evaluation<double> e;
     evaluate_aircraft(c, r.state, r.controls, e);

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "flying.hpp"
+#include "tiltrotor/model/aircraft/aircraft_data.hpp"
 
 using namespace capi;
 
@@ -42,7 +43,8 @@ tr_state state_within(Random& random, double part) {
   for (int rotor : {TR_ROTOR_RIGHT, TR_ROTOR_LEFT})
     for (int i : {2, 3}) s.x[rotor + i] = random.between(-200 * part, 200 * part);
   for (int i = 0; i < TR_CONTROLS; ++i) s.u[i] = random.between(-0.3 * part, 0.3 * part);
-  for (int i = TR_GUST_U; i <= TR_GUST_W; ++i) s.u[i] = random.between(-50 * part, 50 * part);
+  const double gust = tiltrotor::aircraft_data<double>().limits.gust;
+  for (int i = TR_GUST_U; i <= TR_GUST_W; ++i) s.u[i] = random.between(-gust * part, gust * part);
   return s;
 }
 
@@ -56,8 +58,9 @@ struct Workspace {
 }  // namespace
 
 // From at rest to the ends of the ranges, also with numbers that are 0 and states that are alike.
-TEST_OF_XV15(capi_states_raise_no_floating_point_exception) {
+TEST(capi_states_raise_no_floating_point_exception) {
   Random random;
+  const tiltrotor::LimitTables<double>& limits = tiltrotor::aircraft_data<double>().limits;
   const auto workspace = std::make_unique<Workspace>();
   std::memset(workspace.get(), 0xff, sizeof *workspace);
   int calls = 0;
@@ -65,8 +68,8 @@ TEST_OF_XV15(capi_states_raise_no_floating_point_exception) {
     tr_setup setup = setup_at(k % 4 == 0 ? random.between(0, 90) : tr_real(k % 7 * 15));
     setup.coning_states = k % 2;
     setup.tables = k % 3 == 0 ? TR_TABLES_LINEAR : TR_TABLES_SMOOTH;
-    if (k % 5 == 0) setup.rotor_radps = random.between(20, 80);
-    if (k % 5 == 1) setup.altitude_m = random.between(-500, 11000);
+    if (k % 5 == 0) setup.rotor_radps = random.between(limits.rotor_speed.low, limits.rotor_speed.high);
+    if (k % 5 == 1) setup.altitude_m = random.between(limits.altitude.low, limits.altitude.high);
     const double parts[] = {0, 1e-9, 1e-3, 0.1, 0.3, 1};
     const tr_state state = state_within(random, parts[k % 6]);
     const tr_real dt_now = random.between(1e-5, 0.02);
@@ -129,13 +132,14 @@ TEST(capi_matrices_raise_no_floating_point_exception) {
 }
 
 // Trims of the whole range, found or not, and the flight on from there.
-TEST_OF_XV15(capi_trim_raises_no_floating_point_exception) {
+TEST(capi_trim_raises_no_floating_point_exception) {
   Random random;
+  const double most = tiltrotor::aircraft_data<double>().limits.speed;
   const auto work = new_work();
   for (int k = 0; k < 60; ++k) {
     tr_sim sim = sim_at(random.between(0, 90));
     const double part = k % 2 ? 0.2 : 1;
-    const tr_flight flight = {random.between(0.1, 150), random.between(-1.57 * part, 1.57 * part),
+    const tr_flight flight = {random.between(0.1, most), random.between(-1.57 * part, 1.57 * part),
                               random.between(-part, part), random.between(-part, part)};
     tr_trim_result result;
     tr_status status = TR_OK;

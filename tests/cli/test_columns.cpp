@@ -3,10 +3,14 @@
 #include "check.hpp"
 #include "cli/csv_text.hpp"
 #include "run_program.hpp"
+#include "this_aircraft.hpp"
 
 using check::CsvText;
 using check::first_line;
 using check::run_tiltrotor;
+using this_aircraft::flown;
+using this_aircraft::given;
+using this_aircraft::shortest;
 
 namespace {
 
@@ -37,21 +41,21 @@ TEST(cli_columns_are_as_specified) {
 }
 
 // The status tells the decisive limit, the last column all of them.
-TEST_OF_XV15(cli_trim_lists_every_limit) {
-  const CsvText trim(run_tiltrotor("trim --climb -60 --speed 45 --grid realtime").out);
+TEST(cli_trim_lists_every_limit) {
+  const CsvText trim(run_tiltrotor(flown("trim --climb -60 --speed 45 --grid realtime")).out);
   if (!CHECK_EQ(trim.rows.size(), 1u)) return;
   CHECK_EQ(trim.text(0, "status"), std::string("control_limit"));
   CHECK_EQ(trim.text(0, "limits").find("long_stick elevator gimbal_right gimbal_left"), 0u);
-  CHECK_EQ(CsvText(run_tiltrotor("trim --speed 40").out).text(0, "limits"), std::string());
+  CHECK_EQ(CsvText(run_tiltrotor(flown("trim --speed 40")).out).text(0, "limits"), std::string());
 }
 
 TEST(cli_trim_sweeps_every_combination) {
-  const CsvText trim(run_tiltrotor("trim --mast 0,30 --speed 40:5:50").out);
+  const CsvText trim(run_tiltrotor(flown("trim --mast 0,30 --speed 40,45,50")).out);
   if (!CHECK_EQ(trim.rows.size(), 6u)) return;
   for (std::size_t i = 0; i < 6; ++i) {
     CHECK_EQ(trim.text(i, "status"), std::string("ok"));
     CHECK_EQ(trim.number(i, "mast_deg"), i < 3 ? 0.0 : 30.0);
-    CHECK_EQ(trim.number(i, "speed_mps"), 40.0 + 5.0 * static_cast<double>(i % 3));
+    CHECK_EQ(trim.number(i, "speed_mps"), given("--speed", 40.0 + 5.0 * static_cast<double>(i % 3)));
   }
 }
 
@@ -59,19 +63,22 @@ TEST(cli_trim_sweeps_every_combination) {
 TEST(cli_trim_and_modes_sweep_the_loading) {
   const std::string options = " --mast 0 --speed 0,40 --format csv ";
   const CsvText trim(
-      run_tiltrotor("trim" + options + "--altitude 0,2000 --mass 5000,6000 --cg-sl 300:2:302").out);
-  const CsvText modes(run_tiltrotor("modes" + options + "--altitude 0,2000 --mass 5000:1000:6000").out);
+      run_tiltrotor(flown("trim" + options + "--altitude 0,2000 --mass 5000,6000 --cg-sl 300:2:302")).out);
+  const double light = given("--mass", 5000), heavy = given("--mass", 6000);
+  const std::string masses = shortest(light) + ":" + shortest(heavy - light) + ":" + shortest(heavy);
+  const CsvText modes(
+      run_tiltrotor(flown("modes" + options + "--altitude 0,2000") + " --mass " + masses).out);
   if (!CHECK_EQ(trim.rows.size(), 16u)) return;
   for (std::size_t i = 0; i < 16; ++i) {
-    CHECK_EQ(trim.number(i, "altitude_m"), i < 8 ? 0.0 : 2000.0);
-    CHECK_EQ(trim.number(i, "mass_kg"), i / 4 % 2 == 0 ? 5000.0 : 6000.0);
-    CHECK_NEAR(trim.number(i, "cg_sl_in"), i / 2 % 2 == 0 ? 300.0 : 302.0, 1e-9);
-    CHECK_EQ(trim.number(i, "speed_mps"), i % 2 == 0 ? 0.0 : 40.0);
+    CHECK_EQ(trim.number(i, "altitude_m"), given("--altitude", i < 8 ? 0.0 : 2000.0));
+    CHECK_EQ(trim.number(i, "mass_kg"), given("--mass", i / 4 % 2 == 0 ? 5000.0 : 6000.0));
+    CHECK_NEAR(trim.number(i, "cg_sl_in"), given("--cg-sl", i / 2 % 2 == 0 ? 300.0 : 302.0), 1e-9);
+    CHECK_EQ(trim.number(i, "speed_mps"), given("--speed", i % 2 == 0 ? 0.0 : 40.0));
   }
   const std::string last = "--altitude 2000 --mass 6000 ";
-  const CsvText alone(run_tiltrotor("trim --mast 0 --speed 40 --cg-sl 302 --format csv " + last).out);
+  const CsvText alone(run_tiltrotor(flown("trim --mast 0 --speed 40 --cg-sl 302 --format csv " + last)).out);
   CHECK(alone.rows.back() == trim.rows.back());
-  const CsvText last_modes(run_tiltrotor("modes" + options + last).out);
+  const CsvText last_modes(run_tiltrotor(flown("modes" + options + last)).out);
   if (!CHECK_LT(last_modes.rows.size(), modes.rows.size())) return;
   const std::size_t first = modes.rows.size() - last_modes.rows.size();
   for (std::size_t i = 0; i < last_modes.rows.size(); ++i) CHECK(last_modes.rows[i] == modes.rows[first + i]);
@@ -79,10 +86,11 @@ TEST(cli_trim_and_modes_sweep_the_loading) {
 
 // A message names the loading where one was given.
 TEST(cli_message_names_the_loading) {
+  const std::string mass = shortest(std::round(given("--mass", 6000)));
   const check::ProgramResult result =
-      run_tiltrotor("trim --mast 90 --speed 20 --altitude 1000,2000 --mass 6000");
-  CHECK(result.err.find("trim: mast 90 deg, 20 m/s, 1000 m, 6000 kg: ") != std::string::npos);
-  CHECK(result.err.find("trim: mast 90 deg, 20 m/s, 2000 m, 6000 kg: ") != std::string::npos);
+      run_tiltrotor("trim --mast 90 --speed 20 --altitude 1000,2000 --mass " + mass);
+  CHECK(result.err.find("trim: mast 90 deg, 20 m/s, 1000 m, " + mass + " kg: ") != std::string::npos);
+  CHECK(result.err.find("trim: mast 90 deg, 20 m/s, 2000 m, " + mass + " kg: ") != std::string::npos);
 }
 
 // The stick is counted from its rear stop: 4.8 in the middle (GTRS); near that in hover.
@@ -90,8 +98,9 @@ TEST(cli_trim_counts_the_stick_from_the_rear_stop) {
   const CsvText trim(run_tiltrotor("trim").out);
   CHECK_NEAR(trim.number(0, "long_stick_in"), 5.27, 0.5);
   CHECK_NEAR(trim.number(0, "long_cyclic_deg"), 0.99, 0.5);
-  CHECK_EQ(trim.number(0, "flap_deg"), 40.0);
-  CHECK_NEAR(trim.number(0, "rotor_rpm"), 589.0, 1e-9);
+  const tiltrotor::Aircraft<double>& a = this_aircraft::numbers();
+  CHECK_EQ(trim.number(0, "flap_deg"), a.defaults.flap_helicopter);
+  CHECK_NEAR(trim.number(0, "rotor_rpm"), a.rotor.speed_helicopter * 30 / tiltrotor::kPi<double>, 1e-9);
 }
 
 TEST(cli_flight_without_trim_says_so) {
@@ -113,7 +122,7 @@ TEST(cli_loads_at_trim_balance_the_weight) {
   CHECK_EQ(loads.text(12, "component"), std::string("total_aero"));
   const double x = loads.number(12, "x_n");
   const double z = loads.number(12, "z_n");
-  CHECK_NEAR(std::sqrt(x * x + z * z), 13000 * 0.45359237 * 9.80665, 1e-4);
+  CHECK_NEAR(std::sqrt(x * x + z * z), this_aircraft::mass() * 13000 * 0.45359237 * 9.80665, 1e-4);
   for (const char* moment : {"l_nm", "m_nm", "n_nm"}) CHECK_NEAR(loads.number(12, moment), 0.0, 1e-4);
 }
 

@@ -7,6 +7,7 @@
 #include "check.hpp"
 #include "cli/csv_text.hpp"
 #include "run_program.hpp"
+#include "this_aircraft.hpp"
 
 using check::CsvText;
 using check::run_tiltrotor;
@@ -20,8 +21,13 @@ bool contains(const std::string& text, const std::string& part) {
 struct Given {
   const char* option;
   const char* column;
-  const char* number;
+  std::string number;
 };
+
+// The double next to that of the XV-15, above or below, for this aircraft.
+std::string next_to(const char* option, double written, double towards) {
+  return this_aircraft::shortest(std::nextafter(this_aircraft::given(option, written), towards));
+}
 
 // Each alone with the command: the column repeats it, in CSV and in JSON.
 void check_repeated(const std::string& command, const std::vector<Given>& given) {
@@ -32,7 +38,7 @@ void check_repeated(const std::string& command, const std::vector<Given>& given)
       NOTE(line);
       continue;
     }
-    if (!CHECK_EQ(csv.text(0, one.column), std::string(one.number))) NOTE(line);
+    if (!CHECK_EQ(csv.text(0, one.column), one.number)) NOTE(line);
     const std::string json = run_tiltrotor(line + " --format json").out;
     if (!CHECK(contains(json, std::string("\"") + one.column + "\": " + one.number + ","))) NOTE(line);
     CHECK(contains(run_tiltrotor(line + " --format table").out, one.number));
@@ -42,8 +48,8 @@ void check_repeated(const std::string& command, const std::vector<Given>& given)
 // Digits beyond those of a double's conversion to SI and back; the least numbers there are.
 const std::vector<Given> settings = {{"--altitude", "altitude_m", "1234.5678901234567"},
                                      {"--altitude", "altitude_m", "1e-320"},
-                                     {"--mass", "mass_kg", "5999.999999999999"},
-                                     {"--cg-sl", "cg_sl_in", "299.99999999999994"},
+                                     {"--mass", "mass_kg", next_to("--mass", 6000, 0)},
+                                     {"--cg-sl", "cg_sl_in", next_to("--cg-sl", 300, 0)},
                                      {"--flap", "flap_deg", "19.999999999999996"}};
 const std::vector<Given> flight = {{"--mast", "mast_deg", "0.30000000000000004"},
                                    {"--mast", "mast_deg", "1e-320"},
@@ -59,7 +65,7 @@ TEST(cli_numbers_given_are_printed_as_given) {
                                      {"--sideslip", "sideslip_deg", "-1e-320"},
                                      {"--turn-rate", "turn_rate_degps", "2.9999999999999996"},
                                      {"--turn-rate", "turn_rate_degps", "1e-320"},
-                                     {"--rotor-rpm", "rotor_rpm", "589.0000000000001"}});
+                                     {"--rotor-rpm", "rotor_rpm", next_to("--rotor-rpm", 589, 1e3)}});
   check_repeated("trim --speed 5",
                  {{"--climb", "climb_deg", "90"}, {"--climb", "climb_deg", "-89.99999999999999"}});
   for (const char* command : {"trim", "modes"}) {
@@ -68,14 +74,15 @@ TEST(cli_numbers_given_are_printed_as_given) {
   }
   const std::string respond = "respond --speed 40 --duration 0.01";
   check_repeated(respond, settings);
-  check_repeated(respond, {{"--rotor-rpm", "rotor_rpm", "589.0000000000001"}, flight[0], flight[1]});
+  check_repeated(respond,
+                 {{"--rotor-rpm", "rotor_rpm", next_to("--rotor-rpm", 589, 1e3)}, flight[0], flight[1]});
   check_repeated("loads --speed 40", {flight[0], flight[1]});
   check_repeated("linearize --speed 40", {flight[0], flight[1]});
   check_repeated("linearize", {flight[2], flight[3]});
   check_repeated("rotor --collective75 8",
                  {{"--speed-axial", "speed_axial_mps", "1e-320"},
                   {"--speed-inplane", "speed_inplane_mps", "-9.999999999999999e-10"},
-                  {"--rpm", "rotor_rpm", "589.0000000000001"},
+                  {"--rpm", "rotor_rpm", next_to("--rpm", 589, 1e3)},
                   {"--lateral-cyclic", "lateral_cyclic_deg", "1e-320"},
                   {"--long-cyclic", "long_cyclic_deg", "1.0000000000000002"}});
   check_repeated("rotor", {{"--collective75", "collective75_deg", "7.999999999999999"}});

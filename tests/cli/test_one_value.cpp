@@ -8,6 +8,7 @@
 #include "check.hpp"
 #include "cli/scratch_folder.hpp"
 #include "run_program.hpp"
+#include "this_aircraft.hpp"
 
 using check::run_tiltrotor;
 
@@ -146,8 +147,19 @@ TEST(cli_bad_control_set_without_matrices) {
 
 // A value that reads like its bound is told with the digits that tell them apart.
 TEST(cli_bad_values_next_to_their_bound_are_told_apart) {
-  check_refused("trim --speed 150.00000001", "150.00000001 lies outside 0..150 m/s");
-  check_refused("respond --speed 40 --input gust_u=50.0000001@0", "would be 50.0000001 m/s at 0 s");
-  check_refused("respond --speed 40 --input gust_u=25@0 --input gust_u=25.00001@1",
-                "would be 50.00001 m/s at 1 s");
+  const tiltrotor::LimitTables<double>& limits = this_aircraft::numbers().limits;
+  const auto decimals = [](double value, int digits) {
+    char text[40];
+    std::snprintf(text, sizeof text, "%.*g", digits, value);
+    return std::string(text);
+  };
+  const std::string most = decimals(std::floor(limits.speed), 10);  // as it is offered
+  const std::string speed = decimals(std::stod(most) + 1e-8, 11);
+  check_refused("trim --speed " + speed, speed + " lies outside 0.." + most + " m/s");
+  const std::string gust = decimals(limits.gust + 1e-7, 9);
+  check_refused("respond --speed 40 --input gust_u=" + gust + "@0", "would be " + gust + " m/s at 0 s");
+  const std::string half = decimals(limits.gust / 2, 7);
+  const double rest = limits.gust - std::stod(half) + 1e-5;
+  check_refused("respond --speed 40 --input gust_u=" + half + "@0 --input gust_u=" + decimals(rest, 7) + "@1",
+                "would be " + decimals(std::stod(half) + std::stod(decimals(rest, 7)), 7) + " m/s at 1 s");
 }

@@ -10,12 +10,14 @@
 #include "cli/json_grammar.hpp"
 #include "cli/scratch_folder.hpp"
 #include "run_program.hpp"
+#include "this_aircraft.hpp"
 
 using check::built;
 using check::JsonGrammar;
 using check::run_program;
 using check::run_tiltrotor;
 using check::ScratchFolder;
+using this_aircraft::flown;
 
 namespace {
 
@@ -23,7 +25,7 @@ const std::string reference_states = check::source_path("tests/reference/state_d
 
 // The commands with rows, each with several.
 const std::string commands_with_rows[] = {
-    "trim --mast 90 --speed 50:10:80",
+    flown("trim --mast 90 --speed 50:10:80"),
     "modes --mast 30,90 --speed 60:5:70",
     "linearize --mast 90 --speed 80,90 --reduce rigid",
     "loads --mast 30 --speed 50,60",

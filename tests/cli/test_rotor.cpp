@@ -6,6 +6,7 @@
 #include "check.hpp"
 #include "cli/csv_text.hpp"
 #include "run_program.hpp"
+#include "this_aircraft.hpp"
 
 using check::CsvText;
 using check::run_tiltrotor;
@@ -163,11 +164,13 @@ TEST_OF_XV15(cli_rotor_hover_power_against_oarf) {
 }
 
 TEST(cli_rotor_columns_agree_with_each_other) {
-  const CsvText run(run_tiltrotor("rotor --mast 90 --collective75 28 --rpm 517 --speed-axial 60,70").out);
+  const std::string flight = "rotor --mast 90 --collective75 28 --rpm 517 --speed-axial 60,70";
+  const CsvText run(run_tiltrotor(this_aircraft::flown(flight)).out);
   if (!CHECK_EQ(run.rows.size(), 2u)) return;
   for (std::size_t i = 0; i < 2; ++i) {
     const double power = run.number(i, "power_kw") * 1000;
-    CHECK_REL(power, run.number(i, "torque_nm") * 517 * kPi<double> / 30, 1e-9);
+    CHECK_EQ(run.number(i, "rotor_rpm"), this_aircraft::given("--rpm", 517));
+    CHECK_REL(power, run.number(i, "torque_nm") * run.number(i, "rotor_rpm") * kPi<double> / 30, 1e-9);
     CHECK_REL(run.number(i, "efficiency"),
               run.number(i, "thrust_n") * run.number(i, "speed_axial_mps") / power, 1e-9);
     CHECK_EQ(run.text(i, "figure_of_merit"), std::string());

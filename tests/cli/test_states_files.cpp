@@ -7,11 +7,14 @@
 #include "check.hpp"
 #include "cli/csv_text.hpp"
 #include "cli/scratch_folder.hpp"
+#include "cli/states_refused.hpp"
 #include "run_program.hpp"
 #include "text/csv_line.hpp"
 #include "text/json.hpp"
+#include "this_aircraft.hpp"
 
 using check::built;
+using check::check_states_refused;
 using check::CsvText;
 using check::run_program;
 using check::run_tiltrotor;
@@ -55,12 +58,6 @@ void check_refused(const std::string& command, const std::string& message) {
   if (!CHECK(passed)) NOTE(message << ": exit " << result.exit_status << ", stderr: " << result.err);
 }
 
-void check_file_refused(const ScratchFolder& folder, const std::string& text, const std::string& message) {
-  const std::string path = folder.write("states.csv", text);
-  for (const char* command : {"derivative", "loads", "linearize"})
-    check_refused(built("tiltrotor") + " " + command + " --states " + path, message);
-}
-
 }  // namespace
 
 // A trim is an equilibrium: read again, with its loading, every rate but that of the heading is zero.
@@ -72,7 +69,8 @@ TEST(cli_states_of_trim_are_in_equilibrium) {
     const std::string switches = std::string(flight).find("coning") == std::string::npos
                                      ? ""
                                      : " --option coning_states=on --grid realtime";
-    const check::ProgramResult result = run_program(built("tiltrotor") + " trim " + flight + " | " +
+    const std::string trim = this_aircraft::flown(std::string("trim ") + flight);
+    const check::ProgramResult result = run_program(built("tiltrotor") + " " + trim + " | " +
                                                     built("tiltrotor") + " derivative --states -" + switches);
     CHECK_EQ(result.exit_status, 0);
     const CsvText rates(result.out);
@@ -169,21 +167,21 @@ TEST(cli_json_text_is_utf8) {
 TEST(cli_bad_states_text_is_named_with_line) {
   const ScratchFolder folder;
   const std::string good = beginning(reference_text(), 2);
-  check_file_refused(folder, "\xff\xfeu\0,", "states.csv:1: the file is UTF-16; save it as UTF-8");
-  check_file_refused(folder, cell_replaced(good, "case", "caf\xe9"), "states.csv:2: the text is not UTF-8");
-  check_file_refused(folder, cell_replaced(good, "case", std::string("a\0b", 3)),
-                     ":2: the line holds a NUL byte");
-  check_file_refused(folder, cell_replaced(good, "case", "\"a"),
-                     ":2: a quotation mark is not closed on its line");
-  check_file_refused(folder, cell_replaced(good, "case", "\"a\"b"),
-                     ":2: text follows a closed quotation mark");
-  check_file_refused(folder, cell_replaced(good, "case", "a\"b"),
-                     ":2: a quotation mark stands inside a cell");
-  check_file_refused(folder, replaced(good, "\n", ",\n"), " has no name");
-  check_file_refused(folder, replaced(good, ",", ";"), "separated by commas, not by ';'");
-  check_file_refused(folder, replaced(good, ",", "\t"), "separated by commas, not by tabs");
-  check_file_refused(folder, good + std::string(2000000, '1'), ":3: the line is longer than a megabyte");
-  check_file_refused(folder, cell_replaced(good, "u", std::string(100000, '1')), ":2: column u: ");
+  check_states_refused(folder, "\xff\xfeu\0,", "states.csv:1: the file is UTF-16; save it as UTF-8");
+  check_states_refused(folder, cell_replaced(good, "case", "caf\xe9"), "states.csv:2: the text is not UTF-8");
+  check_states_refused(folder, cell_replaced(good, "case", std::string("a\0b", 3)),
+                       ":2: the line holds a NUL byte");
+  check_states_refused(folder, cell_replaced(good, "case", "\"a"),
+                       ":2: a quotation mark is not closed on its line");
+  check_states_refused(folder, cell_replaced(good, "case", "\"a\"b"),
+                       ":2: text follows a closed quotation mark");
+  check_states_refused(folder, cell_replaced(good, "case", "a\"b"),
+                       ":2: a quotation mark stands inside a cell");
+  check_states_refused(folder, replaced(good, "\n", ",\n"), " has no name");
+  check_states_refused(folder, replaced(good, ",", ";"), "separated by commas, not by ';'");
+  check_states_refused(folder, replaced(good, ",", "\t"), "separated by commas, not by tabs");
+  check_states_refused(folder, good + std::string(2000000, '1'), ":3: the line is longer than a megabyte");
+  check_states_refused(folder, cell_replaced(good, "u", std::string(100000, '1')), ":2: column u: ");
   check_refused(built("tiltrotor") + " loads --states /dev/zero", "/dev/zero:1: the line is longer");
   check_refused(built("tiltrotor") + " loads --states ''", "--states: the name is empty");
   check_refused(built("tiltrotor") + " loads --states /tmp", "/tmp: cannot be read: Is a directory");
@@ -195,13 +193,14 @@ TEST(cli_bad_states_column_gets_the_nearest_name) {
   const auto renamed = [&](const char* from, const char* to) {
     return replaced(good, std::string(",") + from + ",", std::string(",") + to + ",");
   };
-  check_file_refused(folder, renamed("theta", "thetta"), ":1: unknown column 'thetta' (did you mean theta?)");
-  check_file_refused(folder, renamed("th75_rad", "th75_rads"), "(did you mean th75_rad?)");
-  check_file_refused(folder, renamed("b1c_R", "B1C_R"), "unknown column 'B1C_R' (did you mean b1c_R?)");
-  check_file_refused(folder, renamed("theta", "pich_deg"), "(did you mean pitch_deg?)");
-  check_file_refused(folder, renamed("theta", "quite_another_thing"), "'quite_another_thing'; `tiltrotor");
-  check_file_refused(folder, renamed("v", "u_mps"), ":1: columns 'u' and 'u_mps' give the same quantity");
-  check_file_refused(folder, renamed("v", "v_knots"), "unknown column 'v_knots'");
+  check_states_refused(folder, renamed("theta", "thetta"),
+                       ":1: unknown column 'thetta' (did you mean theta?)");
+  check_states_refused(folder, renamed("th75_rad", "th75_rads"), "(did you mean th75_rad?)");
+  check_states_refused(folder, renamed("b1c_R", "B1C_R"), "unknown column 'B1C_R' (did you mean b1c_R?)");
+  check_states_refused(folder, renamed("theta", "pich_deg"), "(did you mean pitch_deg?)");
+  check_states_refused(folder, renamed("theta", "quite_another_thing"), "'quite_another_thing'; `tiltrotor");
+  check_states_refused(folder, renamed("v", "u_mps"), ":1: columns 'u' and 'u_mps' give the same quantity");
+  check_states_refused(folder, renamed("v", "v_knots"), "unknown column 'v_knots'");
 }
 
 // The bounds of tr_set_state: tiltrotor.h states them.
@@ -209,27 +208,27 @@ TEST_OF_XV15(cli_bad_states_ranges_are_those_of_the_c_interface) {
   const ScratchFolder folder;
   const std::string good = beginning(reference_text(), 2);
   const auto with = [&](const char* column, const char* value) { return cell_replaced(good, column, value); };
-  check_file_refused(folder, with("u", "1e5"), ":2: column u: 1e5 lies outside -300..300 m/s");
-  check_file_refused(folder, with("q", "-20.1"), "-20.1 lies outside -20..20 rad/s");
-  check_file_refused(folder, with("theta", "1.5707963267948966"),
-                     "lies outside -1.5707945814656446..1.5707945814656446 rad");
-  check_file_refused(folder, with("phi", "1001"), "1001 lies outside -1000..1000 rad");
-  check_file_refused(folder, with("b1c_R", "2.1"), "2.1 lies outside -2..2 rad");
-  check_file_refused(folder, with("db1s_L", "201"), "201 lies outside -200..200 rad/s");
-  check_file_refused(folder, with("n0_L", "-3"), "-3 lies outside -2..2");
-  check_file_refused(folder, with("eps", "2.5"), "2.5 lies outside -2..2 rad");
-  check_file_refused(folder, with("lon_in", "4.9"), "4.9 lies outside -4.8..4.8 in");
-  check_file_refused(folder, with("u", "1e999"),
-                     ":2: column u: '1e999' is beyond the range of floating-point numbers");
-  check_file_refused(folder, with("u", "0x10"), "'0x10' is not a number");
+  check_states_refused(folder, with("u", "1e5"), ":2: column u: 1e5 lies outside -300..300 m/s");
+  check_states_refused(folder, with("q", "-20.1"), "-20.1 lies outside -20..20 rad/s");
+  check_states_refused(folder, with("theta", "1.5707963267948966"),
+                       "lies outside -1.5707945814656446..1.5707945814656446 rad");
+  check_states_refused(folder, with("phi", "1001"), "1001 lies outside -1000..1000 rad");
+  check_states_refused(folder, with("b1c_R", "2.1"), "2.1 lies outside -2..2 rad");
+  check_states_refused(folder, with("db1s_L", "201"), "201 lies outside -200..200 rad/s");
+  check_states_refused(folder, with("n0_L", "-3"), "-3 lies outside -2..2");
+  check_states_refused(folder, with("eps", "2.5"), "2.5 lies outside -2..2 rad");
+  check_states_refused(folder, with("lon_in", "4.9"), "4.9 lies outside -4.8..4.8 in");
+  check_states_refused(folder, with("u", "1e999"),
+                       ":2: column u: '1e999' is beyond the range of floating-point numbers");
+  check_states_refused(folder, with("u", "0x10"), "'0x10' is not a number");
   const std::string printed = run_tiltrotor("trim --speed 40").out;
   const auto in_degrees = [&](const char* column, const char* value) {
     return cell_replaced(printed, column, value);
   };
-  check_file_refused(folder, in_degrees("pitch_deg", "90"),
-                     ":2: column pitch_deg: 90 lies outside -89.9999..89.9999 deg");
-  check_file_refused(folder, in_degrees("mass_kg", "1"), "1 lies outside 3000..10000 kg");
-  check_file_refused(folder, in_degrees("altitude_m", "12000"), "12000 lies outside -500..11000 m");
+  check_states_refused(folder, in_degrees("pitch_deg", "90"),
+                       ":2: column pitch_deg: 90 lies outside -89.9999..89.9999 deg");
+  check_states_refused(folder, in_degrees("mass_kg", "1"), "1 lies outside 3000..10000 kg");
+  check_states_refused(folder, in_degrees("altitude_m", "12000"), "12000 lies outside -500..11000 m");
   const std::string path = folder.write("trim.csv", printed);
   for (const char* option :
        {"--mast 30", "--altitude 30", "--mass 6000", "--cg-sl 300", "--rotor-rpm 560", "--flap 40"})

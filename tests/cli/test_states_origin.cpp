@@ -5,31 +5,15 @@
 #include "check.hpp"
 #include "cli/csv_text.hpp"
 #include "cli/scratch_folder.hpp"
+#include "cli/states_refused.hpp"
 #include "run_program.hpp"
 
+using check::check_states_refused;
+using check::contains;
 using check::CsvText;
+using check::lines;
 using check::run_tiltrotor;
 using check::ScratchFolder;
-
-namespace {
-
-auto lines(const std::string& text) { return std::count(text.begin(), text.end(), '\n'); }
-
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
-
-void check_refused(const ScratchFolder& folder, const std::string& text, const std::string& message) {
-  const std::string path = folder.write("states.csv", text);
-  for (const char* command : {"derivative", "loads", "linearize"}) {
-    const check::ProgramResult result = run_tiltrotor(std::string(command) + " --states " + path);
-    const bool passed = result.exit_status == 2 && result.out.empty() && lines(result.err) == 1 &&
-                        contains(result.err, message);
-    if (!CHECK(passed)) NOTE(message << ": exit " << result.exit_status << ", stderr: " << result.err);
-  }
-}
-
-}  // namespace
 
 // One line for the file, not one a row; the numbers are computed.
 TEST(cli_states_of_another_model_are_told) {
@@ -86,15 +70,15 @@ TEST(cli_states_of_a_flight_beyond_its_stops_are_read) {
 
 TEST(cli_states_that_are_no_csv_are_told) {
   const ScratchFolder folder;
-  check_refused(folder, run_tiltrotor("trim --speed 40 --format json").out,
-                ":1: the file is JSON; CSV is read");
-  check_refused(folder, "  {\"u\": 40}\n", ":1: the file is JSON; CSV is read");
+  check_states_refused(folder, run_tiltrotor("trim --speed 40 --format json").out,
+                       ":1: the file is JSON; CSV is read");
+  check_states_refused(folder, "  {\"u\": 40}\n", ":1: the file is JSON; CSV is read");
   std::string lines_of_mac = run_tiltrotor("trim --speed 20:1:40").out;
   std::replace(lines_of_mac.begin(), lines_of_mac.end(), '\n', '\r');
-  check_refused(folder, lines_of_mac, ":1: the lines end with CR alone; end them with LF or CRLF");
+  check_states_refused(folder, lines_of_mac, ":1: the lines end with CR alone; end them with LF or CRLF");
   std::string long_one;
   while (long_one.size() < (1 << 20)) long_one += lines_of_mac;
-  check_refused(folder, long_one, "not with CR alone");
+  check_states_refused(folder, long_one, "not with CR alone");
 }
 
 // The file of states names its rows; every format of the linear models says which is which.

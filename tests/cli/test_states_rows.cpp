@@ -6,19 +6,19 @@
 #include "check.hpp"
 #include "cli/csv_text.hpp"
 #include "cli/scratch_folder.hpp"
+#include "cli/states_refused.hpp"
 #include "run_program.hpp"
+#include "this_aircraft.hpp"
 
+using check::check_states_refused;
+using check::contains;
 using check::CsvText;
+using check::lines;
 using check::run_tiltrotor;
 using check::ScratchFolder;
+using this_aircraft::flown;
 
 namespace {
-
-auto lines(const std::string& text) { return std::count(text.begin(), text.end(), '\n'); }
-
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
 
 // The file with one cell written anew.
 std::string edited(const std::string& text, std::size_t row, const std::string& column,
@@ -33,19 +33,6 @@ std::string edited(const std::string& text, std::size_t row, const std::string& 
     out += "\n";
   }
   return out;
-}
-
-// One line, exit status 2, nothing computed.
-void check_refused(const ScratchFolder& folder, const std::string& text, const std::string& message,
-                   const std::string& options = "") {
-  const std::string path = folder.write("states.csv", text);
-  for (const char* command : {"derivative", "loads", "linearize"}) {
-    const check::ProgramResult result =
-        run_tiltrotor(std::string(command) + " --states " + path + " " + options);
-    const bool passed = result.exit_status == 2 && result.out.empty() && lines(result.err) == 1 &&
-                        contains(result.err, message);
-    if (!CHECK(passed)) NOTE(message << ": exit " << result.exit_status << ", stderr: " << result.err);
-  }
 }
 
 }  // namespace
@@ -91,7 +78,7 @@ TEST(cli_states_without_trim_lose_no_other_row) {
   // A file of nothing else, and a row that lacks one number: no empty row.
   CHECK_EQ(run("loads", folder.write("none.csv", run_tiltrotor("trim --mast 90 --speed 20").out)).exit_status,
            1);
-  check_refused(folder, edited(good, 0, "u_mps", ""), ":2: column u_mps: '' is not a number");
+  check_states_refused(folder, edited(good, 0, "u_mps", ""), ":2: column u_mps: '' is not a number");
 }
 
 // What trim and respond print agrees with its states, in every kind of flight; what was edited does not.
@@ -175,18 +162,19 @@ TEST(cli_bad_states_that_stand_still_are_refused) {
   } cases[] = {{"--option coning_states=on", "coning_right_deg"}, {"--option position_states=on", "north_m"}};
   for (const auto& [options, column] : cases) {
     const std::string flight =
-        run_tiltrotor(std::string("respond --speed 40 --duration 0.05 --input long_stick=1@0 ") + options)
+        run_tiltrotor(
+            flown(std::string("respond --speed 40 --duration 0.05 --input long_stick=1@0 ") + options))
             .out;
     const std::string path = folder.write("s.csv", flight);
     CHECK_EQ(run_tiltrotor("loads --states " + path + " " + options).exit_status, 0);
-    check_refused(folder, flight, std::string(": column ") + column + ": ");
-    check_refused(folder, flight, "with these options the state stands still; give");
+    check_states_refused(folder, flight, std::string(": column ") + column + ": ");
+    check_states_refused(folder, flight, "with these options the state stands still; give");
   }
-  const std::string trim = run_tiltrotor("trim --speed 40").out;
+  const std::string trim = run_tiltrotor(flown("trim --speed 40")).out;
   for (const auto& [options, column] : {std::pair("--option inflow=uniform", "nc_right"),
                                         std::pair("--option downwash_lag=off", "downwash_deg")}) {
-    check_refused(folder, trim, std::string(":2: column ") + column, options);
-    const std::string own = run_tiltrotor(std::string("trim --speed 40 ") + options).out;
+    check_states_refused(folder, trim, std::string(":2: column ") + column, options);
+    const std::string own = run_tiltrotor(flown(std::string("trim --speed 40 ") + options)).out;
     const check::ProgramResult read =
         run_tiltrotor("loads --states " + folder.write("own.csv", own) + " " + options);
     if (!CHECK_EQ(read.exit_status, 0)) NOTE(options << ": " << read.err);
@@ -199,18 +187,18 @@ TEST(cli_bad_states_controls_are_in_the_ranges_of_the_c_interface) {
   const std::string flight =
       run_tiltrotor("respond --speed 40 --duration 0.01 --input elevator=1deg@0 --input gust_u=1@0").out;
   const auto with = [&](const char* column, const char* value) { return edited(flight, 0, column, value); };
-  check_refused(folder, with("collective75_deg", "81"),
-                ":2: column collective75_deg: 81 lies outside -20.0535228");
-  check_refused(folder, with("long_stick_from_neutral_in", "4.9"), "4.9 lies outside -4.8..4.8 in");
-  check_refused(folder, with("lat_stick_in", "-5"), "-5 lies outside -4.8..4.8 in");
-  check_refused(folder, with("pedal_in", "2.6"), "2.6 lies outside -2.5..2.5 in");
-  check_refused(folder, with("elevator_increment_deg", "29"), "29 lies outside -28.647889756");
-  check_refused(folder, with("gust_u_mps", "51"), "51 lies outside -50..50 m/s");
+  check_states_refused(folder, with("collective75_deg", "81"),
+                       ":2: column collective75_deg: 81 lies outside -20.0535228");
+  check_states_refused(folder, with("long_stick_from_neutral_in", "4.9"), "4.9 lies outside -4.8..4.8 in");
+  check_states_refused(folder, with("lat_stick_in", "-5"), "-5 lies outside -4.8..4.8 in");
+  check_states_refused(folder, with("pedal_in", "2.6"), "2.6 lies outside -2.5..2.5 in");
+  check_states_refused(folder, with("elevator_increment_deg", "29"), "29 lies outside -28.647889756");
+  check_states_refused(folder, with("gust_u_mps", "51"), "51 lies outside -50..50 m/s");
   const std::string trim = run_tiltrotor("trim --speed 40").out;
-  check_refused(folder, edited(trim, 0, "long_stick_in", "9.7"), "9.7 lies outside 0..9.6 in");
+  check_states_refused(folder, edited(trim, 0, "long_stick_in", "9.7"), "9.7 lies outside 0..9.6 in");
 
   const std::string beyond = run_tiltrotor("trim --mast 60 --speed 0").out;
   CHECK_LT(CsvText(beyond).number(0, "long_stick_in"), 0.0);
   CHECK_EQ(run_tiltrotor("loads --states " + folder.write("beyond.csv", beyond)).exit_status, 0);
-  check_refused(folder, edited(beyond, 0, "limits", "elevator"), "lies outside 0..9.6 in");
+  check_states_refused(folder, edited(beyond, 0, "limits", "elevator"), "lies outside 0..9.6 in");
 }

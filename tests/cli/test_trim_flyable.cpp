@@ -5,9 +5,11 @@
 #include "check.hpp"
 #include "cli/csv_text.hpp"
 #include "run_program.hpp"
+#include "this_aircraft.hpp"
 
 using check::CsvText;
 using check::run_tiltrotor;
+using this_aircraft::flown;
 
 // 5 m/s straight up and down is within the limits, up with more power. Descending faster is vortex ring, a
 // shallow approach is not.
@@ -15,7 +17,7 @@ TEST(cli_trim_flies_straight_up_and_down) {
   double power[2];
   for (const int up : {0, 1}) {
     const auto run =
-        run_tiltrotor(std::string("trim --speed 5 --grid realtime --climb ") + (up ? "90" : "-90"));
+        run_tiltrotor(flown(std::string("trim --speed 5 --grid realtime --climb ") + (up ? "90" : "-90")));
     if (!CHECK_EQ(run.exit_status, 0)) NOTE(run.err);
     const CsvText csv(run.out);
     CHECK_EQ(csv.text(0, "status"), std::string("ok"));
@@ -23,11 +25,11 @@ TEST(cli_trim_flies_straight_up_and_down) {
     power[up] = csv.number(0, "power_kw");
   }
   CHECK_LT(power[0], power[1]);
-  const auto steep = run_tiltrotor("trim --speed 16 --climb -90 --grid realtime");
+  const auto steep = run_tiltrotor(flown("trim --speed 16 --climb -90 --grid realtime"));
   CHECK_EQ(steep.exit_status, 1);
   CHECK_EQ(CsvText(steep.out).text(0, "status"), std::string("vortex_ring"));
   CHECK(steep.err.find("is beyond vortex ring from 0.45 v_h") != std::string::npos);
-  const auto shallow = run_tiltrotor("trim --speed 40 --climb -6 --grid realtime");
+  const auto shallow = run_tiltrotor(flown("trim --speed 40 --climb -6 --grid realtime"));
   CHECK_EQ(CsvText(shallow.out).text(0, "status"), std::string("ok"));
 }
 
@@ -35,7 +37,7 @@ TEST(cli_trim_flies_straight_up_and_down) {
 TEST(cli_trim_counts_the_stick_like_its_column) {
   const char* flights[] = {"--mast 0 --speed 45 --climb -60", "--mast 60 --speed 20 --climb 45"};
   for (const char* flight : flights) {
-    const auto run = run_tiltrotor(std::string("trim --grid realtime ") + flight);
+    const auto run = run_tiltrotor(flown(std::string("trim --grid realtime ") + flight));
     const CsvText csv(run.out);
     CHECK_EQ(csv.text(0, "status"), std::string("control_limit"));
     const std::string name = "longitudinal stick ";

@@ -8,6 +8,7 @@
 #include "cli/sweep.hpp"
 #include "run_program.hpp"
 #include "text/number.hpp"
+#include "this_aircraft.hpp"
 #include "tiltrotor/math/scalar.hpp"
 
 using check::CsvText;
@@ -20,7 +21,8 @@ TEST(cli_columns_and_messages_count_the_stick_alike) {
   for (const char* flight :
        {"--mast 0 --speed 5:5:50 --climb -20", "--mast 0,10,20 --speed 0:10:50 --cg-sl 280",
         "--mast 0:10:40 --speed 30 --cg-sl 312"}) {
-    const check::ProgramResult result = run_tiltrotor(std::string("trim --format csv ") + flight);
+    const check::ProgramResult result =
+        run_tiltrotor(this_aircraft::flown(std::string("trim --format csv ") + flight));
     const CsvText trims(result.out);
     std::size_t row = 0;
     std::smatch match;
@@ -42,24 +44,33 @@ TEST(cli_columns_and_messages_count_the_stick_alike) {
 
 // What was given stands in the output as it was given, also in JSON with all its digits.
 TEST(cli_columns_echo_what_was_given) {
-  const std::string trim =
-      run_tiltrotor(
-          "trim --mast 60 --speed 50.1 --climb 5.7 --sideslip 7.3 --turn-rate 3.3 --cg-sl 300.7 "
-          "--rotor-rpm 561.1 --mass 5999.9 --altitude 333.3 --format json")
-          .out;
-  for (const char* echo :
-       {"\"climb_deg\": 5.7,", "\"sideslip_deg\": 7.3,", "\"turn_rate_degps\": 3.3,", "\"cg_sl_in\": 300.7,",
-        "\"rotor_rpm\": 561.1,", "\"mass_kg\": 5999.9,", "\"altitude_m\": 333.3,", "\"speed_mps\": 50.1,"})
-    if (!CHECK(trim.find(echo) != std::string::npos)) NOTE(echo);
-  const std::string rotor =
-      run_tiltrotor(
-          "rotor --collective75 7.3 --rpm 561.1 --lateral-cyclic 0.7 --long-cyclic 2.3 --format json")
-          .out;
-  for (const char* echo : {"\"collective75_deg\": 7.3,", "\"rotor_rpm\": 561.1,",
-                           "\"lateral_cyclic_deg\": 0.7,", "\"long_cyclic_deg\": 2.3,"})
-    if (!CHECK(rotor.find(echo) != std::string::npos)) NOTE(echo);
-  CHECK(run_tiltrotor("modes --speed 40 --cg-sl 300.7 --format json").out.find("\"cg_sl_in\": 300.7,") !=
-        std::string::npos);
+  const struct {
+    const char *option, *column;
+    double number;
+  } flight[] = {{"--speed", "speed_mps", 50.1},      {"--climb", "climb_deg", 5.7},
+                {"--sideslip", "sideslip_deg", 7.3}, {"--turn-rate", "turn_rate_degps", 3.3},
+                {"--cg-sl", "cg_sl_in", 300.7},      {"--rotor-rpm", "rotor_rpm", 561.1},
+                {"--mass", "mass_kg", 5999.9},       {"--altitude", "altitude_m", 333.3}},
+    rotor[] = {{"--collective75", "collective75_deg", 7.3},
+               {"--rpm", "rotor_rpm", 561.1},
+               {"--lateral-cyclic", "lateral_cyclic_deg", 0.7},
+               {"--long-cyclic", "long_cyclic_deg", 2.3}};
+  const auto check_echoes = [](const std::string& command, const auto& given) {
+    std::string line = command;
+    const auto text = [](const auto& one) {
+      return this_aircraft::shortest(this_aircraft::given(one.option, one.number));
+    };
+    for (const auto& one : given) line += std::string(" ") + one.option + " " + text(one);
+    const std::string out = run_tiltrotor(line + " --format json").out;
+    for (const auto& one : given)
+      if (!CHECK(out.find(std::string("\"") + one.column + "\": " + text(one) + ",") != std::string::npos))
+        NOTE(line << ": " << one.column);
+  };
+  check_echoes("trim --mast 60", flight);
+  check_echoes("rotor", rotor);
+  const std::string station = this_aircraft::shortest(this_aircraft::given("--cg-sl", 300.7));
+  CHECK(run_tiltrotor("modes --speed 40 --cg-sl " + station + " --format json")
+            .out.find("\"cg_sl_in\": " + station + ",") != std::string::npos);
 }
 
 // A range holds the numbers that a list of the same decimals holds.

@@ -124,7 +124,11 @@ class TextbookRotor {
   TextbookRotor(const TextbookRotor&) = delete;
   TextbookRotor& operator=(const TextbookRotor&) = delete;
 
-  static double chord() { return 0.35; }
+  // Three blades of 0.35 m at a radius of 12.5 ft, or as many as give the same solidity.
+  static double chord() {
+    const RotorTables<double>& r = aircraft_data<double>().rotor;
+    return 0.35 * (3.0 / r.blades) * (r.radius / (12.5 * kFoot));
+  }
   const Aircraft<double>& aircraft() const { return aircraft_; }
   Configuration<double> configuration() const {
     FlightSetup<double> setup = flight_setup(aircraft_, 0.0);
@@ -142,7 +146,7 @@ class TextbookRotor {
 
  private:
   const double radius_[2] = {0, 1};
-  const double chord_[4] = {0.35, 0, 0.35, 0};  // value, slope
+  const double chord_[4] = {chord(), 0, chord(), 0};  // value, slope
   const double no_twist_[4] = {0, 0, 0, 0};
   const double alpha_[2] = {-180, 180};
   const double mach_[2] = {0, 2};

@@ -6,8 +6,11 @@ using namespace flight_cases;
 
 namespace {
 
-constexpr double kRadius = 12.5 * 0.3048;
-constexpr double kEdges[] = {0.0875, 0.55, 0.80, 0.95, 1.0};  // root cutout, section regions, tip (r/R)
+const RotorTables<double>& kRotor = aircraft().rotor;
+const double kRadius = kRotor.radius;
+// Root cutout, section regions, tip (r/R).
+const double kEdges[] = {kRotor.root_cutout, kRotor.region_edge[0], kRotor.region_edge[1],
+                         kRotor.region_edge[2], 1.0};
 
 // Width of a station as integrated: chord area over the chord at its radius.
 double width(const BladeStation<double>& s, ChordSource source) {
@@ -42,8 +45,8 @@ TEST(blade_grid_tiles_the_blade) {
         CHECK_NEAR(region_length, (kEdges[region + 1] - kEdges[region]) * kRadius, 1e-12);
         length += region_length;
       }
-      CHECK_NEAR(length, (1 - 0.0875) * kRadius, 1e-12);
-      CHECK_NEAR(lift_length, (0.97 - 0.0875) * kRadius, 1e-12);  // tip loss
+      CHECK_NEAR(length, (1 - kEdges[0]) * kRadius, 1e-12);
+      CHECK_NEAR(lift_length, (kRotor.tip_loss - kEdges[0]) * kRadius, 1e-12);  // tip loss
     }
   }
 }
@@ -60,13 +63,17 @@ TEST(blade_grid_integrates_the_load) {
         const BladeStation<double>& s = blade.station[i];
         sum += std::pow(s.radius / kRadius, power) * width(s, options.chord) / kRadius;
       }
-      const double exact = (1 - std::pow(0.0875, power + 1)) / (power + 1);
+      const double exact = (1 - std::pow(kEdges[0], power + 1)) / (power + 1);
       CHECK_REL(sum, exact, 4e-3);
     }
   }
 }
 
-TEST(blade_grid_chord_and_twist) {
+TEST_OF_XV15(blade_grid_chord_and_twist) {
+  const double edges[] = {0.0875, 0.55, 0.80, 0.95, 1.0};
+  for (int k = 0; k < 5; ++k) CHECK_NEAR(kEdges[k], edges[k], 1e-15);
+  CHECK_NEAR(kRadius, 12.5 * 0.3048, 1e-15);
+  CHECK_EQ(kRotor.tip_loss, 0.97);
   const RotorTables<double>& rotor = aircraft().rotor;
   const double inch = 0.0254;
   CHECK_NEAR(blade_chord(rotor, ChordSource::cutout, 0.75), 14 * inch, 1e-12);

@@ -13,12 +13,16 @@ FlightSetup<double> random_setup(Generator& random, const Options& options) {
   setup.mast_rate = random.between(-0.13, 0.13);
   setup.mast_acceleration = random.between(-0.35, 0.35);
   setup.rotor_acceleration = random.between(-3, 3);
-  setup.flap_deg = random.between(0, 75);
-  setup.rotor_speed = random.between(50, 65);
-  setup.altitude = random.between(-500, 11000);
-  setup.mass = random.between(4000, 7000);
-  setup.sl_cg = random.between(7.3, 7.8);
-  setup.wl_cg = random.between(1.9, 2.3);
+  const LimitTables<double>& limits = aircraft().limits;
+  const auto within = [&](const Bounds<double>& range, double low, double high) {
+    return range.low + (range.high - range.low) * random.between(low, high);
+  };
+  setup.flap_deg = within(limits.flap_deg, 0, 1);
+  setup.rotor_speed = within(limits.rotor_speed, 0.5, 0.75);
+  setup.altitude = within(limits.altitude, 0, 1);
+  setup.mass = within(limits.mass, 0.15, 0.57);
+  setup.sl_cg = within(limits.sl_cg, 0.3, 0.8);
+  setup.wl_cg = within(limits.wl_cg, 0.4, 0.8);
   setup.options = options;
   return setup;
 }
@@ -76,10 +80,12 @@ TEST(configuration_refuses_a_setting_out_of_range) {
     Member member;
     double value;
   };
-  for (const Bad& bad : {Bad{&S::mast_deg, 90.01}, Bad{&S::mast_rate, 1.01}, Bad{&S::flap_deg, -0.01},
-                         Bad{&S::rotor_speed, 10}, Bad{&S::altitude, 11001}, Bad{&S::mass, 1},
-                         Bad{&S::mast_acceleration, -11}, Bad{&S::rotor_acceleration, 51}, Bad{&S::sl_cg, 9},
-                         Bad{&S::wl_cg, 0}, Bad{&S::mast_deg, std::nan("")}}) {
+  const LimitTables<double>& limits = aircraft().limits;
+  for (const Bad& bad :
+       {Bad{&S::mast_deg, limits.mast_deg.high + 0.01}, Bad{&S::mast_rate, limits.mast_rate.high + 0.01},
+        Bad{&S::flap_deg, limits.flap_deg.low - 0.01}, Bad{&S::rotor_speed, 0.5 * limits.rotor_speed.low},
+        Bad{&S::altitude, limits.altitude.high + 1}, Bad{&S::mass, 1}, Bad{&S::sl_cg, limits.sl_cg.high + 1},
+        Bad{&S::wl_cg, 0}, Bad{&S::mast_deg, std::nan("")}}) {
     Configuration<double> c = before;
     S setting = before.setup;
     setting.*bad.member = bad.value;

@@ -56,7 +56,7 @@ TEST(fuselage_scales_with_dynamic_pressure) {
 }
 
 // The same force at two centres of gravity: moments differ by the shift cross the force.
-TEST_OF_XV15(fuselage_moment_about_the_cg) {
+TEST(fuselage_moment_about_the_cg) {
   FlightSetup<double> setup = flight_setup(aircraft(), 0.0);
   Configuration<double> aft;
   Configuration<double> forward;

@@ -40,6 +40,14 @@ TEST_OF_XV15(pylon_spinner_drag_areas) {
   CHECK_REL(tilted, 2 * q * 2 * (1 + 5.5 * std::pow(0.5, 1.5)) * square_foot, 1e-3);
 }
 
+// Interference 13.5 ft2 at mast 0 (table 4-XV), plates of 24.05 ft2, wash on the wing 1.6 v0.
+TEST_OF_XV15(pylon_printed_areas) {
+  const PylonTables<double>& p = aircraft().pylon;
+  CHECK_REL(lookup(p.interference, Interpolation::linear, 0.0), 13.5 * kFoot * kFoot, 1e-12);
+  CHECK_REL(p.side_area, 24.05 * kFoot * kFoot, 1e-12);
+  CHECK_EQ(aircraft().wake.wash_factor, 1.6);
+}
+
 TEST(pylon_interference_in_hover) {
   const Configuration<double> c = configuration(0);
   AirframeInput<double> in{};
@@ -47,13 +55,14 @@ TEST(pylon_interference_in_hover) {
   const FreeStream<double> stream = free_stream(c, in.velocity_b);
   const WingInWake<double> wake[2] = {wing_in_wake(c, in, stream, right), wing_in_wake(c, in, stream, left)};
   const Loads<double> loads = pylon_interference_loads(c, wake);
-  // 13.5 ft2 (table 4-XV, mast 0) in a wash of 1.6 v0, pushing down.
-  const double v = 1.6 * 17;
-  CHECK_REL(loads.force.z, 0.5 * 1.225 * v * v * 13.5 * kFoot * kFoot, 1e-4);
+  // Their area in the wash on the wing, pushing down.
+  const double v = aircraft().wake.wash_factor * 17;
+  const double area = lookup(aircraft().pylon.interference, Interpolation::linear, 0.0);
+  CHECK_REL(loads.force.z, 0.5 * 1.225 * v * v * area, 1e-4);
   CHECK_NEAR(loads.force.x, 0.0, 1e-9);
 }
 
-// Sideward flight: flat plates of 2 x 24.05 ft2 times K_PLAT (table 4-XVI); against the motion, odd.
+// Sideward flight: flat plates of twice the area times K_PLAT (table 4-XVI); against the motion, odd.
 TEST(pylon_side_plates) {
   const Configuration<double> c = configuration(0, linear_tables());
   AirframeInput<double> in{};
@@ -67,7 +76,7 @@ TEST(pylon_side_plates) {
   CHECK_EQ(r.force.z, 0.0);
   // Incidence of the flow to the mast: atan(10/1) with the 1 m/s of the smoothed axial speed.
   const double k_plat = 1;  // from 45 to 90 deg
-  CHECK_REL(r.force.y, -0.5 * 1.225 * 100 * 2 * 24.05 * kFoot * kFoot * k_plat, 2e-3);
+  CHECK_REL(r.force.y, -0.5 * 1.225 * 100 * 2 * aircraft().pylon.side_area * k_plat, 2e-3);
   in.velocity_b = {40, 0, 3};
   CHECK_EQ(pylon_side_loads(c, in).force.y, 0.0);
 }

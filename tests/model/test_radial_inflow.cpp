@@ -8,7 +8,7 @@ using namespace settled_rotor;
 
 namespace {
 
-constexpr double kRadius = 12.5 * kFoot;
+const double kRadius = aircraft().rotor.radius;
 
 double shape_at(const Configuration<double>& c, double x) {
   const BladeStation<double>* s = c.blade.station;

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "settled_rotor.hpp"
+#include "this_aircraft.hpp"
 #include "tiltrotor/model/variables/presets.hpp"
 
 using namespace flight_cases;
@@ -13,7 +14,8 @@ namespace {
 
 using V = Vec3<double>;
 
-constexpr double kRadius = 12.5 * 0.3048;
+const double kRadius = aircraft().rotor.radius;
+const int kBlades = aircraft().rotor.blades;
 
 V unit(int axis) { return {axis == 0 ? 1.0 : 0.0, axis == 1 ? 1.0 : 0.0, axis == 2 ? 1.0 : 0.0}; }
 
@@ -46,7 +48,7 @@ Blade blade_axes(const RotorAxes& a, double azimuth, double flap) {
 
 // A blade element followed through space from the aircraft's CG: velocity by differences, wash added along
 // the shaft.
-TEST_OF_XV15(rotor_section_velocities_from_positions) {
+TEST(rotor_section_velocities_from_positions) {
   NOTE("seed 33");
   Generator random(33);
   for (const double mast : {0.0, 37.0, 90.0}) {
@@ -62,7 +64,7 @@ TEST_OF_XV15(rotor_section_velocities_from_positions) {
         const RotorState<double>& x = s.x.rotor[side];
         const RotorAxes axes = rotor_axes(c, side);
         const double azimuth = random.between(0, 6.28);
-        const double radius = random.between(0.4, 3.8);
+        const double radius = random.between(0.1, 1) * kRadius;
         const auto flap_at = [&](double t) {
           const double psi = azimuth + omega * t;
           return s.x.coning[side].angle + s.x.coning[side].rate * t +
@@ -110,7 +112,7 @@ TEST_OF_XV15(rotor_section_velocities_from_positions) {
 
 // Element forces added up in body axes at their own places: force on the aircraft, shaft torque with its
 // sign, spring moment of the tilted disk.
-TEST_OF_XV15(rotor_hub_loads_by_hand_in_body_axes) {
+TEST(rotor_hub_loads_by_hand_in_body_axes) {
   NOTE("seed 34");
   Generator random(34);
   for (const double mast : {0.0, 37.0, 90.0}) {
@@ -131,7 +133,8 @@ TEST_OF_XV15(rotor_hub_loads_by_hand_in_body_axes) {
         const BladeFlow<double> flow = blade_flow(c, in, radial_inflow(c, in), std::sin(flap), std::cos(flap),
                                                   std::cos(psi), std::sin(psi));
         const double pitch = in.collective - in.lateral_cyclic * std::cos(psi) -
-                             in.long_cyclic * std::sin(psi) + std::tan(15 * kRadPerDeg<double>) * gimbal;
+                             in.long_cyclic * std::sin(psi) +
+                             std::tan(std::fabs(aircraft().rotor.delta3)) * gimbal;
         CHECK_NEAR(flow.pitch, pitch, 1e-14);
         int region = 0;
         for (int i = 0; i < c.blade.count; ++i) {
@@ -140,7 +143,7 @@ TEST_OF_XV15(rotor_hub_loads_by_hand_in_body_axes) {
           const double ut = flow.tangential_0 + station.radius * flow.tangential_r;
           const double up =
               flow.normal_0 + station.radius * flow.normal_r + station.inflow_shape * flow.shaped;
-          const double speed = std::sqrt(ut * ut + up * up + 0.01);
+          const double speed = std::hypot(ut, up, aircraft().smooth.section_speed);
           const double inflow_angle = std::atan2(up, ut);
           const double alpha = std::remainder(pitch + station.twist - inflow_angle, 2 * kPi<double>);
           const SectionCoefficients<double> k2 = section_coefficients(
@@ -153,7 +156,8 @@ TEST_OF_XV15(rotor_hub_loads_by_hand_in_body_axes) {
           const V flow_direction = (-ut / true_speed) * blade.forward + (-up / true_speed) * blade.normal;
           const V lift_direction = (ut / true_speed) * blade.normal + (-up / true_speed) * blade.forward;
           // The smoothed speed of the library replaces one true speed in the product.
-          const V element = (3.0 / 24 * true_speed / speed) * (lift * lift_direction + drag * flow_direction);
+          const V element =
+              (kBlades / 24.0 * true_speed / speed) * (lift * lift_direction + drag * flow_direction);
           force = force + element;
           const V arm = station.radius * blade.along;
           shaft_moment += dot(cross(arm, element), axes.up);
@@ -178,7 +182,7 @@ TEST_OF_XV15(rotor_hub_loads_by_hand_in_body_axes) {
 
 // Power = drag of the sections times their speed + work of the hub force against hub speed and wash. Exact
 // for a flat disk with uniform wash, at any angle of the wind.
-TEST_OF_XV15(rotor_energy_balance) {
+TEST(rotor_energy_balance) {
   Options uniform = linear_tables();
   uniform.radial_inflow = RadialInflow::constant;
   for (const V& velocity : {V{0, 0, 0}, V{0, 0, 8}, V{-40, 0, 4}, V{-30, 15, -5}, V{0, 0, 90}}) {
@@ -199,13 +203,13 @@ TEST_OF_XV15(rotor_energy_balance) {
         const double ut =
             c.setup.rotor_speed * s.radius - velocity.x * std::sin(psi) + velocity.y * std::cos(psi);
         const double up = velocity.z + c.tip_speed * in.state.lambda_0;
-        const double speed = std::sqrt(ut * ut + up * up + 0.01);
+        const double speed = std::hypot(ut, up, aircraft().smooth.section_speed);
         const double alpha = std::remainder(
             in.collective - in.long_cyclic * std::sin(psi) + s.twist - std::atan2(up, ut), 2 * kPi<double>);
         const double cd = section_coefficients(c.aircraft->rotor, Interpolation::linear, region, alpha,
                                                speed / c.air.speed_of_sound)
                               .drag;
-        profile += 3.0 / 24 * c.air.density * s.half_chord_dr * cd * speed * (ut * ut + up * up);
+        profile += kBlades / 24.0 * c.air.density * s.half_chord_dr * cd * speed * (ut * ut + up * up);
       }
     }
     const double power = loads.torque * c.setup.rotor_speed;
@@ -245,10 +249,10 @@ TEST_OF_XV15(rotor_hover_power_and_derivatives) {
 }
 
 // Textbook thrust: C_T = sigma a / 2 (theta/3 - lambda/2), constant chord, untwisted, linear section.
-TEST_OF_XV15(rotor_textbook_thrust_and_torque) {
+TEST(rotor_textbook_thrust_and_torque) {
   const TextbookRotor rotor;
   const Configuration<double> c = rotor.configuration();
-  const double sigma = 3 * TextbookRotor::chord() / (kPi<double> * kRadius);
+  const double sigma = kBlades * TextbookRotor::chord() / (kPi<double> * kRadius);
   const double scale = c.air.density * kPi<double> * kRadius * kRadius * c.tip_speed * c.tip_speed;
   for (const double theta : {0.03, 0.06}) {
     for (const double lambda : {0.0, 0.005, 0.01}) {
@@ -273,24 +277,25 @@ TEST_OF_XV15(rotor_textbook_thrust_and_torque) {
   const double ct = sigma * TextbookRotor::kLiftSlope / 2 * (0.05 / 3 * (1 + 1.5 * mu * mu));
   CHECK_REL(loads.force_a.z / scale, ct, 2e-3);
   // Sum of r dF sin psi over the blades: N_b/2 times 1/2 rho a c R^2 (Omega R)^2 2 mu theta / 3.
-  const double moment = 1.5 * 0.5 * c.air.density * TextbookRotor::kLiftSlope * TextbookRotor::chord() *
-                        std::pow(kRadius, 2) * c.tip_speed * c.tip_speed * 2 * mu * 0.05 / 3;
+  const double moment = 0.5 * kBlades * 0.5 * c.air.density * TextbookRotor::kLiftSlope *
+                        TextbookRotor::chord() * std::pow(kRadius, 2) * c.tip_speed * c.tip_speed * 2 * mu *
+                        0.05 / 3;
   CHECK_REL(loads.ms, moment, 3e-3);
   CHECK_NEAR(loads.mc, 0.0, 1e-6 * moment);
 }
 
 // Axial flow in airplane mode: no force in the plane, no load harmonics; the torques of the two rotors
 // cancel.
-TEST_OF_XV15(rotor_axial_flow_is_axisymmetric) {
+TEST(rotor_axial_flow_is_axisymmetric) {
   const Configuration<double> c = configuration(90);
   RotorInput<double> in{};
-  in.velocity_a = {0, 0, 100};
+  in.velocity_a = {0, 0, 100 * this_aircraft::speed()};
   in.coning.angle = c.coning;
   in.collective = 0.62;
   in.state.lambda_0 = 0.002;
   const RotorResponse<double> out = rotor_response(c, in, c.azimuth);
   const double force = out.loads.force_a.z;
-  CHECK_LT(1000.0, force);
+  CHECK_LT(1000.0 * this_aircraft::mass(), force);
   CHECK_NEAR(out.loads.force_a.x, 0.0, 1e-13 * force);
   CHECK_NEAR(out.loads.force_a.y, 0.0, 1e-13 * force);
   CHECK_NEAR(out.loads.mc, 0.0, 1e-13 * out.loads.m0);
@@ -350,8 +355,11 @@ TEST(rotor_turns_with_the_wind) {
 }
 
 // Individual blades, averaged over a revolution at the stations of the averaged mode, are the averaged mode.
-TEST_OF_XV15(rotor_individual_blades_average_to_the_mean) {
-  const Configuration<double> c = configuration(0);
+TEST(rotor_individual_blades_average_to_the_mean) {
+  constexpr int positions = 8;
+  Options options;
+  options.azimuth_stations = positions * kBlades;
+  const Configuration<double> c = configuration(0, options);
   RotorInput<double> in = hover_input(c);
   in.velocity_a = {-35, 2, 3};
   in.rates_a = {0.1, 0.05, 0};
@@ -360,11 +368,10 @@ TEST_OF_XV15(rotor_individual_blades_average_to_the_mean) {
   std::array<double, RotorResponse<double>::kCount> sum{};
   double lowest = 1e9;
   double highest = -1e9;
-  constexpr int positions = 8;  // of three blades: 24 stations
   for (int k = 0; k < positions; ++k) {
-    const double azimuth = 2 * kPi<double> * (k + 0.5) / 24;
+    const double azimuth = 2 * kPi<double> * (k + 0.5) / (positions * kBlades);
     AzimuthStations<double> blades;
-    individual_azimuth(3, azimuth, blades);
+    individual_azimuth(kBlades, azimuth, blades);
     const RotorResponse<double> r = rotor_response(c, in, blades);
     const auto now = flat(r);
     for (std::size_t i = 0; i < now.size(); ++i) sum[i] += now[i] / positions;
@@ -373,5 +380,5 @@ TEST_OF_XV15(rotor_individual_blades_average_to_the_mean) {
   }
   for (std::size_t i = 0; i < mean.size(); ++i)
     CHECK_NEAR(sum[i], mean[i], 1e-12 * (std::abs(mean[i]) + 1e3));
-  CHECK_LT(10.0, highest - lowest);  // three-per-revolution loads are there
+  CHECK_LT(10.0, highest - lowest);  // the loads of single blades are there
 }

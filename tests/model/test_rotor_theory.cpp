@@ -2,6 +2,7 @@
 // of a centrally hinged rotor in forward flight, Amer's loss of pitch damping, the windmill of airplane mode.
 // The expected values are the formulas named at each test.
 #include "settled_rotor.hpp"
+#include "this_aircraft.hpp"
 #include "tiltrotor/analysis/isolated_rotor.hpp"
 
 using namespace flight_cases;
@@ -9,9 +10,10 @@ using namespace settled_rotor;
 
 namespace {
 
-constexpr double kRadius = 12.5 * kFoot;
-constexpr double kDiskArea = kPi<double> * kRadius * kRadius;
-constexpr double kSolidity = 3 * 0.35 / (kPi<double> * kRadius);  // of the textbook rotor
+const double kRadius = aircraft().rotor.radius;
+const double kDiskArea = kPi<double> * kRadius * kRadius;
+// Of the textbook rotor.
+const double kSolidity = aircraft().rotor.blades * TextbookRotor::chord() / (kPi<double> * kRadius);
 
 IsolatedRotorWorkspace<double> work;
 
@@ -135,7 +137,7 @@ TEST(rotor_in_plane_force_takes_back_pitch_damping) {
 
 // The same of this rotor in the hover of the 1975 estimate, 565 rpm: half of the damping is kept. Amer's
 // figure for blades with twist and tip loss: 1 - 0.29 theta / (CT/sigma) of 18/(gamma Omega).
-TEST(rotor_of_this_aircraft_keeps_half_of_its_pitch_damping) {
+TEST_OF_XV15(rotor_of_the_xv15_keeps_half_of_its_pitch_damping) {
   FlightSetup<double> setup = flight_setup(aircraft(), 0.0);
   setup.rotor_speed = 565 * kPi<double> / 30;
   setup.options.radial_inflow = RadialInflow::constant;  // as in Amer's theory
@@ -166,7 +168,7 @@ TEST(rotor_windmills_in_airplane_mode) {
   const TextbookRotor textbook;
   Configuration<double> c = with_uniform_inflow(textbook.aircraft(), 90, 1);
   c.coning = 0;
-  const double speed = 80;
+  const double speed = 80 * this_aircraft::speed();
   int driving = 0;
   for (const double collective : {0.46, 0.50, 0.52, 0.54, 0.58}) {
     const IsolatedRotor<double> r = settled_in(c, collective, 0, speed);

@@ -65,15 +65,14 @@ TEST(tail_signs) {
   CHECK_LT(tail(c, in).moment.y, neutral.moment.y);
 }
 
-// Damping by the arm: the tail meets q times 258.8 in (SL 560 - 301.2, less the shift of the CG) as angle of
-// attack.
-TEST_OF_XV15(tail_pitch_rate_is_an_angle) {
+// Damping by the arm from the CG, which at the XV-15 is 258.8 in: the tail meets q times that as angle of attack.
+TEST(tail_pitch_rate_is_an_angle) {
   const Configuration<double> c = configuration(90, linear_tables());
   const AirframeInput<double> level = cruise(90, 0, 2);
   AirframeInput<double> pitching = level;
   pitching.rates_b.y = 0.02;
   AirframeInput<double> deflected = level;
-  const double arm = (560 * 0.0254 - c.mass.sl_cg);
+  const double arm = aircraft().htail.surface.sl - c.mass.sl_cg;
   deflected.downwash = -0.02 * arm / 90;  // the same angle by upwash
   const double by_rate = tail(c, pitching).force.z - tail(c, level).force.z;
   const double by_angle = tail(c, deflected).force.z - tail(c, level).force.z;

@@ -123,7 +123,7 @@ std::vector<double> equilibria(const Configuration<double>& c, double descent, d
 
 // From climb over hover, vortex ring and turbulent wake to the windmill: one equilibrium, on the curve, also
 // with the thrust down the shaft.
-TEST_OF_XV15(vortex_ring_equilibrium_is_the_curve) {
+TEST(vortex_ring_equilibrium_is_the_curve) {
   const SharpInflow sharp;
   double worst = 0;
   for (const double sign : {1.0, -1.0}) {
@@ -271,7 +271,7 @@ TEST(vortex_ring_has_one_stable_equilibrium) {
 
 // In-plane speed does not blow the ring away at once: at 0.2 v_h the inflow is that of axial descent; from 1.1
 // v_h on it is that of momentum theory.
-TEST_OF_XV15(vortex_ring_fades_with_speed_in_the_plane) {
+TEST(vortex_ring_fades_with_speed_in_the_plane) {
   const SharpInflow sharp(mean_alone()), by_momentum(mean_alone(DescentInflow::momentum));
   for (double d = 0.5; d < 1.3; d += 0.1) {
     double before = equilibria(sharp.c, d, 0)[0];

@@ -49,7 +49,7 @@ TEST(report_verdict_counts_what_holds) {
 }
 
 // Tables 1 and 2 of J. Aircraft 57 (2020) 985: minimum, maximum, mean.
-TEST(report_paper_timing_is_as_printed) {
+TEST_OF_XV15(report_paper_timing_is_as_printed) {
   const Table paper = reference_points("paper_timing");
   const double automatic[] = {0.23, 0.31, 0.27, 0.01, 0.01, 0.01, 0.64, 0.71,
                               0.66, 1.22, 1.37, 1.29, 1.79, 1.94, 1.88};
@@ -64,7 +64,7 @@ TEST(report_paper_timing_is_as_printed) {
 }
 
 // A cause explains differences on its side; a bound that is met leaves nothing to explain.
-TEST(validation_causes_fit_their_side) {
+TEST_OF_XV15(validation_causes_fit_their_side) {
   const Tolerance bound = tolerance_of("paper_claims", "growth_change_1_per_s", 0);
   const auto of_bound = [&](double difference) {
     return cause_of(bound, "paper_claims", "growth_change_1_per_s", 0, difference);

@@ -203,7 +203,7 @@ TEST_OF_XV15(report_delay_of_the_downwash_acts_as_in_the_complete_model) {
 }
 
 // Newton's laws at 25 kt to each side and backwards; mirrored flights are mirrored; ahead it is the trim.
-TEST_OF_XV15(report_sideward_flight_is_steady) {
+TEST(report_sideward_flight_is_steady) {
   const Configured c = configured(0);
   const double speed = 25 * study::kKnot;
   const double right_angle = 0.5 * kPi<double>;

@@ -54,7 +54,7 @@ C characteristic(const Table& terms, const std::vector<std::string>& states, C s
 }  // namespace
 
 // A simulation is compared with the simulated aircraft and its own controls, a flight with the flown one.
-TEST(validation_sets_have_the_aircraft_of_their_kind) {
+TEST_OF_XV15(validation_sets_have_the_aircraft_of_their_kind) {
   const Table sets = reference_points("validation_sets");
   for (std::size_t i = 0; i < sets.rows(); ++i) {
     const ComparedAircraft aircraft = compared_aircraft(sets.text(i, "set"));
@@ -77,7 +77,7 @@ TEST(validation_sets_have_the_aircraft_of_their_kind) {
 
 // A printed trim: its velocity has its speed and pitch, its forces carry 13000 lb and add up, its hub moments
 // are those of its flapping.
-TEST(validation_sets_of_printed_trims_agree_with_themselves) {
+TEST_OF_XV15(validation_sets_of_printed_trims_agree_with_themselves) {
   const Table trims = reference_points("trim_gtrs_conversion");
   const Table power = reference_points("rotor_power_gtrs");
   const Table loads = reference_points("component_loads_gtrs_conversion");
@@ -108,7 +108,7 @@ TEST(validation_sets_of_printed_trims_agree_with_themselves) {
 }
 
 // The roots are those of the printed matrix, the points those of the published transfer functions.
-TEST(validation_sets_of_roots_and_points_follow_from_their_sources) {
+TEST_OF_XV15(validation_sets_of_roots_and_points_follow_from_their_sources) {
   const Table terms = reference_points("linear_model_gtrs").where("matrix", std::string("A"));
   const Table modes = reference_points("modes_gtrs");
   for (std::size_t i = 0; i < modes.rows(); ++i) {

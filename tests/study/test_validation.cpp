@@ -46,7 +46,7 @@ Table with(Table list, const std::string& set, const std::string& point, const s
 
 }  // namespace
 
-TEST(validation_tolerances_and_bounds) {
+TEST_OF_XV15(validation_tolerances_and_bounds) {
   const Tolerance speed = tolerance_of("conversion_corridor", "minimum_speed_mps", 30);
   CHECK(speed.judged);
   CHECK_EQ(allowed(speed, 50), 4.1);  // 8 kt
@@ -71,7 +71,7 @@ TEST(validation_tolerances_and_bounds) {
   CHECK(refused);
 }
 
-TEST(validation_sets_have_kind_and_source) {
+TEST_OF_XV15(validation_sets_have_kind_and_source) {
   const Table sets = reference_points("validation_sets");
   for (std::size_t i = 0; i < sets.rows(); ++i) {
     CHECK_EQ(sets.where("set", sets.text(i, "set")).rows(), 1u);

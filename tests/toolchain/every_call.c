@@ -31,7 +31,7 @@ int main(void) {
   memset(&shape, 0, sizeof shape);
   memset(saved, 0, sizeof saved);
   flight.speed_mps = 40;
-  print("default_setup", tr_default_setup(&setup, TR_API_VERSION, TR_XV15, 0));
+  print("default_setup", tr_default_setup(&setup, TR_API_VERSION, tr_aircraft_at(0), 0));
   print("check_setup", tr_check_setup(&setup, TR_API_VERSION, 0, 0));
   print("init", tr_init(&sim, TR_API_VERSION, &setup));
   print("set_controls", tr_set_controls(&sim, &control, 1));
