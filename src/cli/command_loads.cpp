@@ -41,7 +41,10 @@ int add_state(Records& records, const std::string& name, const Configuration<dou
     add_row(records, name, configuration.setup.mast_deg, component,
             {without_rounding(l.force, forces), without_rounding(l.moment, moments)});
   };
-  for (int i = 0; i < component_count; ++i) add(kComponentNames[i], evaluation.loads.component[i]);
+  const bool jets = configuration.setup.options.engine_jets;
+  for (int i = 0; i < component_count; ++i)
+    if (jets || static_cast<Component>(i) != Component::engine_jets)
+      add(kComponentNames[i], evaluation.loads.component[i]);
   add("total_aero", total);
   const double size = dot(total.force, total.force) + dot(total.moment, total.moment);
   if (std::isfinite(size)) return exit_success;

@@ -63,6 +63,7 @@ Setup setup_of(ComparedAircraft aircraft, double mast_deg) {
     choose(DataSet::as_simulated, o);
     o.lateral_cyclic = true;
     o.elevator_gearing = ElevatorGearing::printed_runs;
+    o.engine_jets = true;
   }
   if (aircraft == ComparedAircraft::as_flown) choose(DataSet::as_flown, o);
   if (aircraft == ComparedAircraft::as_designed) {

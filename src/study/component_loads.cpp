@@ -4,9 +4,11 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "study/missing.hpp"
 #include "study/printed_flights.hpp"
 #include "study/reference_points.hpp"
 #include "tiltrotor/model/airframe/airframe.hpp"
+#include "tiltrotor/model/airframe/engine_jet.hpp"
 
 namespace tiltrotor::study {
 
@@ -24,14 +26,14 @@ const std::vector<ComponentName>& airframe_names() {
       {"free_wing", {C::wing_free}},
       {"wing", {C::wing_free, C::wing_wake_right, C::wing_wake_left}},
       {"pylons", {C::pylon}},
-      {"pylons_and_jet", {C::pylon}},
+      {"pylons_and_jet", {C::pylon, C::engine_jets}},
       {"horizontal_tail", {C::htail}},
       {"fins", {C::fin_right, C::fin_left}},
       {"fin", {C::fin_left}},
       {"spinners", {C::spinners}},
       {"airframe",
        {C::wing_free, C::wing_wake_right, C::wing_wake_left, C::pylon, C::fuselage, C::htail, C::fin_right,
-        C::fin_left}}};
+        C::fin_left, C::engine_jets}}};
   return names;
 }
 // The same of a trim: what the rotors and the balance of the whole aircraft decide.
@@ -41,17 +43,26 @@ const std::vector<ComponentName>& trim_names() {
       {"rotor_right", {C::rotor_right}},
       {"rotor_left", {C::rotor_left}},
       {"rotors_and_spinners", {C::rotor_right, C::rotor_left, C::spinners}},
+      {"jets", {C::engine_jets}},
       {"aircraft",
        {C::rotor_right, C::rotor_left, C::spinners, C::wing_free, C::wing_wake_right, C::wing_wake_left,
-        C::pylon, C::fuselage, C::htail, C::fin_right, C::fin_left}}};
+        C::pylon, C::fuselage, C::htail, C::fin_right, C::fin_left, C::engine_jets}}};
   return names;
 }
 
 // State of flight of a print: velocity in body axes, mean induced velocity and in-plane advance ratio of each
-// rotor, force of one rotor, elevator.
+// rotor, force of one rotor, elevator, power of both rotors.
 struct PrintedState {
-  double u_fps, w_fps, induced_fps, advance_ratio, rotor_force_lbf, elevator_deg;
+  double u_fps, w_fps, induced_fps, advance_ratio, rotor_force_lbf, elevator_deg, power_kw;
 };
+
+// Of the torques that the printed loads contain; no such print at mast 0.
+double printed_power(const Table& trims, std::size_t row) {
+  return reference_points("rotor_power_gtrs")
+      .where("mast_deg", trims.text(row, "mast_deg"))
+      .where("speed_kt", trims.text(row, "speed_kt"))
+      .number(0, "power_kw");
+}
 
 // Where the print has the whole flow through the disk, that of the climbing rotor is no induced one.
 PrintedState state_of(const Table& trims, std::size_t row, const Table& loads, const Configured& c) {
@@ -61,7 +72,8 @@ PrintedState state_of(const Table& trims, std::size_t row, const Table& loads, c
             trims.number(row, "induced_velocity_fps"),
             trims.number(row, "advance_ratio"),
             trims.number(row, "rotor_force_lbf"),
-            trims.number(row, "elevator_deg")};
+            trims.number(row, "elevator_deg"),
+            kMissing};
   }
   const Table rotor = loads.where("component", std::string("rotor_left"));
   const double u = trims.number(row, "u_fps");
@@ -76,7 +88,8 @@ PrintedState state_of(const Table& trims, std::size_t row, const Table& loads, c
           std::fabs(across) / tip_fps,
           std::sqrt(square(rotor.number(0, "x_lbf")) + square(rotor.number(0, "y_lbf")) +
                     square(rotor.number(0, "z_lbf"))),
-          trims.number(row, "elevator_deg")};
+          trims.number(row, "elevator_deg"),
+          printed_power(trims, row)};
 }
 
 // Loads of the airframe in the printed state of flight, as the source computed them: tables linear, the
@@ -98,6 +111,9 @@ LoadRecord<double> replayed(const Table& trims, std::size_t row, const Table& pr
   AirframeWorkspace<double> work;
   AirframeResponse<double> sum;
   airframe_response(c, in, work, sum, [&](Component k, const Loads<double>& l) { loads[k] = l; });
+  if (setup.options.engine_jets && std::isfinite(state.power_kw))
+    loads[Component::engine_jets] =
+        engine_jet_loads(c, 1e3 * state.power_kw, total_speed(in.velocity_b, 0.0));
   return loads;
 }
 

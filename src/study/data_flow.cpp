@@ -15,9 +15,13 @@ using namespace plot;
 
 namespace {
 
-constexpr double kMasts[] = {0, 30, 90};  // deg: a mark is there when it is at one of them
-constexpr double kMove = 0.01;            // of the distance over which the model bends
-constexpr double kNarrowest = 420;        // of a picture, as wide as the plots
+// A mark is there when it is at one of these flights; at the second the wing is in the rotors' wakes.
+struct Flight {
+  double mast_deg, speed_mps;  // 0: in the middle of the corridor
+};
+constexpr Flight kFlights[] = {{0, 0}, {0, 10}, {30, 0}, {90, 0}};
+constexpr double kMove = 0.01;      // of the distance over which the model bends
+constexpr double kNarrowest = 420;  // of a picture, as wide as the plots
 
 // The model at one point: what may be moved, what may change.
 struct Point {
@@ -55,9 +59,12 @@ std::vector<Effect> effects(const Point& at) {
 }
 
 // A flight with everything in motion and nothing alike left and right, so that nothing is zero by chance.
-Point point(double mast_deg) {
-  Point at{configured(mast_deg), {}, {}};
-  const Trimmed trim = trimmed_persistently(at.c, middle_speed(mast_deg));
+Point point(const Flight& flight) {
+  Setup setup = default_setup(flight.mast_deg);
+  setup.options.engine_jets = true;
+  Point at{configured(setup), {}, {}};
+  const double speed_mps = flight.speed_mps > 0 ? flight.speed_mps : middle_speed(flight.mast_deg);
+  const Trimmed trim = trimmed_persistently(at.c, speed_mps);
   at.x = trim.state;
   at.u = trim.controls;
   double share = kMove;
@@ -71,14 +78,14 @@ Point point(double mast_deg) {
 Table effects_table() {
   std::vector<std::string> columns = {"moved"};
   std::vector<std::string> moved;
-  Point any = point(kMasts[0]);
+  Point any = point(kFlights[0]);
   for (const Effect& effect : effects(any)) columns.push_back(effect.name);
   each_moved(any, [&](double&, const Variable& variable) { moved.push_back(variable.name); });
 
   const std::size_t width = columns.size() - 1;
   std::vector<std::vector<bool>> acts(moved.size(), std::vector<bool>(width, false));
-  for (const double mast : kMasts) {
-    Point at = point(mast);
+  for (const Flight& flight : kFlights) {
+    Point at = point(flight);
     const std::vector<Effect> before = effects(at);
     std::size_t row = 0;
     each_moved(at, [&](double& value, const Variable& variable) {

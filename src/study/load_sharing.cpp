@@ -37,6 +37,7 @@ constexpr Carrier carrier_of(Component component) {
       return wake_on_wing;
     case Component::htail:
       return tail;
+    case Component::engine_jets:
     case Component::pylon:
     case Component::spinners:
     case Component::pylon_side:

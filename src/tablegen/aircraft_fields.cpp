@@ -109,6 +109,8 @@ const std::vector<Field> kFields = {
     {"wing.rotor_wash_2", "X_RW2", "1/deg2"},
     {"wing.rotor_wash_angle", "K_XRW", "ND"},
     {"wing.rotor_wash_lift", "K_RW", "ND"},
+    {"wing.rotor_lift_flap_none", "rotor_lift_flap_none", "deg"},
+    {"wing.rotor_lift_flap_full", "rotor_lift_flap_full", "deg"},
     {"wing.advance_floor", "advance_floor", "ND"},
     {"wing.aileron_full_alpha", "aileron_full_alpha", "deg"},
     {"wing.aileron_zero_alpha", "aileron_zero_alpha", "deg"},
@@ -121,6 +123,11 @@ const std::vector<Field> kFields = {
     {"pylon.side_area", "pylon_area_S_PYL", "m2"},
     {"pylon.spinner_base", "spinner_drag_area_base", "m2"},
     {"pylon.spinner_cross", "spinner_drag_area_cross", "m2"},
+
+    {"jet.thrust", "engine_jet_thrust", "N"},
+    {"jet.thrust_per_power", "engine_jet_thrust_per_power", "N/W"},
+    {"jet.airflow", "engine_jet_airflow", "kg/s"},
+    {"jet.airflow_per_power", "engine_jet_airflow_per_power", "kg/J"},
 
     {"fuselage.sl", "SL_fuselage_ref", "m"},
     {"fuselage.wl", "WL_fuselage_ref", "m"},
@@ -245,6 +252,7 @@ const std::vector<Field> kFields = {
     {"smooth.wake_radius", "smooth_wake_radius", "m/s"},
     {"smooth.wake_cut", "smooth_wake_cut", "ND"},
     {"smooth.wake_start", "smooth_wake_start", "ND"},
+    {"smooth.engine_power", "smooth_engine_power", "W"},
     {"smooth.crossflow", "smooth_crossflow", "rad"},
     {"smooth.crossflow_clip", "smooth_crossflow_clip", "deg"},
     {"smooth.drag_speed", "smooth_drag_speed", "m/s"},

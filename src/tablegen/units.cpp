@@ -69,6 +69,15 @@ constexpr Unit kUnits[] = {
     {"K", 1, "K"},
     {"hp", kHorsepower, "W"},
     {"W", 1, "W"},
+    {"kW", 1000, "W"},
+    {"lbf", kPoundForce, "N"},
+    {"N", 1, "N"},
+    {"lbf/hp", kPoundForce / kHorsepower, "N/W"},
+    {"N/W", 1, "N/W"},
+    {"slug/s", kSlug, "kg/s"},
+    {"kg/s", 1, "kg/s"},
+    {"slug/s/hp", kSlug / kHorsepower, "kg/J"},
+    {"kg/J", 1, "kg/J"},
 };
 
 }  // namespace

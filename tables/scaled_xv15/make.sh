@@ -28,12 +28,13 @@ laws='
     of["rpm"] = of["rad/s"] = of["deg/s"] = 1 / time; of["rad/s2"] = 1 / time ^ 2
     of["N"] = mass; of["in lbf"] = of["N m"] = of["ft lbf/rad"] = of["ft lbf/deg"] = of["N m/rad"] = mass * L
     of["ft lbf s/rad"] = of["N m s/rad"] = mass * L * time
-    of["hp"] = of["W"] = mass * speed
+    of["hp"] = of["W"] = of["kW"] = mass * speed
     of["lb/ft2"] = of["Pa"] = D * L
   }
   # Hands and feet, the atmosphere and its gusts have their own size.
   function factor(name, unit) {
     if (name ~ /^(stick|pedal|collective)_.*travel/ || name == "guess_stick_step" || name ~ /^altitude_|^gust_|^wind_/) return 1
+    if (name ~ /^engine_jet_/) return name ~ /_per_power$/ ? 1 : L ^ 2
     if (name ~ /^engine_power_/) return of[unit] / (D * speed)
     if (name ~ /^(mast_torque|transmission_limit)/) return of[unit] / D
     if (name == "rotor_blade_flap_inertia" || name == "rotor_chord") return of[unit] * blade

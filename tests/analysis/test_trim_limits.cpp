@@ -15,7 +15,7 @@ TEST(trim_tells_why_there_is_none) {
   CHECK(stalled.status == TrimStatus::wing_stall);
   CHECK(stalled.limits.exceeded[0].limit == TrimLimit::wing_angle);
   CHECK(contains(explanation(stalled), "wing angle of attack"));
-  CHECK(trimmed(flown_configuration(30), flown(level(27))).status == TrimStatus::ok);
+  CHECK(trimmed(flown_configuration(30), flown(level(29))).status == TrimStatus::ok);
 
   const TrimResult<double> slow = trimmed(flown_configuration(90), flown(level(45)));
   CHECK(slow.status == TrimStatus::not_converged);

@@ -26,6 +26,7 @@ enum Part : unsigned {
   fins = 1u << 13,
   lagged_downwash = 1u << 14,
   angular_acceleration = 1u << 15,
+  jets = 1u << 16,
 };
 // Blade loads reach the free wing's flow through the rotor force.
 constexpr unsigned kBladeLoads = rotor_forces | tilt | mean_inflow | cyclic_inflow | hub_component |
@@ -90,6 +91,7 @@ unsigned changed(const Evaluation<double>& a, const Evaluation<double>& b) {
   component(Component::htail, tailplane);
   component(Component::fin_right, fins);
   component(Component::fin_left, fins);
+  component(Component::engine_jets, jets);
   mark(a.rates.downwash == b.rates.downwash, lagged_downwash);
   mark(a.rates.rates.x == b.rates.rates.x && a.rates.rates.y == b.rates.rates.y &&
            a.rates.rates.z == b.rates.rates.z,
@@ -182,6 +184,15 @@ TEST(options_of_the_wing) {
       wing_in_rotor_wake);
   for (const double mast : {0.0, 90.0})
     check_switch({mast}, 0, [](Options& o) { o.mast_drag = MastDrag::linear; });
+  check_switch(
+      {60}, wing_in_free_stream | kAcceleration, [](Options& o) { o.mast_drag = MastDrag::cross_flow; },
+      wing_in_rotor_wake);
+  check_switch({90}, wing_in_rotor_wake | wing_in_free_stream | kAcceleration,
+               [](Options& o) { o.wake_fade_airplane = false; });
+  check_switch({60}, 0, [](Options& o) { o.wake_fade_airplane = false; });
+  check_switch({0}, 0, [](Options& o) { o.rotor_lift_flaps = RotorLiftFlaps::any; });
+  check_switch({60}, wing_in_free_stream | kAcceleration,
+               [](Options& o) { o.rotor_lift_flaps = RotorLiftFlaps::any; });
   check_switch({0}, wing_in_free_stream | kAcceleration, [](Options& o) { o.rotor_lift_on_wing = false; });
   check_switch(
       {90}, 0, [](Options& o) { o.rotor_lift_on_wing = false; }, wing_in_free_stream | kAcceleration);
@@ -209,6 +220,7 @@ TEST(options_of_mass_controls_and_states) {
   check_switch({0}, 0, [](Options& o) { o.cyclic_rigging = false; });
   check_switch({}, tilt, [](Options& o) { o.flap_angular_acceleration = true; });
   check_switch({}, 0, [](Options& o) { o.position_states = true; });
+  check_switch({}, jets | kAcceleration, [](Options& o) { o.engine_jets = true; });
   check_switch({0}, kBladeLoads, [](Options& o) { o.lateral_cyclic = true; });
 }
 

@@ -41,7 +41,10 @@ TEST_OF_XV15(rotor_wake_hover) {
 TEST_OF_XV15(rotor_wake_with_mast_angle) {
   // Mast 30 in hover 56.2 ft2; mast 90 at 160 kt 65 ft2 of 90.5 (values of an independent second program).
   CHECK_NEAR(immersed_wing(configuration(30), flight(0, 0, 0, 17), right).area / kSquareFoot, 56.2, 0.8);
-  CHECK_NEAR(immersed_wing(configuration(90), flight(82.3, 0, 0, 0.4), right).area / kSquareFoot, 65, 1.2);
+  Options by_geometry;
+  by_geometry.wake_fade_airplane = false;
+  CHECK_NEAR(immersed_wing(configuration(90, by_geometry), flight(82.3, 0, 0, 0.4), right).area / kSquareFoot,
+             65, 1.2);
   // Never more than the half wing.
   for (const double mast : {0.0, 30.0, 60.0, 90.0}) {
     for (const double v : {-30.0, 0.0, 30.0}) {
@@ -72,9 +75,15 @@ TEST_OF_XV15(rotor_wake_fade) {
   CHECK_EQ(wake_fade(helicopter, 4.9), 1.0);
   CHECK_EQ(wake_fade(helicopter, 12.5), 0.5);
   CHECK_EQ(wake_fade(helicopter, 20.1), 0.0);
-  CHECK_EQ(wake_fade(configuration(60), 30.0), 0.0);
-  CHECK_NEAR(wake_fade(configuration(75), 30.0), 0.5, 1e-15);
-  CHECK_EQ(wake_fade(configuration(90), 30.0), 1.0);
+  for (const double mast : {0.0, 60.0, 75.0, 90.0}) {
+    CHECK_EQ(wake_fade(configuration(mast), 12.5), 0.5);
+    CHECK_EQ(wake_fade(configuration(mast), 30.0), 0.0);
+  }
+  Options helicopter_alone;
+  helicopter_alone.wake_fade_airplane = false;
+  CHECK_EQ(wake_fade(configuration(60, helicopter_alone), 30.0), 0.0);
+  CHECK_NEAR(wake_fade(configuration(75, helicopter_alone), 30.0), 0.5, 1e-15);
+  CHECK_EQ(wake_fade(configuration(90, helicopter_alone), 30.0), 1.0);
   Options options;
   options.wake_fade = false;
   CHECK_EQ(wake_fade(configuration(0, options), 30.0), 1.0);

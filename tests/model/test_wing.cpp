@@ -59,7 +59,9 @@ TEST(wing_rotor_induced_angle) {
 
 // The same coefficients serve both parts: wake area taken from the free wing, side by side, none lost.
 TEST(wing_area_is_split) {
-  const Configuration<double> c = configuration(90, linear_tables());
+  Options options = linear_tables();
+  options.wake_fade_airplane = false;
+  const Configuration<double> c = configuration(90, options);
   AirframeInput<double> in = cruise(80, 4);
   const Flow none = flow(c, in);
   const double lift_all = none.wing.loads.force.z;
@@ -84,8 +86,10 @@ TEST(wing_area_is_split) {
 
 TEST(wing_drag_between_mast_angles) {
   // Weight of the upright-pylon table: cross-flow law by hand, without the clip and norm widths.
+  Options crossflow;
+  crossflow.mast_drag = MastDrag::cross_flow;
   for (const double mast : {15.0, 45.0, 75.0}) {
-    const Configuration<double> c = configuration(mast);
+    const Configuration<double> c = configuration(mast, crossflow);
     for (const double alpha_deg : {-12.0, 0.0, 9.0}) {
       const double a = alpha_deg * kRadPerDeg<double>;
       const double across = std::pow(std::sin((90 - mast + alpha_deg) * kRadPerDeg<double>), 3);
@@ -175,13 +179,14 @@ TEST(wing_downwash_and_its_lag) {
 namespace {
 
 // Exactly the table of mast 0 there and exactly that of mast 90 there, at every angle of attack; in between
-// the rule of the cubed sine, which at zero angle of attack is cos^3 of the mast angle.
+// cos^3 of the mast angle, also of the rule of the cubed sine at zero angle of attack.
 template <class R>
 void check_pylon_weight(R tolerance) {
-  for (bool linear : {false, true}) {
+  for (MastDrag drag : {MastDrag::cosine, MastDrag::cross_flow, MastDrag::linear}) {
+    const bool linear = drag == MastDrag::linear;
     const auto at = [&](R mast_deg, R alpha) {
       FlightSetup<R> setup = flight_setup(aircraft_data<R>(), mast_deg);
-      setup.options.mast_drag = linear ? MastDrag::linear : setup.options.mast_drag;
+      setup.options.mast_drag = drag;
       Configuration<R> c;
       CHECK(prepare(aircraft_data<R>(), setup, c) == Status::ok);
       const Dual<R, 1> weight = upright_pylon_weight(c, Dual<R, 1>::variable(alpha, 0));

@@ -120,6 +120,11 @@ class ScaledAircraft {
     PylonTables<double>& p = aircraft_.pylon;
     curves(area, p.interference);
     times(area, p.side_area, p.spinner_base, p.spinner_cross);
+    EngineJetTables<double>& j = aircraft_.jet;  // referred to the air of sea level, which is not scaled
+    times(volume, j.thrust);
+    times(1 / s_.speed(), j.thrust_per_power);
+    times(volume / s_.time(), j.airflow);
+    times(1 / s_.length, j.airflow_per_power);
     FuselageTables<double>& f = aircraft_.fuselage;
     times(s_.length, f.sl, f.wl);
     curves(area, f.lift_alpha, f.drag_alpha, f.lift_beta, f.drag_beta, f.side_beta);
@@ -151,6 +156,7 @@ class ScaledAircraft {
     SmoothingWidths<double>& e = aircraft_.smooth;
     times(s_.speed(), e.section_speed, e.forward_speed, e.lateral_plane_speed, e.airspeed, e.rate_speed,
           e.wake_axis, e.wake_radius, e.drag_speed, e.side_plate_speed, e.side_plate_axial);
+    times(s_.mass() * s_.speed(), e.engine_power);
   }
 
   void scale_limits() {

@@ -2,6 +2,7 @@
 // only what stands above it: no loop is closed inside.
 #pragma once
 
+#include "tiltrotor/model/airframe/engine_jet.hpp"
 #include "tiltrotor/model/component_inputs.hpp"
 #include "tiltrotor/model/derivative_steps.hpp"
 #include "tiltrotor/model/state_rates.hpp"
@@ -45,6 +46,16 @@ void recorded_derivative(const Configuration<C>& c, const State<T>& x, const Con
   local_airframe_response(c, steps.airframe_input, steps.local.second, steps.airframe, record);
 
   out_of_line([&] { steps.total = steps.hub_loads[right] + steps.hub_loads[left] + steps.airframe.total; });
+  out_of_line([&] {
+    Loads<T> jets{};
+    if (c.setup.options.engine_jets) {
+      const T power =
+          (steps.rotor[right].loads.torque + steps.rotor[left].loads.torque) * c.setup.rotor_speed;
+      jets = engine_jet_loads(c, power, total_speed(steps.velocity_b, c.aircraft->smooth.airspeed));
+      steps.total = steps.total + jets;
+    }
+    record(Component::engine_jets, static_cast<const Loads<T>&>(jets));
+  });
   out_of_line([&] { rigid_body_rates(c, x, steps.total, rates); });
   out_of_line([&] {
     for (const Side side : {right, left}) rotor_rates(c, x, steps.rotor[side], side, rates);

@@ -31,6 +31,7 @@ struct Aircraft {
   WakeTables<R> wake;
   WingTables<R> wing;
   PylonTables<R> pylon;
+  EngineJetTables<R> jet;
   FuselageTables<R> fuselage;
   HorizontalTailTables<R> htail;
   FinTables<R> fin;

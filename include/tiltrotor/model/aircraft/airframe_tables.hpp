@@ -40,16 +40,17 @@ struct WingTables {
   R yaw_rate_per_lift2;               // Cn_r_over_CL2
   R yaw_rate_per_drag;                // Cn_r_over_CD0
   R yaw_roll_rate_per_lift;           // Cn_p_over_CL
-  R rotor_wash_0, rotor_wash_1, rotor_wash_2;  // X_RW0 (-), X_RW1 (1/deg), X_RW2 (1/deg^2)
-  R rotor_wash_angle;                          // K_XRW
-  R rotor_wash_lift;                           // K_RW
-  R advance_floor;                             // choices: advance_floor (0.15)
-  R aileron_full_alpha, aileron_zero_alpha;    // choices: 8 deg, 25 deg
-  R crossflow_alpha_limit;                     // choices: crossflow_alpha_limit, deg (25)
-  R stall_deg;                                 // choices: wing_stall, angle of attack beyond which it stalls
-  R borne_mast_deg;                            // choices: wingborne_mast, mast angle from which it carries
-  R downwash_arm;                              // choices: downwash_arm (l_t), m
-  R downwash_speed_floor;                      // choices: downwash_speed_floor, m/s
+  R rotor_wash_0, rotor_wash_1, rotor_wash_2;    // X_RW0 (-), X_RW1 (1/deg), X_RW2 (1/deg^2)
+  R rotor_wash_angle;                            // K_XRW
+  R rotor_wash_lift;                             // K_RW
+  R rotor_lift_flap_none, rotor_lift_flap_full;  // choices: flap with none and with all of that lift, deg
+  R advance_floor;                               // choices: advance_floor (0.15)
+  R aileron_full_alpha, aileron_zero_alpha;      // choices: 8 deg, 25 deg
+  R crossflow_alpha_limit;                       // choices: crossflow_alpha_limit, deg (25)
+  R stall_deg;             // choices: wing_stall, angle of attack beyond which it stalls
+  R borne_mast_deg;        // choices: wingborne_mast, mast angle from which it carries
+  R downwash_arm;          // choices: downwash_arm (l_t), m
+  R downwash_speed_floor;  // choices: downwash_speed_floor, m/s
 };
 
 template <class R>
@@ -59,6 +60,15 @@ struct PylonTables {
   R side_area;               // pylon_area_S_PYL, m^2
   R spinner_base;            // spinner_drag_area_base, m^2, each
   R spinner_cross;           // spinner_drag_area_cross, m^2, each
+};
+
+// Jets of all engines at sea level: gross thrust and airflow, each linear in the shaft power of the rotors.
+template <class R>
+struct EngineJetTables {
+  R thrust;             // choices: engine_jet_thrust, N
+  R thrust_per_power;   // choices: engine_jet_thrust_per_power, N/W
+  R airflow;            // choices: engine_jet_airflow, kg/s
+  R airflow_per_power;  // choices: engine_jet_airflow_per_power, kg/J
 };
 
 template <class R>

@@ -25,6 +25,7 @@ struct SmoothingWidths {
   R wake_radius;          // m/s: flow ratio of the contraction law
   R wake_cut;             // /R: half chord of the wake circle, and clips at fuselage and tip
   R wake_start;           // /R: distance over which the wing enters the wake
+  R engine_power;         // W: power of engines that the rotors drive
   R crossflow;            // rad: norm in the cross-flow law
   R crossflow_clip;       // deg: clip of alpha in the cross-flow law
   R drag_speed;           // m/s: length of the velocity along which spinner and pylon drag act

@@ -14,15 +14,17 @@ struct ImmersedWing {
   T wash;     // K_w v0: speed of the wash on it along the nacelle axis, m/s
 };
 
-// Smooth speed fade of the geometric wake below mast 60, gone at mast 90: calibration, see choices.csv.
+// Smooth speed fade of the geometric wake: calibration on printed loads at mast 0, 30, 60 and 90, see
+// choices.csv. wake_fade_airplane=off withdraws it from mast 60 to 90.
 template <class T, class C>
 T wake_fade(const Configuration<C>& c, const T& speed) {
   using R = Real<T>;
   if (!c.setup.options.wake_fade) return T(R(1));
   const WakeTables<R>& w = c.aircraft->wake;
+  const T by_speed = smooth_step(T((speed - w.fade_start) * (R(1) / (w.fade_end - w.fade_start))));
+  if (c.setup.options.wake_fade_airplane) return R(1) - by_speed;
   const C by_mast =
       smooth_step((c.setup.mast_deg - w.fade_mast_start) / (w.fade_mast_end - w.fade_mast_start));
-  const T by_speed = smooth_step(T((speed - w.fade_start) * (R(1) / (w.fade_end - w.fade_start))));
   return R(1) - (R(1) - by_mast) * by_speed;
 }
 

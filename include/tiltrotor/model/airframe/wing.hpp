@@ -151,15 +151,26 @@ T wing_downwash(const Configuration<C>& c, const FreeStream<T>& stream, const T&
 
 }  // namespace wing_detail
 
+// Part of the rotor-induced lift: printed loads show it with flap 40 deg, not with 20 deg or none.
+template <class C>
+C rotor_lift_by_flap(const Configuration<C>& c) {
+  using R = Real<C>;
+  if (c.setup.options.rotor_lift_flaps == RotorLiftFlaps::any) return C(R(1));
+  const WingTables<R>& w = c.aircraft->wing;
+  const R range = w.rotor_lift_flap_full - w.rotor_lift_flap_none;
+  return smooth_step(C((c.setup.flap_deg - w.rotor_lift_flap_none) * (R(1) / range)));
+}
+
 template <class T, class C>
 void free_wing(const Configuration<C>& c, const AirframeInput<T>& in, const FreeStream<T>& stream,
                const WingInWake<T> (&wake)[2], FreeWing<T>& out) {
   using R = Real<T>;
   wing_detail::free_wing_flow(c, in, out);
   out.coefficients = wing_coefficients(c, out.alpha, stream.mach);
-  const C rotor_lift = c.setup.options.rotor_lift_on_wing
-                           ? C(R(2) * c.aircraft->wing.rotor_wash_lift * square(c.nacelle_axis_b.z))
-                           : C(R(0));  // rotor-induced lift: K_RW of p. B-33, cos^2 a choice
+  const C rotor_lift =
+      c.setup.options.rotor_lift_on_wing
+          ? C(R(2) * c.aircraft->wing.rotor_wash_lift * square(c.nacelle_axis_b.z)) * rotor_lift_by_flap(c)
+          : C(R(0));  // rotor-induced lift: K_RW of p. B-33, cos^2 and flap a choice
   out.coefficients.lift = out.coefficients.lift * (R(1) + rotor_lift * out.rotor_wash);
   wing_detail::free_wing_forces(c, in, wake, out);
   out.lateral = wing_lateral_coefficients(c, in, stream, out.beta, out.coefficients);

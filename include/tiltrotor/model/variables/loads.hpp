@@ -44,13 +44,14 @@ enum class Component : unsigned char {
   htail,
   fin_right,
   fin_left,
+  engine_jets,
   count
 };
 inline constexpr int component_count = static_cast<int>(Component::count);
 
 inline constexpr const char* kComponentNames[] = {
-    "rotor_right", "rotor_left", "wing_wake_right", "wing_wake_left", "wing_free", "pylon",
-    "spinners",    "pylon_side", "fuselage",        "htail",          "fin_right", "fin_left"};
+    "rotor_right", "rotor_left", "wing_wake_right", "wing_wake_left", "wing_free", "pylon",      "spinners",
+    "pylon_side",  "fuselage",   "htail",           "fin_right",      "fin_left",  "engine_jets"};
 static_assert(sizeof(kComponentNames) / sizeof(kComponentNames[0]) == component_count,
               "one word per component");
 

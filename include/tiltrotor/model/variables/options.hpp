@@ -16,7 +16,8 @@ enum class ApparentMass : unsigned char { impermeable, loaded };      // 8/(3 pi
 enum class WakeModel : unsigned char { geometric, gtrs_empirical };   // immersed area of the wing
 enum class WashFactor : unsigned char { constant, vortex_cylinder };  // wash speed on the immersed wing
 enum class WakeLoadFactor : unsigned char { calibrated, gtrs };       // K_FW
-enum class MastDrag : unsigned char { cross_flow, linear };           // wing-pylon CD between mast 0 and 90
+enum class MastDrag : unsigned char { cosine, cross_flow, linear };   // wing-pylon CD between mast 0 and 90
+enum class RotorLiftFlaps : unsigned char { full, any };  // flaps that the wing's rotor-induced lift needs
 enum class TailWash : unsigned char { tables, closed_form };          // rotor wash at the horizontal tail
 enum class TailPressure : unsigned char { none, by_mast, constant };  // no K_HNU, faded in, or always
 enum class NacelleMass : unsigned char { printed_cg, quoted };        // 3985 lb or 4200 lb
@@ -47,11 +48,14 @@ struct Options {
   bool side_by_side = false;        // X_SS of table 1-III on the thrust that forces the mean inflow
   bool sideward_flight = false;     // X_SF of table 1-II likewise
   WakeModel wake = WakeModel::geometric;
-  bool wake_fade = true;  // speed fade of the geometric wake
+  bool wake_fade = true;           // speed fade of the geometric wake
+  bool wake_fade_airplane = true;  // the fade holds in airplane mode too
   WashFactor wash = WashFactor::constant;
   WakeLoadFactor wake_load = WakeLoadFactor::calibrated;
-  MastDrag mast_drag = MastDrag::cross_flow;
-  bool rotor_lift_on_wing = true;   // K_RW: rotor-induced lift of the free wing
+  MastDrag mast_drag = MastDrag::cosine;
+  bool rotor_lift_on_wing = true;  // K_RW: rotor-induced lift of the free wing
+  RotorLiftFlaps rotor_lift_flaps = RotorLiftFlaps::full;
+  bool engine_jets = false;         // net thrust of the engines' jets, with the drag of the air they take in
   bool wing_rate_velocity = false;  // add the velocity due to body rates at the free wing's centre
   bool downwash_lag = true;         // wing downwash reaches the tail through a state
   TailWash tail_wash = TailWash::tables;

@@ -25,6 +25,9 @@ inline void choose_reference(Options& o) {
   o.radial_inflow = RadialInflow::constant;
   o.descent_inflow = DescentInflow::momentum;
   o.cyclic_rigging = false;
+  o.wake_fade_airplane = false;
+  o.mast_drag = MastDrag::cross_flow;
+  o.rotor_lift_flaps = RotorLiftFlaps::any;
   o.nacelle_mass = NacelleMass::quoted;
   o.inertia = InertiaSet::simulation;
   o.tail_pressure = TailPressure::by_mast;
