@@ -49,6 +49,12 @@ template <class T>
 T dot(const Vec3<T>& a, const Vec3<T>& b) {
   return a.x * b.x + a.y * b.y + a.z * b.z;
 }
+// Length. At zero it has no derivative: partials are zero there.
+template <class T>
+T length(const Vec3<T>& a) {
+  const T square = dot(a, a);
+  return value(square) == Real<T>(0) ? T(Real<T>(0)) : sqrt(square);
+}
 // Component of a along a direction.
 template <class T, class C>
 T component(const Vec3<T>& a, const Vec3<C>& direction) {
