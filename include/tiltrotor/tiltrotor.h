@@ -15,11 +15,11 @@
  * different tr_work. One tr_work serves any number of aircraft that take turns.
  *
  * Errors: every function that can fail returns a tr_status. When it is not TR_OK, outputs are untouched
- * unless the function says otherwise, and the aircraft is as it was. Null pointers, NaN, infinities, short
- * arrays, numbers out of range, a wrong version and an aircraft that is not initialised are all found and
- * reported; so is a processor set to another rounding mode than to nearest or to take the smallest numbers
- * for zero, by every call that computes (TR_BAD_ARITHMETIC). The content of a tr_sim that a call of tr_init has filled must not be written by
- * anything else.
+ * unless the function says otherwise, and the aircraft is as it was but for tr_last_fault. Null pointers,
+ * NaN, infinities, short arrays, numbers out of range, a wrong version and an aircraft that is not
+ * initialised are all found and reported; so is a processor set to another rounding mode than to nearest or to
+ * take the smallest numbers for zero, by every call that computes (TR_BAD_ARITHMETIC). The content of a tr_sim
+ * that a call of tr_init has filled must not be written by anything else.
  *
  * Units: SI and radians unless the name says otherwise. Body axes x forward, y right, z down; attitude 3-2-1
  * Euler. Right rotor first.
@@ -59,14 +59,14 @@ extern "C" {
 
 #ifdef TR_SINGLE_PRECISION
 typedef float tr_real;
-#define TR_API_VERSION 0x00020004u
+#define TR_API_VERSION 0x00030004u
 #define TR_SIM_SIZE 3072
 #define TR_WORK_SIZE TR_SINGLE_WORK_SIZE
 #else
 typedef double tr_real;
 /* Changes when a program must be compiled again: interface in the upper half, bytes of a tr_real in the
  * lower. */
-#define TR_API_VERSION 0x00020008u
+#define TR_API_VERSION 0x00030008u
 #define TR_SIM_SIZE 6144 /* bytes */
 #define TR_WORK_SIZE TR_DOUBLE_WORK_SIZE
 #endif
@@ -392,5 +392,7 @@ tr_status tr_hash(const tr_real* numbers, size_t length, uint64_t* hash);
 #ifdef __cplusplus
 }
 #endif
+
+#include "tiltrotor/measure.h"
 
 #endif
