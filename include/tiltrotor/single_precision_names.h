@@ -33,5 +33,14 @@
 #define tr_set_loads tr_set_loads_single
 #define tr_save tr_save_single
 #define tr_load_saved tr_load_saved_single
+#define tr_step_with_outputs tr_step_with_outputs_single
+#define tr_saturate_controls tr_saturate_controls_single
+#define tr_last_fault tr_last_fault_single
+#define tr_get_flags tr_get_flags_single
+#define tr_get_mass tr_get_mass_single
+#define tr_motion_at tr_motion_at_single
+#define tr_air_data_at tr_air_data_at_single
+#define tr_directional tr_directional_single
+#define tr_linearize_outputs tr_linearize_outputs_single
 
 #endif

@@ -15,11 +15,11 @@
  * different tr_work. One tr_work serves any number of aircraft that take turns.
  *
  * Errors: every function that can fail returns a tr_status. When it is not TR_OK, outputs are untouched
- * unless the function says otherwise, and the aircraft is as it was. Null pointers, NaN, infinities, short
- * arrays, numbers out of range, a wrong version and an aircraft that is not initialised are all found and
- * reported; so is a processor set to another rounding mode than to nearest or to take the smallest numbers
- * for zero, by every call that computes (TR_BAD_ARITHMETIC). The content of a tr_sim that a call of tr_init has filled must not be written by
- * anything else.
+ * unless the function says otherwise, and the aircraft is as it was but for tr_last_fault. Null pointers,
+ * NaN, infinities, short arrays, numbers out of range, a wrong version and an aircraft that is not
+ * initialised are all found and reported; so is a processor set to another rounding mode than to nearest or to
+ * take the smallest numbers for zero, by every call that computes (TR_BAD_ARITHMETIC). The content of a tr_sim
+ * that a call of tr_init has filled must not be written by anything else.
  *
  * Units: SI and radians unless the name says otherwise. Body axes x forward, y right, z down; attitude 3-2-1
  * Euler. Right rotor first.
@@ -394,5 +394,6 @@ tr_status tr_hash(const tr_real* numbers, size_t length, uint64_t* hash);
 #endif
 
 #include "tiltrotor/conditions.h"
+#include "tiltrotor/measure.h"
 
 #endif

@@ -13,12 +13,16 @@
 // xdot = f(x, u) on double, float, Dual<double, N> or std::complex<double>, isolated_rotor() a rotor on a stand.
 #pragma once
 
+#include "tiltrotor/analysis/flight/air_data.hpp"
 #include "tiltrotor/analysis/flight/input_signal.hpp"
+#include "tiltrotor/analysis/flight/station_motion.hpp"
+#include "tiltrotor/analysis/flight/table_edge.hpp"
 #include "tiltrotor/analysis/instances.hpp"
 #include "tiltrotor/analysis/isolated_rotor.hpp"
 #include "tiltrotor/analysis/linear/configuration_sensitivity.hpp"
 #include "tiltrotor/analysis/linear/linear_eigenvalues.hpp"
 #include "tiltrotor/analysis/linear/mode_tracker.hpp"
+#include "tiltrotor/analysis/linear/output_model.hpp"
 #include "tiltrotor/math/differentiation/complex_step.hpp"
 #include "tiltrotor/math/tables/table_slopes.hpp"
 #include "tiltrotor/model/aircraft/aircraft_data.hpp"

@@ -1,7 +1,8 @@
-// The C interface: the aircraft, its controls, its state and what follows from them.
+// The C interface: the aircraft, its state and its rates.
 #include <cmath>
 #include <limits>
 
+#include "library/c_fault.hpp"
 #include "library/c_state.hpp"
 #include "library/c_words.hpp"
 #include "tiltrotor/model/preparation.hpp"
@@ -43,14 +44,6 @@ static_assert(int{TR_STATES} == state_count && int{TR_CONTROLS} == control_count
 static_assert(are_in_order(kPlaces) && are_in_order(kControlPlaces));
 
 TILTROTOR_NOINLINE bool in_bound(int state, R x) { return std::fabs(x) <= state_bound<R>(state); }
-
-bool in_bounds(const tr_state& state) {
-  for (int i = 0; i < TR_STATES; ++i)
-    if (!in_bound(i, state.x[i])) return false;
-  for (const R u : state.u)
-    if (!(std::fabs(u) <= kLargestControl<R>)) return false;
-  return state.time_s >= 0 && state.time_s <= kLongestFlight && state.steps <= kMostSteps;
-}
 
 constexpr std::size_t kLongestLine = 1000;
 
@@ -115,14 +108,22 @@ tr_status make(const FlightSetup<R>& setup, tr_sim* sim) {
   s.time = 0;
   s.steps = 0;
   s.air = {false, R(0), std::numeric_limits<R>::infinity()};
+  s.fault = no_fault();
   s.mark = kMark;
   return TR_OK;
 }
 
-tr_status check_state(const tr_state& state) {
-  if (!is_finite(state.time_s) || !all_finite(state.x, TR_STATES) || !all_finite(state.u, TR_CONTROLS))
-    return TR_NOT_FINITE;
-  return in_bounds(state) ? TR_OK : TR_OUT_OF_RANGE;
+StateCheck check_state(const tr_state& state) {
+  const int bad_state = first_not_finite(state.x, TR_STATES);
+  const int bad_control = first_not_finite(state.u, TR_CONTROLS);
+  if (bad_state != kNone || bad_control != kNone || !is_finite(state.time_s))
+    return {TR_NOT_FINITE, bad_state, bad_control};
+  for (int i = 0; i < TR_STATES; ++i)
+    if (!in_bound(i, state.x[i])) return {TR_OUT_OF_RANGE, i, kNone};
+  for (int j = 0; j < TR_CONTROLS; ++j)
+    if (!(std::fabs(state.u[j]) <= kLargestControl<R>)) return {TR_OUT_OF_RANGE, kNone, j};
+  const bool in_time = state.time_s >= 0 && state.time_s <= kLongestFlight && state.steps <= kMostSteps;
+  return {in_time ? TR_OK : TR_OUT_OF_RANGE, kNone, kNone};
 }
 
 void get_state(const Sim& s, tr_state& state) {
@@ -194,23 +195,6 @@ tr_status tr_check_setup(const tr_setup* setup, uint32_t version, char* text, si
   return fault.field == SetupField::none ? TR_OK : TR_OUT_OF_RANGE;
 }
 
-tr_status tr_set_controls(tr_sim* sim, const tr_real* controls, size_t length) {
-  const tr_status ready = check(sim);
-  if (ready != TR_OK) return ready;
-  if (controls == nullptr || length < 1 || length > TR_CONTROLS) return TR_BAD_ARGUMENT;
-  if (!all_finite(controls, length)) return TR_NOT_FINITE;
-  for (std::size_t j = 0; j < length; ++j) {
-    const Bounds<R> range = control_range(aircraft_data<R>(), static_cast<int>(j));
-    if (!is_within(controls[j], range.low, range.high)) return TR_OUT_OF_RANGE;
-  }
-  Sim& s = *opened(sim);
-  R u[control_count];
-  flatten(s.u, u);
-  for (std::size_t j = 0; j < length; ++j) u[j] = controls[j];
-  unflatten(u, s.u);
-  return TR_OK;
-}
-
 tr_status tr_get_state(const tr_sim* sim, tr_state* state) {
   const tr_status ready = check(sim);
   if (ready != TR_OK) return ready;
@@ -222,16 +206,17 @@ tr_status tr_get_state(const tr_sim* sim, tr_state* state) {
 tr_status tr_set_state(tr_sim* sim, const tr_state* state) {
   const tr_status ready = check(sim);
   if (ready != TR_OK) return ready;
-  if (state == nullptr) return TR_BAD_ARGUMENT;
-  const tr_status status = check_state(*state);
-  if (status != TR_OK) return status;
   Sim& s = *opened(sim);
+  if (state == nullptr) return noted(s, TR_BAD_ARGUMENT);
+  const StateCheck found = check_state(*state);
+  if (found.status != TR_OK) return noted(s, found.status, found.state, found.control);
   const State<R> before = s.x;
   unflatten(state->x, s.x);
   const tr_status in_air = follow_air(s);
   s.x = before;
-  if (in_air == TR_OK) put_state(*state, s);
-  return in_air;
+  if (in_air != TR_OK) return noted(s, in_air, TR_DOWN);
+  put_state(*state, s);
+  return TR_OK;
 }
 
 tr_status tr_derivative(const tr_sim* sim, tr_real* rates, size_t length) {
@@ -245,50 +230,6 @@ tr_status tr_derivative(const tr_sim* sim, tr_real* rates, size_t length) {
   derivative(equipped(s, copy), evaluated_state(s), s.u, xdot);
   flatten(xdot, rates);
   return all_finite(rates, TR_STATES) ? TR_OK : TR_NOT_FINITE;
-}
-
-tr_status tr_get_outputs(const tr_sim* sim, tr_outputs* outputs) {
-  const tr_status ready = check(sim);
-  if (ready != TR_OK) return ready;
-  if (outputs == nullptr) return TR_BAD_ARGUMENT;
-  const Sim& s = *opened(sim);
-  Configuration<R> copy;
-  const Configuration<R>& c = equipped(s, copy);
-  Evaluation<R> e;
-  evaluate_aircraft(c, evaluated_state(s), s.u, e);
-  const Vec3<R> v = s.x.velocity - s.u.gust;  // relative to the air
-  const BladeControls<R> blades = mix_controls(c, s.u, v);
-
-  tr_outputs& o = *outputs;
-  const R airspeed = std::sqrt(dot(v, v));
-  o.time_s = s.time;
-  o.airspeed_mps = airspeed;
-  o.angle_of_attack_rad = airspeed >= kLeastSpeed<R> ? atan2(v.z, v.x) : R(0);
-  o.sideslip_rad = airspeed >= kLeastSpeed<R> ? atan2(v.y, std::sqrt(v.x * v.x + v.z * v.z)) : R(0);
-  Vec3<R> force = c.outside.force;
-  for (const Loads<R>& loads : e.loads.component) force = force + loads.force;
-  const Vec3<R> specific = (R(1) / c.mass.mass) * force;
-  o.specific_force_mps2[0] = specific.x;
-  o.specific_force_mps2[1] = specific.y;
-  o.specific_force_mps2[2] = specific.z;
-  o.load_factor = load_factor(specific, v);
-  o.climb_rate_mps = c.around.wind_n.z - e.rates.position.z;
-  for (int side = 0; side < 2; ++side) {
-    const RotorLoads<R>& rotor = e.rotor[side].loads;
-    const RotorState<R>& x = s.x.rotor[side];
-    o.thrust_n[side] = std::sqrt(dot(rotor.force_a, rotor.force_a));
-    o.torque_nm[side] = rotor.torque;
-    o.power_w[side] = rotor.torque * c.setup.rotor_speed;
-    o.collective_rad[side] = blades.collective[side];
-    o.long_cyclic_rad[side] = blades.long_cyclic[side];
-    o.gimbal_tilt_rad[side] = std::sqrt(x.b1c * x.b1c + x.b1s * x.b1s);
-  }
-  o.elevator_rad = blades.elevator;
-  o.aileron_rad = blades.aileron;
-  o.rudder_rad = blades.rudder;
-  const bool finite = is_finite(o.load_factor) && is_finite(o.power_w[0]) && is_finite(o.power_w[1]) &&
-                      all_finite(o.specific_force_mps2, 3);
-  return finite ? TR_OK : TR_NOT_FINITE;
 }
 
 }  // namespace tiltrotor::c_interface::checked

@@ -4,6 +4,7 @@
 
 #include "library/c_state.hpp"
 #include "library/c_words.hpp"
+#include "tiltrotor/analysis/flight/attitude.hpp"
 
 namespace tiltrotor::c_interface {
 
@@ -19,18 +20,6 @@ void list(const Vec3<R>& v, R (&to)[3]) {
 }
 bool within(const Vec3<R>& v, R most) {
   return std::fabs(v.x) <= most && std::fabs(v.y) <= most && std::fabs(v.z) <= most;
-}
-
-// Earth axes to body axes, 3-2-1 Euler angles.
-Vec3<R> to_body(const State<R>& x, const Vec3<R>& n) {
-  const SineCosine<R> roll = sine_and_cosine(x.roll);
-  const SineCosine<R> pitch = sine_and_cosine(x.pitch);
-  const SineCosine<R> yaw = sine_and_cosine(x.yaw);
-  const R ahead = yaw.cosine * n.x + yaw.sine * n.y;
-  const R aside = yaw.cosine * n.y - yaw.sine * n.x;
-  const R below = pitch.sine * ahead + pitch.cosine * n.z;
-  return {pitch.cosine * ahead - pitch.sine * n.z, roll.cosine * aside + roll.sine * below,
-          roll.cosine * below - roll.sine * aside};
 }
 
 // The sum of loads, its moment about the origin of the stations. Stations count aft and up, body axes forward and
@@ -203,8 +192,9 @@ tr_status tr_set_environment(tr_sim* sim, const tr_environment* environment) {
   if (environment == nullptr) return TR_BAD_ARGUMENT;
   Sim& s = *opened(sim);
   // The velocity over the ground stays, that relative to the air that drifts changes.
-  const Vec3<R> wind_b =
-      to_body(evaluated_state(s), s.configuration.around.wind_n - vector(environment->wind_mps));
+  const State<R> x = evaluated_state(s);
+  const Vec3<R> change_n = s.configuration.around.wind_n - vector(environment->wind_mps);
+  const Vec3<R> wind_b = earth_to_body(EulerAngles<R>{x.roll, x.pitch, x.yaw}).apply(change_n);
   const Vec3<R> velocity = s.x.velocity + wind_b;
   if (!within(velocity, state_bound<R>(kStateIndex.velocity.x)) && all_finite(environment->wind_mps, 3))
     return TR_OUT_OF_RANGE;

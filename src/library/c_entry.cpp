@@ -25,6 +25,15 @@ decltype(::tr_linearize) tr_linearize;
 decltype(::tr_linearize_and_step) tr_linearize_and_step;
 decltype(::tr_eigenvalues) tr_eigenvalues;
 decltype(::tr_modes) tr_modes;
+decltype(::tr_step_with_outputs) tr_step_with_outputs;
+decltype(::tr_saturate_controls) tr_saturate_controls;
+decltype(::tr_last_fault) tr_last_fault;
+decltype(::tr_get_flags) tr_get_flags;
+decltype(::tr_get_mass) tr_get_mass;
+decltype(::tr_motion_at) tr_motion_at;
+decltype(::tr_air_data_at) tr_air_data_at;
+decltype(::tr_directional) tr_directional;
+decltype(::tr_linearize_outputs) tr_linearize_outputs;
 
 }  // namespace tiltrotor::c_interface::checked
 
@@ -149,4 +158,52 @@ tr_status tr_set_environment(tr_sim* sim, const tr_environment* environment) {
 tr_status tr_set_loads(tr_sim* sim, const tr_load* loads, size_t count) {
   const tr_status status = processor_status();
   return status == TR_OK ? checked::tr_set_loads(sim, loads, count) : status;
+}
+
+tr_status tr_step_with_outputs(tr_sim* sim, tr_work* work, tr_real dt, tr_outputs* outputs) {
+  const tr_status status = processor_status();
+  return status == TR_OK ? checked::tr_step_with_outputs(sim, work, dt, outputs) : status;
+}
+
+tr_status tr_saturate_controls(tr_sim* sim, const tr_real* controls, size_t length, uint32_t* clipped) {
+  const tr_status status = processor_status();
+  return status == TR_OK ? checked::tr_saturate_controls(sim, controls, length, clipped) : status;
+}
+
+tr_status tr_last_fault(const tr_sim* sim, tr_fault* fault) {
+  const tr_status status = processor_status();
+  return status == TR_OK ? checked::tr_last_fault(sim, fault) : status;
+}
+
+tr_status tr_get_flags(const tr_sim* sim, uint32_t* flags) {
+  const tr_status status = processor_status();
+  return status == TR_OK ? checked::tr_get_flags(sim, flags) : status;
+}
+
+tr_status tr_get_mass(const tr_sim* sim, tr_mass* mass) {
+  const tr_status status = processor_status();
+  return status == TR_OK ? checked::tr_get_mass(sim, mass) : status;
+}
+
+tr_status tr_motion_at(const tr_sim* sim, const tr_real station_m[3], tr_motion* motion) {
+  const tr_status status = processor_status();
+  return status == TR_OK ? checked::tr_motion_at(sim, station_m, motion) : status;
+}
+
+tr_status tr_air_data_at(const tr_sim* sim, const tr_real station_m[3], tr_air_data* air) {
+  const tr_status status = processor_status();
+  return status == TR_OK ? checked::tr_air_data_at(sim, station_m, air) : status;
+}
+
+tr_status tr_directional(const tr_sim* sim, tr_work* work, const tr_real* dx, const tr_real* du,
+                         tr_real* dxdot, tr_outputs* doutputs) {
+  const tr_status status = processor_status();
+  return status == TR_OK ? checked::tr_directional(sim, work, dx, du, dxdot, doutputs) : status;
+}
+
+tr_status tr_linearize_outputs(const tr_sim* sim, tr_work* work, int32_t columns, tr_real* c, size_t c_length,
+                               tr_real* d, size_t d_length) {
+  const tr_status status = processor_status();
+  return status == TR_OK ? checked::tr_linearize_outputs(sim, work, columns, c, c_length, d, d_length)
+                         : status;
 }

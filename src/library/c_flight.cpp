@@ -1,5 +1,7 @@
 // The C interface: trim and steps of time.
+#include "library/c_fault.hpp"
 #include "library/c_linear.hpp"
+#include "library/c_outputs.hpp"
 #include "library/c_state.hpp"
 #include "library/c_words.hpp"
 
@@ -10,10 +12,10 @@ namespace {
 constexpr R kLongestFrame = R(0.02);  // s
 constexpr R kLongestOfRk3 = R(0.01);  // s; beyond, RK4 does with fewer parts of a step
 
-tr_status check_step(const tr_work* work, R dt) {
-  if (work == nullptr) return TR_BAD_ARGUMENT;
-  if (!is_finite(dt)) return TR_NOT_FINITE;
-  return dt > R(0) && dt <= kLongestFrame ? TR_OK : TR_OUT_OF_RANGE;
+tr_status check_step(Sim& s, const tr_work* work, R dt) {
+  if (work == nullptr) return noted(s, TR_BAD_ARGUMENT);
+  if (!is_finite(dt)) return noted(s, TR_NOT_FINITE);
+  return dt > R(0) && dt <= kLongestFrame ? TR_OK : noted(s, TR_OUT_OF_RANGE);
 }
 
 // One step; `xdot`: the rates at its beginning, or nullptr.
@@ -23,13 +25,14 @@ tr_status step(Sim& s, tr_work* work, R dt, const R* xdot) {
   MovingConfiguration<R> moving{&call.configuration, s.air.follows, s.air.altitude, {}, 0};
   const Integrator integrator = dt <= kLongestOfRk3 ? Integrator::rk3 : Integrator::rk4;
   const double time = s.time + static_cast<double>(dt);
-  if (time > kLongestFlight || s.steps >= kMostSteps) return TR_OUT_OF_RANGE;
-  // The model does not depend on time but by its setting, which is kept: every step begins a simulation of its own, and time is counted here.
+  if (time > kLongestFlight || s.steps >= kMostSteps) return noted(s, TR_OUT_OF_RANGE);
+  // The model depends on time by its setting alone, which is kept: every step begins a simulation of its own, and time
+  // is counted here.
   const Status started = start(c, s.x, s.u, dt, integrator, call.simulation);
-  if (started != Status::ok) return translated(started);
+  if (started != Status::ok) return noted(s, translated(started));
   call.simulation.travel = s.travel;
   const Status advanced = advance_moving(moving, call.workspace, call.simulation, xdot);
-  if (advanced != Status::ok) return translated(advanced);
+  if (advanced != Status::ok) return noted(s, translated(advanced), call.simulation.fault_state);
   if (is_moving<R>(s.configuration.setup) || s.air.follows) keep(call.configuration, s);
   s.x = call.simulation.state;
   s.travel = call.simulation.travel;
@@ -76,9 +79,24 @@ tr_status tr_trim(tr_sim* sim, tr_work* work, const tr_flight* flight, tr_trim_r
 tr_status tr_step(tr_sim* sim, tr_work* work, tr_real dt) {
   const tr_status ready = check(sim);
   if (ready != TR_OK) return ready;
-  const tr_status possible = check_step(work, dt);
+  Sim& s = *opened(sim);
+  const tr_status possible = check_step(s, work, dt);
+  return possible == TR_OK ? step(s, work, dt, nullptr) : possible;
+}
+
+tr_status tr_step_with_outputs(tr_sim* sim, tr_work* work, tr_real dt, tr_outputs* outputs) {
+  const tr_status ready = check(sim);
+  if (ready != TR_OK) return ready;
+  Sim& s = *opened(sim);
+  const tr_status possible = check_step(s, work, dt);
   if (possible != TR_OK) return possible;
-  return step(*opened(sim), work, dt, nullptr);
+  if (outputs == nullptr) return noted(s, TR_BAD_ARGUMENT);
+  State<R> rates;
+  Configuration<R>& c = workspace_in<StepCallWorkspace>(work).configuration;
+  const tr_status read = outputs_here(equipped(s, c), s, *outputs, rates);
+  R xdot[state_count];
+  flatten(rates, xdot);
+  return read == TR_OK ? step(s, work, dt, xdot) : noted(s, read, first_not_finite(xdot, state_count));
 }
 
 tr_status tr_linearize_and_step(tr_sim* sim, tr_work* work, tr_real dt, int32_t columns,
@@ -86,12 +104,13 @@ tr_status tr_linearize_and_step(tr_sim* sim, tr_work* work, tr_real dt, int32_t 
                                 size_t b_length) {
   const tr_status ready = check(sim);
   if (ready != TR_OK) return ready;
-  const tr_status possible = check_step(work, dt);
+  Sim& s = *opened(sim);
+  const tr_status possible = check_step(s, work, dt);
   if (possible != TR_OK) return possible;
   R xdot[state_count];
-  const tr_status linear =
-      linearize_here(*opened(sim), work, columns, shape, {a, a_length, b, b_length}, xdot);
-  return linear == TR_OK ? step(*opened(sim), work, dt, xdot) : linear;
+  const tr_status linear = linearize_here(s, work, columns, shape, {a, a_length, b, b_length}, xdot);
+  if (linear == TR_OK) return step(s, work, dt, xdot);
+  return noted(s, linear, linear == TR_NOT_FINITE ? first_not_finite(xdot, state_count) : kNone);
 }
 
 }  // namespace tiltrotor::c_interface::checked

@@ -11,20 +11,6 @@ namespace {
 
 static_assert(int{TR_MAX_LINEAR_STATES} == kMaxLinearStates);
 
-// nullptr for an unknown choice.
-const ControlSet* control_set(std::int32_t columns) {
-  switch (columns) {
-    case TR_INCEPTORS:
-      return &kInceptors;
-    case TR_BLADE_CONTROLS:
-      return &kBladeControls;
-    case TR_ALL_CONTROLS:
-      return &kAllControls;
-    default:
-      return nullptr;
-  }
-}
-
 // A shape that tr_linearize can have made: the model is then safe to work on.
 bool plausible(const tr_linear_shape& shape) {
   if (shape.states < kRigidStates || shape.states > kMaxLinearStates) return false;
@@ -45,6 +31,19 @@ constexpr std::size_t entries(int rows, int columns) {
 }
 
 }  // namespace
+
+const ControlSet* control_set(std::int32_t columns) {
+  switch (columns) {
+    case TR_INCEPTORS:
+      return &kInceptors;
+    case TR_BLADE_CONTROLS:
+      return &kBladeControls;
+    case TR_ALL_CONTROLS:
+      return &kAllControls;
+    default:
+      return nullptr;
+  }
+}
 
 tr_status linearize_here(const Sim& s, tr_work* work, std::int32_t columns, tr_linear_shape* shape,
                          const LinearArrays& to, R* xdot) {

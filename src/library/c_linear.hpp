@@ -8,6 +8,9 @@
 
 namespace tiltrotor::c_interface {
 
+// Of a tr_columns; nullptr for an unknown choice.
+const ControlSet* control_set(std::int32_t columns);
+
 // The arrays of a caller for A and B.
 struct LinearArrays {
   R* a;

@@ -3,11 +3,13 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <initializer_list>
 #include <new>
 #include <type_traits>
 
 #include "library/c_analyses.hpp"
 #include "tiltrotor/analysis/instances.hpp"
+#include "tiltrotor/analysis/linear/output_model.hpp"
 #include "tiltrotor/model/aircraft/aircraft_data.hpp"
 #include "tiltrotor/tiltrotor.h"
 
@@ -32,6 +34,7 @@ struct Sim {
   double time;
   std::uint64_t steps;
   AirOrigin air;
+  tr_fault fault;
 };
 static_assert(sizeof(Sim) <= sizeof(tr_sim) && alignof(Sim) <= alignof(tr_sim));
 static_assert(std::is_trivially_copyable_v<Sim>, "a snapshot is a copy of the bytes");
@@ -63,6 +66,15 @@ struct LinearCallWorkspace {
   LinearizationWorkspace<R> workspace;
   LinearModel<R> model;
 };
+struct OutputsCallWorkspace {
+  Configuration<R> configuration;
+  OutputModelWorkspace<R> workspace;
+  LinearPoint<R> point;
+};
+struct DirectionalCallWorkspace {
+  Configuration<R> configuration;
+  DirectionalWorkspace<R> workspace;
+};
 struct EigenCallWorkspace {
   EigenWorkspace<R, kMaxLinearStates> workspace;
   Matrix<R, kMaxLinearStates, kMaxLinearStates> a;
@@ -75,11 +87,15 @@ struct ModesCallWorkspace {
 };
 inline constexpr std::size_t kWorkAlignment = 64;
 
-inline constexpr std::size_t larger(std::size_t a, std::size_t b) { return a > b ? a : b; }
+template <class... Workspace>
+constexpr std::size_t largest() {
+  std::size_t most = 0;
+  for (const std::size_t size : {sizeof(Workspace)...}) most = size > most ? size : most;
+  return most;
+}
 inline constexpr std::size_t kWorkBytes =
-    larger(
-        larger(sizeof(StepCallWorkspace), sizeof(TrimCallWorkspace)),
-        larger(sizeof(LinearCallWorkspace), larger(sizeof(EigenCallWorkspace), sizeof(ModesCallWorkspace)))) +
+    largest<StepCallWorkspace, TrimCallWorkspace, LinearCallWorkspace, OutputsCallWorkspace,
+            DirectionalCallWorkspace, EigenCallWorkspace, ModesCallWorkspace>() +
     kWorkAlignment - alignof(tr_work);
 static_assert(kWorkBytes <= sizeof(tr_work));
 

@@ -243,7 +243,7 @@ tr_status tr_load_saved(tr_sim* sim, uint32_t version, const void* bytes, size_t
   Reader reader(from + kHeaderBytes);
   each_of_flight(setup, state, reader);
   each_of_conditions(conditions, reader);
-  const tr_status in_range = check_state(state);
+  const tr_status in_range = check_state(state).status;
   if (in_range != TR_OK) return in_range;
   if (!adds_up(state)) return TR_OUT_OF_RANGE;
   FlightSetup<R> wanted;

@@ -15,8 +15,12 @@ tr_setup setup_of(const FlightSetup<R>& setup);
 // An aircraft at rest; `sim` is touched with TR_OK alone.
 tr_status make(const FlightSetup<R>& setup, tr_sim* sim);
 
-// What tr_set_state accepts.
-tr_status check_state(const tr_state& state);
+// What tr_set_state accepts; otherwise why not, and the first place in x or u that is to blame.
+struct StateCheck {
+  tr_status status;
+  int state, control;
+};
+StateCheck check_state(const tr_state& state);
 void get_state(const Sim& s, tr_state& state);
 void put_state(const tr_state& state, Sim& s);
 

@@ -87,7 +87,7 @@ TEST(steep_angles_and_cosines_are_inverse) {
   for (double roll = -3; roll < 3.1; roll += 0.7) {
     for (const double pitch : {-kPi<double> / 2, -1.57, -1.2, 0.0, 0.5, 1.5, 1.5707, kPi<double> / 2}) {
       for (double yaw = -3; yaw < 3.1; yaw += 0.9) {
-        const Rotation<double> c = body_from_earth(EulerAngles<double>{roll, pitch, yaw});
+        const Rotation<double> c = earth_to_body(EulerAngles<double>{roll, pitch, yaw});
         const Cosines by_hand = of_angles(roll, pitch, yaw);
         CHECK_LT(difference({{c.row_x, c.row_y, c.row_z}}, by_hand), 1e-15);
         const EulerAngles<double> back = euler_angles(c, roll);
@@ -101,7 +101,7 @@ TEST(steep_angles_and_cosines_are_inverse) {
 // A steady turn about a fixed axis: s = tan(angle/4) axis, and the cosines are Rodrigues' formula.
 TEST(steep_turns_follow_rodrigues) {
   const V axis = (1 / std::sqrt(14.0)) * V{1, -2, 3};
-  const Rotation<double> start = body_from_earth(EulerAngles<double>{0.3, 1.4, -2});
+  const Rotation<double> start = earth_to_body(EulerAngles<double>{0.3, 1.4, -2});
   for (const double angle : {0.01, 0.5, 2.0, 4.0}) {
     const V s = std::tan(angle / 4) * axis;
     const Rotation<double> c = turned_by(s, start);

@@ -51,6 +51,7 @@ tr_state state_within(Random& random, double part) {
 struct Workspace {
   tr_work work;
   tr_real a[max_states * max_states], b[max_states * TR_CONTROLS];
+  tr_real c[TR_OUTPUTS * max_states], d[TR_OUTPUTS * TR_CONTROLS];
   tr_real real[max_states], imag[max_states];
   tr_mode modes[TR_MAX_LINEAR_STATES];
 };
@@ -86,7 +87,22 @@ TEST(capi_states_raise_no_floating_point_exception) {
     check("set_state", raised([&] { CHECK_EQ(tr_set_state(&sim, &state), TR_OK); }));
     check("derivative", raised([&] { CHECK_EQ(tr_derivative(&sim, rates, TR_STATES), TR_OK); }));
     check("outputs", raised([&] { CHECK_EQ(tr_get_outputs(&sim, &outputs), TR_OK); }));
+    std::uint32_t flags;
+    tr_motion motion;
+    tr_air_data air;
+    const tr_real nose[3] = {2, 0, 2};
+    check("flags", raised([&] { CHECK_EQ(tr_get_flags(&sim, &flags), TR_OK); }));
+    check("motion", raised([&] { CHECK_EQ(tr_motion_at(&sim, nose, &motion), TR_OK); }));
+    check("air data", raised([&] { CHECK_EQ(tr_air_data_at(&sim, nose, &air), TR_OK); }));
     if (k % 3 == 0) {
+      check("directional", raised([&] {
+              CHECK_EQ(tr_directional(&sim, &workspace->work, state.x, state.u, rates, &outputs), TR_OK);
+            }));
+      check("outputs of the linear model", raised([&] {
+              CHECK_EQ(tr_linearize_outputs(&sim, &workspace->work, TR_ALL_CONTROLS, workspace->c,
+                                            TR_OUTPUTS * max_states, workspace->d, TR_OUTPUTS * TR_CONTROLS),
+                       TR_OK);
+            }));
       check("linearize", raised([&] {
               CHECK_EQ(
                   tr_linearize(&sim, &workspace->work, k % 2 ? TR_INCEPTORS : TR_ALL_CONTROLS, &shape,
@@ -103,7 +119,10 @@ TEST(capi_states_raise_no_floating_point_exception) {
                              &count);
             }));
     }
+    tr_sim again = sim;
     check("step", raised([&] { (void)tr_step(&sim, &workspace->work, dt_now); }));
+    check("step with outputs",
+          raised([&] { (void)tr_step_with_outputs(&again, &workspace->work, dt_now, &outputs); }));
   }
   CHECK_LT(3000, calls);
 }

@@ -4,6 +4,7 @@
 // Expected: the header's contract.
 #include <cmath>
 
+#include "capi/same_aircraft.hpp"
 #include "fuzz/target.hpp"
 #include "tiltrotor/tiltrotor.h"
 
@@ -118,6 +119,55 @@ void read(const tr_sim& sim, fuzz::Bytes& in) {
             std::isfinite(outputs.airspeed_mps));
 }
 
+// Controls beyond their stops, a step with outputs, and everything that is read.
+void measure(tr_sim& sim, fuzz::Bytes& in) {
+  static tr_work work;
+  tr_real controls[TR_CONTROLS + 4] = {};
+  const std::size_t length = in.byte() % (sizeof controls / sizeof *controls);
+  for (std::size_t j = 0; j < length; ++j) controls[j] = in.number();
+  std::uint32_t bits = 0;
+  const tr_status held = tr_saturate_controls(&sim, controls, length, &bits);
+  REQUIRE(known(held) && (held == TR_OK || bits == 0) && bits < (1u << TR_CONTROLS));
+  tr_fault fault;
+  if (tr_last_fault(&sim, &fault) == TR_OK)
+    REQUIRE(fault.status >= TR_OK && fault.status < TR_STATUS_COUNT && fault.state >= -1 &&
+            fault.state < TR_STATES && fault.control >= -1 && fault.control < TR_CONTROLS);
+  tr_outputs outputs;
+  REQUIRE(known(tr_step_with_outputs(&sim, &work, in.number(), &outputs)));
+  const tr_status flagged = tr_get_flags(&sim, &bits);
+  if (flagged == TR_OK) REQUIRE(bits < 128);
+  tr_mass mass;
+  if (tr_get_mass(&sim, &mass) == TR_OK) REQUIRE(mass.mass_kg > 0 && all_finite(mass.cg_m, 3));
+  const tr_real station[3] = {in.number(), in.number(), in.number()};
+  tr_motion motion;
+  if (tr_motion_at(&sim, station, &motion) == TR_OK)
+    REQUIRE(all_finite(motion.specific_force_mps2, 3) && all_finite(motion.quaternion, 4));
+  tr_air_data air;
+  if (tr_air_data_at(&sim, station, &air) == TR_OK)
+    REQUIRE(air.static_pa > 0 && air.impact_pa >= 0 && std::isfinite(air.cas_mps) &&
+            std::isfinite(air.beta_rad));
+}
+
+void differentiate_outputs(const tr_sim& sim, Workspace& workspace, fuzz::Bytes& in) {
+  constexpr std::size_t most = TR_OUTPUTS * TR_MAX_LINEAR_STATES;
+  tr_real c[most + 1], d[TR_OUTPUTS * TR_CONTROLS + 1], dx[TR_STATES] = {}, du[TR_CONTROLS] = {};
+  c[most] = d[TR_OUTPUTS * TR_CONTROLS] = kUntouched;
+  const std::size_t c_length = in.below(3) > 0 ? most : 4 * in.byte() % most;
+  const std::size_t d_length = in.below(3) > 0 ? std::size_t{TR_OUTPUTS * TR_CONTROLS} : in.byte();
+  REQUIRE(known(tr_linearize_outputs(&sim, &workspace.work, in.below(5), c, c_length, d, d_length)));
+  for (int changes = in.below(4); changes > 0; --changes) {
+    dx[in.below(TR_STATES)] = in.number();
+    du[in.below(TR_CONTROLS)] = in.number();
+  }
+  tr_real rates[TR_STATES + 1];
+  rates[TR_STATES] = kUntouched;
+  tr_outputs outputs;
+  const tr_status status = tr_directional(&sim, &workspace.work, dx, du, rates, &outputs);
+  REQUIRE(known(status) && (status != TR_OK || all_finite(rates, TR_STATES)));
+  REQUIRE(c[most] == kUntouched && d[TR_OUTPUTS * TR_CONTROLS] == kUntouched &&
+          rates[TR_STATES] == kUntouched);
+}
+
 void trim(tr_sim& sim, Workspace& workspace, fuzz::Bytes& in) {
   const double speeds[] = {0, 40, 80};
   tr_flight flight = {speeds[in.below(3)], 0, 0, 0};
@@ -201,6 +251,12 @@ void call_with_nothing(Workspace& workspace, fuzz::Bytes& in) {
   REQUIRE(tr_modes(nullptr, nullptr, nullptr, 0, nullptr, 0, nullptr) != TR_OK);
   REQUIRE(tr_check_setup(nullptr, TR_API_VERSION, nullptr, in.byte()) != TR_OK);
   REQUIRE(tr_hash(nullptr, in.byte(), nullptr) != TR_OK);
+  REQUIRE(tr_step_with_outputs(sim, nullptr, 0.01, nullptr) != TR_OK && tr_get_flags(sim, nullptr) != TR_OK);
+  REQUIRE(tr_saturate_controls(sim, nullptr, in.byte(), nullptr) != TR_OK);
+  REQUIRE(tr_last_fault(sim, nullptr) != TR_OK && tr_get_mass(sim, nullptr) != TR_OK);
+  REQUIRE(tr_motion_at(sim, nullptr, nullptr) != TR_OK && tr_air_data_at(sim, nullptr, nullptr) != TR_OK);
+  REQUIRE(tr_directional(sim, nullptr, nullptr, nullptr, nullptr, nullptr) != TR_OK);
+  REQUIRE(tr_linearize_outputs(sim, nullptr, 1, nullptr, 0, nullptr, 0) != TR_OK);
   const auto number = in.raw<std::int32_t>();
   REQUIRE(tr_aircraft_at(number) >= 0 && tr_aircraft_name(number) != nullptr &&
           tr_aircraft_description(number) != nullptr);
@@ -227,7 +283,7 @@ FUZZ_TARGET(c_interface) {
     tr_sim& sim = workspace.sim[in.below(2)];
     const tr_sim other = workspace.sim[&sim == workspace.sim ? 1 : 0];
     const tr_sim before = sim;
-    switch (in.below(11)) {
+    switch (in.below(13)) {
       case 0: {
         setup = any_setup(in);
         const std::uint32_t version = in.below(8) == 0 ? in.raw<std::uint32_t>() : TR_API_VERSION;
@@ -247,7 +303,7 @@ FUZZ_TARGET(c_interface) {
       case 3: {
         const tr_state state = any_state(sim, in);
         const tr_status status = tr_set_state(&sim, &state);
-        if (status != TR_OK) REQUIRE(std::memcmp(&sim, &before, sizeof sim) == 0);
+        if (status != TR_OK) REQUIRE(capi::same_but_for_the_fault(sim, before));
         tr_state set{};
         if (status == TR_OK) REQUIRE(tr_get_state(&sim, &set) == TR_OK && tr_set_state(&sim, &set) == TR_OK);
         break;
@@ -269,6 +325,12 @@ FUZZ_TARGET(c_interface) {
         break;
       case 9:
         save_and_load(other, sim, in);
+        break;
+      case 10:
+        measure(sim, in);
+        break;
+      case 11:
+        differentiate_outputs(sim, workspace, in);
         break;
       default:
         call_with_nothing(workspace, in);

@@ -14,6 +14,7 @@
 #include <string>
 #include <vector>
 
+#include "capi/same_aircraft.hpp"
 #include "tiltrotor/analysis/instances.hpp"
 #include "tiltrotor/model/aircraft/aircraft_data.hpp"
 #include "tiltrotor/tiltrotor.h"
@@ -166,7 +167,7 @@ inline void try_state(tr_sim& sim, tr_work& work, const StateTrial& trial, State
   const tr_status set = tr_set_state(&sim, &trial.state);
   if (corner == beyond || corner == not_a_number) {
     expect(set == (corner == beyond ? TR_OUT_OF_RANGE : TR_NOT_FINITE), "accepted");
-    expect(std::memcmp(&sim, &before, sizeof sim) == 0, "a refused state left traces");
+    expect(capi::same_but_for_the_fault(sim, before), "a refused state left traces");
   }
   if (set != TR_OK) {
     ++counts.refused[corner];
@@ -190,7 +191,7 @@ inline void try_state(tr_sim& sim, tr_work& work, const StateTrial& trial, State
     expect(tr_set_state(&sim, &after) == TR_OK, "a step out of range passed for good");
   } else {
     expect(stepped == TR_OUT_OF_RANGE || stepped == TR_NOT_FINITE, "unknown status of a step");
-    expect(std::memcmp(&sim, &here, sizeof sim) == 0, "a failed step left traces");
+    expect(capi::same_but_for_the_fault(sim, here), "a failed step left traces");
   }
   if (!trial.linearize_too) return;
   constexpr std::size_t capacity = TR_MAX_LINEAR_STATES * TR_MAX_LINEAR_STATES;

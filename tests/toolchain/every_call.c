@@ -23,6 +23,11 @@ int main(void) {
   tr_outputs outputs;
   tr_linear_shape shape;
   tr_mode modes[TR_MAX_LINEAR_STATES];
+  tr_fault fault;
+  tr_mass mass;
+  tr_motion motion;
+  tr_air_data air;
+  uint32_t bits = 0;
   size_t used = 0;
   const size_t length = sizeof matrix / sizeof *matrix;
   memset(&setup, 0, sizeof setup);
@@ -43,6 +48,15 @@ int main(void) {
   print("load_saved", tr_load_saved(&sim, TR_API_VERSION, saved, sizeof saved));
   print("derivative", tr_derivative(&sim, rates, TR_STATES));
   print("get_outputs", tr_get_outputs(&sim, &outputs));
+  print("step_with_outputs", tr_step_with_outputs(&sim, &work, (tr_real)0.005, &outputs));
+  print("saturate_controls", tr_saturate_controls(&sim, state.u, TR_CONTROLS, &bits));
+  print("last_fault", tr_last_fault(&sim, &fault));
+  print("get_flags", tr_get_flags(&sim, &bits));
+  print("get_mass", tr_get_mass(&sim, &mass));
+  print("motion_at", tr_motion_at(&sim, mass.cg_m, &motion));
+  print("air_data_at", tr_air_data_at(&sim, mass.cg_m, &air));
+  print("directional", tr_directional(&sim, &work, state.x, state.u, rates, &outputs));
+  print("linearize_outputs", tr_linearize_outputs(&sim, &work, TR_INCEPTORS, matrix, length, NULL, 0));
   print("linearize", tr_linearize(&sim, &work, TR_INCEPTORS, &shape, matrix, length, NULL, 0));
   print("linearize_and_step",
         tr_linearize_and_step(&sim, &work, (tr_real)0.005, TR_INCEPTORS, &shape, matrix, length, NULL, 0));

@@ -95,8 +95,12 @@ TEST(arithmetic_other_rounding_is_found_by_every_call_that_computes) {
   tr_real real[1], imag[1], rates[TR_STATES];
   tr_linear_shape shape;
   tr_outputs outputs;
+  tr_motion motion;
+  tr_air_data air;
+  const tr_real station[3] = {7, 0, 2};
+  std::uint32_t bits;
   for (const int mode : kModes) {
-    tr_status found[8];
+    tr_status found[13];
     {
       const Rounding rounding(mode);
       if (!rounding.changed()) continue;
@@ -108,6 +112,11 @@ TEST(arithmetic_other_rounding_is_found_by_every_call_that_computes) {
       found[5] = tr_linearize(&sim, &work, TR_INCEPTORS, &shape, nullptr, 0, nullptr, 0);
       found[6] = tr_get_outputs(&sim, &outputs);
       found[7] = tr_eigenvalues(&work, one, 1, real, imag, 1);
+      found[8] = tr_step_with_outputs(&sim, &work, static_cast<tr_real>(0.005), &outputs);
+      found[9] = tr_get_flags(&sim, &bits);
+      found[10] = tr_motion_at(&sim, station, &motion);
+      found[11] = tr_air_data_at(&sim, station, &air);
+      found[12] = tr_directional(&sim, &work, rates, rates, rates, &outputs);
     }
     for (const tr_status status : found) CHECK_EQ(status, TR_BAD_ARITHMETIC);
   }

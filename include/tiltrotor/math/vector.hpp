@@ -58,6 +58,12 @@ template <class T, class C>
 Vec3<T> minus_fixed(const Vec3<T>& a, const Vec3<C>& fixed) {
   return {a.x - fixed.x, a.y - fixed.y, a.z - fixed.z};
 }
+// Length. At zero it has no derivative: partials are zero there.
+template <class T>
+T length(const Vec3<T>& a) {
+  const T square = dot(a, a);
+  return value(square) == Real<T>(0) ? T(Real<T>(0)) : sqrt(square);
+}
 // Component of a along a direction.
 template <class T, class C>
 T component(const Vec3<T>& a, const Vec3<C>& direction) {

@@ -19,10 +19,10 @@
 
 #include <type_traits>
 
+#include "tiltrotor/analysis/flight/attitude.hpp"
 #include "tiltrotor/analysis/flight/configuration_motion.hpp"
 #include "tiltrotor/analysis/flight/simulation.hpp"
 #include "tiltrotor/analysis/flight/stable_step.hpp"
-#include "tiltrotor/analysis/flight/steep_attitude.hpp"
 #include "tiltrotor/analysis/linear/differentiation.hpp"
 #include "tiltrotor/math/integrate.hpp"
 
@@ -93,7 +93,7 @@ struct RightSide {
     for (int k = 0; k < work.active.count; ++k) rates[k] = at.x[work.active.index[k]];
   }
 
-  // The attitude by its turn since the beginning of the part: steep_attitude.hpp.
+  // The attitude by its turn since the beginning of the part: attitude.hpp.
   void steep_rates(const R* x, R* xdot, R azimuth) const {
     const Vec3<R> turn = {x[kRoll], x[kPitch], x[kYaw]};
     const EulerAngles<R> now = euler_angles(turned_by(turn, *steep), work.whole[kRoll]);
@@ -173,7 +173,7 @@ Status steep_step(const RightSide<R, Policy>& f, Integrator integrator, R time, 
   SimulationWorkspace<R, Policy>& work = f.work;
   R* const x = work.x;
   const EulerAngles<R> before = {work.whole[kRoll] + x[kRoll], x[kPitch], work.whole[kYaw] + x[kYaw]};
-  const Rotation<R> start = body_from_earth(before);
+  const Rotation<R> start = earth_to_body(before);
   const R bank = x[kRoll], heading = x[kYaw];  // added so far
   x[kRoll] = x[kPitch] = x[kYaw] = R(0);
   if (known != nullptr) {

@@ -49,24 +49,29 @@ constexpr ControlSet every_control() {
 }
 inline constexpr ControlSet kAllControls = every_control();
 
-// xdot - rates = A (x' - x) + B (u' - u). Units as in kStateVariables and kControlVariables.
+// The point, and what rows and columns mean. Units as in kStateVariables and kControlVariables.
 template <class R>
-struct LinearModel {
+struct LinearPoint {
   int states;
   int controls;
   int state[kMaxLinearStates];      // row and column i of A belong to kStateVariables[state[i]]
   int control[kMaxLinearControls];  // column j of B belongs to kControlVariables[control[j]]
-  R x[kMaxLinearStates];            // the point
+  R x[kMaxLinearStates];
   R u[kMaxLinearControls];
-  R rates[kMaxLinearStates];  // f at the point; zero when it is trimmed and straight
-  R xdot[state_count];        // the same for every state of the model, heading and position included
-  Matrix<R, kMaxLinearStates, kMaxLinearStates> a;
-  Matrix<R, kMaxLinearStates, kMaxLinearControls> b;
 
   const char* state_name(int i) const { return kStateVariables[state[i]].name; }
   const char* state_unit(int i) const { return kStateVariables[state[i]].unit(); }
   const char* control_name(int j) const { return kControlVariables[control[j]].name; }
   const char* control_unit(int j) const { return kControlVariables[control[j]].unit(); }
+};
+
+// xdot - rates = A (x' - x) + B (u' - u).
+template <class R>
+struct LinearModel : LinearPoint<R> {
+  R rates[kMaxLinearStates];  // f at the point; zero when it is trimmed and straight
+  R xdot[state_count];        // the same for every state of the model, heading and position included
+  Matrix<R, kMaxLinearStates, kMaxLinearStates> a;
+  Matrix<R, kMaxLinearStates, kMaxLinearControls> b;
 };
 
 template <class R, class Policy = DefaultDifferentiation>
@@ -84,30 +89,73 @@ struct LinearizationWorkspace {
 // The states of a linear model in their order: u w q theta | v p phi r | right rotor | left rotor | downwash
 // | coning.
 template <class R>
-void linear_states(const Options& options, LinearModel<R>& model) {
-  model.states = 0;
-  for (const int index : kRigidOrder) model.state[model.states++] = index;
+void linear_states(const Options& options, LinearPoint<R>& point) {
+  point.states = 0;
+  for (const int index : kRigidOrder) point.state[point.states++] = index;
   const ActiveStates active = active_states(options, false);
   for (int k = 0; k < active.count; ++k) {
     const int index = active.index[k];
-    if (!is_rigid(index) && !kStateVariables[index].facts().ignorable) model.state[model.states++] = index;
+    if (!is_rigid(index) && !kStateVariables[index].facts().ignorable) point.state[point.states++] = index;
   }
 }
 
 template <class R>
-void clear(LinearModel<R>& model) {
-  model.states = model.controls = 0;
+void clear(LinearPoint<R>& point) {
+  point.states = point.controls = 0;
   for (int i = 0; i < kMaxLinearStates; ++i) {
-    model.state[i] = 0;
-    model.x[i] = model.rates[i] = R(0);
+    point.state[i] = 0;
+    point.x[i] = R(0);
   }
   for (int j = 0; j < kMaxLinearControls; ++j) {
-    model.control[j] = 0;
-    model.u[j] = R(0);
+    point.control[j] = 0;
+    point.u[j] = R(0);
   }
+}
+template <class R>
+void clear(LinearModel<R>& model) {
+  clear(static_cast<LinearPoint<R>&>(model));
+  for (R& rate : model.rates) rate = R(0);
   for (R& rate : model.xdot) rate = R(0);
   set_zero(model.a);
   set_zero(model.b);
+}
+
+// The point about which `work` differentiates: states first, then controls.
+// Status: bad_argument: it is empty.
+template <class R, class Policy>
+Status set_point(const Configuration<R>& c, const State<R>& x, const Controls<R>& u,
+                 const ControlSet& columns, LinearizationWorkspace<R, Policy>& work, LinearPoint<R>& point) {
+  clear(point);
+  if (c.aircraft == nullptr || columns.count < 0 || columns.count > kMaxLinearControls)
+    return Status::bad_argument;
+  for (int j = 0; j < columns.count; ++j)
+    if (columns.index[j] < 0 || columns.index[j] >= control_count) return Status::bad_argument;
+
+  linear_states(c.setup.options, point);
+  point.controls = columns.count;
+  const int n = point.states;
+  flatten(x, work.base_x);
+  flatten(u, work.base_u);
+  for (int i = 0; i < n; ++i) {
+    work.input[i] = point.x[i] = work.base_x[point.state[i]];
+    work.scale[i] = state_scale<R>(point.state[i]);
+  }
+  for (int j = 0; j < point.controls; ++j) {
+    point.control[j] = columns.index[j];
+    work.input[n + j] = point.u[j] = work.base_u[point.control[j]];
+    work.scale[n + j] = control_scale<R>(point.control[j]);
+  }
+  return Status::ok;
+}
+
+// State and controls of one evaluation, in `work.evaluation`: of the point, but for the inputs.
+template <class T, class R, class Policy>
+void place_point(const T* input, const LinearPoint<R>& point, LinearizationWorkspace<R, Policy>& work) {
+  ModelWorkspace<T>& at = work.evaluation;
+  for (int i = 0; i < state_count; ++i) at.x[i] = T(work.base_x[i]);
+  for (int j = 0; j < control_count; ++j) at.u[j] = T(work.base_u[j]);
+  for (int i = 0; i < point.states; ++i) at.x[point.state[i]] = input[i];
+  for (int j = 0; j < point.controls; ++j) at.u[point.control[j]] = input[point.states + j];
 }
 
 // A and B at (x, u). The arguments are not changed; the model keeps no memory.
@@ -120,36 +168,14 @@ Status linearize(const Configuration<R>& c, const State<R>& x, const Controls<R>
                  const ControlSet& columns, LinearizationWorkspace<R, Policy>& work, LinearModel<R>& model,
                  R azimuth = R(0)) {
   clear(model);
-  if (c.aircraft == nullptr || columns.count < 0 || columns.count > kMaxLinearControls)
-    return Status::bad_argument;
-  for (int j = 0; j < columns.count; ++j)
-    if (columns.index[j] < 0 || columns.index[j] >= control_count) return Status::bad_argument;
-
-  linear_states(c.setup.options, model);
-  model.controls = columns.count;
+  const Status possible = set_point(c, x, u, columns, work, model);
+  if (possible != Status::ok) return possible;
   const int n = model.states;
   const int m = model.controls;
-  flatten(x, work.base_x);
-  flatten(u, work.base_u);
-  for (int i = 0; i < n; ++i) {
-    work.input[i] = model.x[i] = work.base_x[model.state[i]];
-    work.scale[i] = state_scale<R>(model.state[i]);
-  }
-  for (int j = 0; j < m; ++j) {
-    model.control[j] = columns.index[j];
-    work.input[n + j] = model.u[j] = work.base_u[model.control[j]];
-    work.scale[n + j] = control_scale<R>(model.control[j]);
-  }
-
   const auto rates_of = [&](const auto* input, auto* rates) {
-    using T = std::remove_reference_t<decltype(*rates)>;
-    ModelWorkspace<T>& at = work.evaluation;
-    for (int i = 0; i < state_count; ++i) at.x[i] = T(work.base_x[i]);
-    for (int j = 0; j < control_count; ++j) at.u[j] = T(work.base_u[j]);
-    for (int i = 0; i < n; ++i) at.x[model.state[i]] = input[i];
-    for (int j = 0; j < m; ++j) at.u[model.control[j]] = input[n + j];
-    model_rates(c, azimuth, at);
-    for (int i = 0; i < state_count; ++i) rates[i] = at.x[i];
+    place_point(input, model, work);
+    model_rates(c, azimuth, work.evaluation);
+    for (int i = 0; i < state_count; ++i) rates[i] = work.evaluation.x[i];
   };
   int row[state_count];
   for (int& i : row) i = -1;

@@ -156,16 +156,17 @@ TILTROTOR_NOINLINE Vec3<T> steady_rates(const SteadyFlight<Real<T>>& flight, con
 // Load factor: the force of air and rotors normal to the motion through the air, over the weight; negative where
 // it pushes the aircraft down. At rest all of the force. `specific_force`: over the mass, m/s^2; `velocity`:
 // relative to the air, m/s; both in body axes.
-template <class R>
-R load_factor(const Vec3<R>& specific_force, const Vec3<R>& velocity) {
-  const R speed = std::sqrt(dot(velocity, velocity));
-  Vec3<R> lift = specific_force;
-  if (speed >= kLeastSpeed<R>) {
-    const Vec3<R> path = (R(1) / speed) * velocity;
+template <class T>
+T load_factor(const Vec3<T>& specific_force, const Vec3<T>& velocity) {
+  using R = Real<T>;
+  const T speed = length(velocity);
+  Vec3<T> lift = specific_force;
+  if (value(speed) >= kLeastSpeed<R>) {
+    const Vec3<T> path = (R(1) / speed) * velocity;
     lift = specific_force - dot(specific_force, path) * path;
   }
-  const R size = std::sqrt(dot(lift, lift)) / kGravity<R>;
-  return lift.z > R(0) ? -size : size;
+  const T size = length(lift) / kGravity<R>;
+  return value(lift.z) > R(0) ? T(-size) : size;
 }
 
 }  // namespace tiltrotor

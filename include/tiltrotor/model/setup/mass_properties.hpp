@@ -9,10 +9,11 @@ namespace tiltrotor {
 // Of moving nacelles, all zero at rest: nacelle_motion().
 template <class C>
 struct NacelleMotion {
-  C cg_rate_x, cg_rate_z;   // of the CG in the airframe, body axes, m/s
-  Inertia<C> inertia_rate;  // kg m^2/s
-  C momentum;               // angular, about y, relative to the airframe, N m s
-  C momentum_rate;          // N m
+  C cg_rate_x, cg_rate_z;                  // of the CG in the airframe, body axes, m/s
+  C cg_acceleration_x, cg_acceleration_z;  // m/s^2
+  Inertia<C> inertia_rate;                 // kg m^2/s
+  C momentum;                              // angular, about y, relative to the airframe, N m s
+  C momentum_rate;                         // N m
 };
 
 template <class C>

@@ -10,7 +10,7 @@ namespace tiltrotor {
 // Two rigid bodies, the nacelles and the rest, with mast angle bM and its derivatives prescribed; derived here.
 // Nacelles turn nose down, at -bM' about y. r, from the conversion axis to their CG, turns with them: r' = dr/dbM
 // = (-rz, rx). a: from the CG of the aircraft to theirs; m_n, I_n: their mass and own inertia.
-//   travel of the CG in the airframe        c' = (m_n/m) r' bM'
+//   travel of the CG in the airframe        c' = (m_n/m) r' bM',  c'' = (m_n/m) (r' bM'' - r bM'^2)
 //   angular momentum about the CG           H = I w + h e_y,  h = k bM',  k = -(I_n + m_n (a . r))
 //   its rate                                h' = k bM'' + m_n (ax rz - az rx) bM'^2
 // `rate` rad/s and `acceleration` rad/s^2 of the mast; `pivot_arm_b`: CG to conversion axis, m.
@@ -27,15 +27,17 @@ NacelleMotion<C> nacelle_motion(const Aircraft<Real<C>>& aircraft, const Options
   const C rz = below * tilt.cosine + forward * tilt.sine;
   const C ax = pivot_arm_b.x + rx;
   const C az = pivot_arm_b.z + rz;
-  const C travel = moving / mass * rate;
   const C k = -(moving * (square(m.nacelle_gyration) + ax * rx + az * rz));
   const C per_mast_rate = rate / (R(90) * kRadPerDeg<R>);
   const Inertia<C> at_0 = inertia_at(m, C(R(0)), options);
   const Inertia<C> at_90 = inertia_at(m, C(R(90)), options);
 
   NacelleMotion<C> n;
-  n.cg_rate_x = -(travel * rz);
-  n.cg_rate_z = travel * rx;
+  const C share = moving / mass;
+  n.cg_rate_x = -(share * rz * rate);
+  n.cg_rate_z = share * rx * rate;
+  n.cg_acceleration_x = -(share * (rx * square(rate) + rz * acceleration));
+  n.cg_acceleration_z = share * (rx * acceleration - rz * square(rate));
   n.inertia_rate = {(at_90.xx - at_0.xx) * per_mast_rate, (at_90.yy - at_0.yy) * per_mast_rate,
                     (at_90.zz - at_0.zz) * per_mast_rate, (at_90.xz - at_0.xz) * per_mast_rate};
   n.momentum = k * rate;

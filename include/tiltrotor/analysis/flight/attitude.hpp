@@ -1,7 +1,8 @@
-// Attitude in a step of steep flight, where Euler angles have their singularity: as the turn since the step's
-// beginning, in modified Rodrigues parameters s = tan(angle/4) axis (Schaub and Junkins, Analytical Mechanics of Space
-// Systems, ch. 3), which have none below a whole turn. They stand in the places of bank, pitch and heading while the
-// step lasts.
+// Attitude: Euler angles, rotation, quaternion, and the turn since the beginning of a step.
+//
+// In steep flight, where Euler angles have their singularity, a step integrates that turn in modified Rodrigues
+// parameters s = tan(angle/4) axis (Schaub and Junkins, Analytical Mechanics of Space Systems, ch. 3), which have
+// none below a whole turn. They stand in the places of bank, pitch and heading while the step lasts.
 #pragma once
 
 #include <cmath>
@@ -23,7 +24,7 @@ struct EulerAngles {
 
 // Earth axes to body axes.
 template <class R>
-Rotation<R> body_from_earth(const EulerAngles<R>& a) {
+Rotation<R> earth_to_body(const EulerAngles<R>& a) {
   const SineCosine<R> r = sine_and_cosine(a.roll);
   const SineCosine<R> p = sine_and_cosine(a.pitch);
   const SineCosine<R> y = sine_and_cosine(a.yaw);
@@ -34,6 +35,22 @@ Rotation<R> body_from_earth(const EulerAngles<R>& a) {
   c.row_z = {r.cosine * p.sine * y.cosine + r.sine * y.sine, r.cosine * p.sine * y.sine - r.sine * y.cosine,
              r.cosine * p.cosine};
   return c;
+}
+
+template <class R>
+struct Quaternion {
+  R scalar, x, y, z;
+};
+// Product of the half turns about z, y, x.
+template <class R>
+Quaternion<R> quaternion(const EulerAngles<R>& a) {
+  const SineCosine<R> f = sine_and_cosine(R(R(0.5) * a.roll)), t = sine_and_cosine(R(R(0.5) * a.pitch)),
+                      p = sine_and_cosine(R(R(0.5) * a.yaw));
+  const R scalar = f.cosine * t.cosine * p.cosine + f.sine * t.sine * p.sine;
+  const R sign = scalar < R(0) ? R(-1) : R(1);
+  return {sign * scalar, sign * (f.sine * t.cosine * p.cosine - f.cosine * t.sine * p.sine),
+          sign * (f.cosine * t.sine * p.cosine + f.sine * t.cosine * p.sine),
+          sign * (f.cosine * t.cosine * p.sine - f.sine * t.sine * p.cosine)};
 }
 
 // Straight up or down, where only a sum of bank and heading is defined, the bank is `roll`.

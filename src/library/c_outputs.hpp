@@ -1,0 +1,26 @@
+// Readings of the instruments as tr_outputs.
+#pragma once
+
+#include <cstddef>
+#include <cstring>
+
+#include "library/c_memory.hpp"
+#include "tiltrotor/analysis/flight/instruments.hpp"
+
+namespace tiltrotor::c_interface {
+
+// The numbers of tr_outputs are those of Instruments, in its order.
+inline constexpr std::size_t kReadings = Instruments<R>::kCount;
+inline constexpr std::size_t kFirstReading = offsetof(tr_outputs, airspeed_mps);
+static_assert(kReadings == TR_OUTPUTS);
+static_assert(offsetof(tr_outputs, rudder_rad) == kFirstReading + (kReadings - 1) * sizeof(R));
+
+inline void put_outputs(double time, const R (&readings)[kReadings], tr_outputs& outputs) {
+  outputs.time_s = time;
+  std::memcpy(reinterpret_cast<unsigned char*>(&outputs) + kFirstReading, readings, sizeof readings);
+}
+
+// Outputs at the present state, and its rates. TR_NOT_FINITE: both are as computed.
+tr_status outputs_here(const Configuration<R>& c, const Sim& s, tr_outputs& outputs, State<R>& rates);
+
+}  // namespace tiltrotor::c_interface
