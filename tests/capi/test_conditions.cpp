@@ -438,3 +438,42 @@ TEST(capi_saved_conditions_fly_on) {
   CHECK_EQ(tr_save(&other, and_again, sizeof and_again, &size), TR_OK);
   CHECK(std::memcmp(again, and_again, size) == 0);
 }
+
+// A point of the airframe while the masts move and the CG with them, in a wind: its velocity is the rate of its position,
+// its specific force that of its velocity less gravity. Differences of a flight in steps of 0.1 ms.
+TEST(capi_motion_of_a_station_while_the_masts_move) {
+  if (sizeof(tr_real) == 4) return;  // nothing is left of such differences
+  tr_sim sim = moving_about();
+  tr_configuration c = configuration_of(sim);
+  c.mast_rate_radps = tr_real(0.3);
+  c.mast_acceleration_radps2 = 2;
+  CHECK_EQ(tr_set_configuration(&sim, &c), TR_OK);
+  tr_environment windy = calm();
+  windy.wind_mps[0] = -8;
+  windy.wind_mps[2] = 1;
+  CHECK_EQ(tr_set_environment(&sim, &windy), TR_OK);
+  const tr_load load = {{7, 1, 1}, {900, 300, 2000}, {0, 0, 0}};
+  CHECK_EQ(tr_set_loads(&sim, &load, 1), TR_OK);
+  const auto work = new_work();
+  const tr_real station[3] = {tr_real(2.5), tr_real(1.5), tr_real(2.2)};
+  const tr_real h = tr_real(1e-4);
+  tr_motion at[3];
+  for (tr_motion& m : at) {
+    CHECK_EQ(tr_motion_at(&sim, station, &m), TR_OK);
+    CHECK_EQ(tr_step(&sim, work.get(), h), TR_OK);
+  }
+  const tr_real* const q = at[1].quaternion;
+  // Body axes in those of the earth: columns of the rotation of a quaternion, written out.
+  const double to_earth[3][3] = {
+      {1 - 2 * (q[2] * q[2] + q[3] * q[3]), 2 * (q[1] * q[2] - q[0] * q[3]), 2 * (q[1] * q[3] + q[0] * q[2])},
+      {2 * (q[1] * q[2] + q[0] * q[3]), 1 - 2 * (q[1] * q[1] + q[3] * q[3]), 2 * (q[2] * q[3] - q[0] * q[1])},
+      {2 * (q[1] * q[3] - q[0] * q[2]), 2 * (q[2] * q[3] + q[0] * q[1]),
+       1 - 2 * (q[1] * q[1] + q[2] * q[2])}};
+  for (int k = 0; k < 3; ++k) {
+    CHECK_NEAR((at[2].position_m[k] - at[0].position_m[k]) / (2 * h), at[1].velocity_ned_mps[k], 1e-5);
+    const double gravity = k == 2 ? 9.80665 : 0;
+    double force = 0;
+    for (int j = 0; j < 3; ++j) force += to_earth[k][j] * at[1].specific_force_mps2[j];
+    CHECK_NEAR((at[2].velocity_ned_mps[k] - at[0].velocity_ned_mps[k]) / (2 * h), force + gravity, 2e-3);
+  }
+}
