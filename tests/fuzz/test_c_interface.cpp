@@ -119,6 +119,37 @@ void read(const tr_sim& sim, fuzz::Bytes& in) {
             std::isfinite(outputs.airspeed_mps));
 }
 
+// Masts, rotors and loading in flight, air and loads from outside: whatever is refused changes nothing.
+void change_conditions(tr_sim& sim, fuzz::Bytes& in) {
+  const tr_sim before = sim;
+  tr_configuration c{};
+  const bool ready = tr_get_configuration(&sim, &c) == TR_OK;
+  tr_real* const setting[] = {&c.mast_deg, &c.mast_rate_radps, &c.mast_acceleration_radps2,
+                              &c.flap_deg, &c.rotor_radps,     &c.rotor_acceleration_radps2,
+                              &c.mass_kg,  &c.cg_station_m,    &c.cg_waterline_m};
+  for (int changes = in.below(4); changes > 0; --changes) *setting[in.below(9)] = in.number();
+  const tr_status set = tr_set_configuration(&sim, &c);
+  REQUIRE(known(set) && (ready || set == TR_NOT_INITIALIZED));
+  if (set != TR_OK) REQUIRE(std::memcmp(&sim, &before, sizeof sim) == 0);
+  tr_environment e;
+  REQUIRE(tr_default_environment(&e) == TR_OK);
+  tr_real* const air[] = {&e.wind_mps[0],
+                          &e.wind_mps[2],
+                          &e.gust_mps[TR_AT_WING][1],
+                          &e.gust_mps[TR_AT_LEFT_ROTOR][2],
+                          &e.gust_rates_radps[0],
+                          &e.altitude_origin_m,
+                          &e.temperature_offset_k,
+                          &e.pressure_ratio,
+                          &e.ground_down_m};
+  for (int changes = in.below(4); changes > 0; --changes) *air[in.below(9)] = in.number();
+  if (in.below(2) == 0) REQUIRE(known(tr_set_environment(&sim, &e)));
+  tr_load load{};
+  load.station_m[0] = in.number();
+  load.force_n[2] = in.number();
+  REQUIRE(known(tr_set_loads(&sim, &load, in.below(2))));
+}
+
 // Controls beyond their stops, a step with outputs, and everything that is read.
 void measure(tr_sim& sim, fuzz::Bytes& in) {
   static tr_work work;
@@ -256,6 +287,9 @@ void call_with_nothing(Workspace& workspace, fuzz::Bytes& in) {
   REQUIRE(tr_last_fault(sim, nullptr) != TR_OK && tr_get_mass(sim, nullptr) != TR_OK);
   REQUIRE(tr_motion_at(sim, nullptr, nullptr) != TR_OK && tr_air_data_at(sim, nullptr, nullptr) != TR_OK);
   REQUIRE(tr_directional(sim, nullptr, nullptr, nullptr, nullptr, nullptr) != TR_OK);
+  REQUIRE(tr_get_configuration(sim, nullptr) != TR_OK && tr_set_configuration(sim, nullptr) != TR_OK);
+  REQUIRE(tr_default_environment(nullptr) != TR_OK && tr_set_environment(sim, nullptr) != TR_OK);
+  REQUIRE(tr_set_loads(sim, nullptr, 1) != TR_OK);
   REQUIRE(tr_linearize_outputs(sim, nullptr, 1, nullptr, 0, nullptr, 0) != TR_OK);
   const auto number = in.raw<std::int32_t>();
   REQUIRE(tr_aircraft_at(number) >= 0 && tr_aircraft_name(number) != nullptr &&
@@ -283,7 +317,7 @@ FUZZ_TARGET(c_interface) {
     tr_sim& sim = workspace.sim[in.below(2)];
     const tr_sim other = workspace.sim[&sim == workspace.sim ? 1 : 0];
     const tr_sim before = sim;
-    switch (in.below(13)) {
+    switch (in.below(14)) {
       case 0: {
         setup = any_setup(in);
         const std::uint32_t version = in.below(8) == 0 ? in.raw<std::uint32_t>() : TR_API_VERSION;
@@ -331,6 +365,9 @@ FUZZ_TARGET(c_interface) {
         break;
       case 11:
         differentiate_outputs(sim, workspace, in);
+        break;
+      case 12:
+        change_conditions(sim, in);
         break;
       default:
         call_with_nothing(workspace, in);

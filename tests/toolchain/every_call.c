@@ -23,6 +23,9 @@ int main(void) {
   tr_outputs outputs;
   tr_linear_shape shape;
   tr_mode modes[TR_MAX_LINEAR_STATES];
+  tr_configuration configuration;
+  tr_environment environment;
+  tr_load load;
   tr_fault fault;
   tr_mass mass;
   tr_motion motion;
@@ -34,6 +37,9 @@ int main(void) {
   memset(&flight, 0, sizeof flight);
   memset(&state, 0, sizeof state);
   memset(&shape, 0, sizeof shape);
+  memset(&configuration, 0, sizeof configuration);
+  memset(&environment, 0, sizeof environment);
+  memset(&load, 0, sizeof load);
   memset(saved, 0, sizeof saved);
   flight.speed_mps = 40;
   print("default_setup", tr_default_setup(&setup, TR_API_VERSION, tr_aircraft_at(0), 0));
@@ -44,6 +50,11 @@ int main(void) {
   print("step", tr_step(&sim, &work, (tr_real)0.005));
   print("get_state", tr_get_state(&sim, &state));
   print("set_state", tr_set_state(&sim, &state));
+  print("get_configuration", tr_get_configuration(&sim, &configuration));
+  print("set_configuration", tr_set_configuration(&sim, &configuration));
+  print("default_environment", tr_default_environment(&environment));
+  print("set_environment", tr_set_environment(&sim, &environment));
+  print("set_loads", tr_set_loads(&sim, &load, 1));
   print("save", tr_save(&sim, saved, sizeof saved, &used));
   print("load_saved", tr_load_saved(&sim, TR_API_VERSION, saved, sizeof saved));
   print("derivative", tr_derivative(&sim, rates, TR_STATES));
