@@ -307,7 +307,7 @@ TEST(moving_slowly_is_the_static_trim_to_first_order) {
     CHECK_NEAR(fast / slow, 2, 0.02);
     const double pitching = rates(0.02).rates.y - rates(0).rates.y;
     CHECK_NEAR(pitching / (rates(0.01).rates.y - rates(0).rates.y), 2, 0.02);
-    CHECK_LT(1e-4, std::fabs(fast));
+    CHECK_LT(1e-5, std::fabs(fast));
   }
 }
 

@@ -262,7 +262,7 @@ TEST(response_reports_a_lost_flight) {
   const Configuration<double> c = configuration(0);
   const TrimResult<double> r = trimmed(c, level(40));
   Simulation<double> s = started(c, r, 0.01);
-  CHECK(add_input(s, {InputShape::step, kControlIndex.long_stick, 30.0, 0.5, 0}) == Status::ok);
+  CHECK(add_input(s, {InputShape::step, kControlIndex.lat_stick, 3000.0, 0.5, 0}) == Status::ok);
   Status status = Status::ok;
   for (int k = 0; k < 3000 && status == Status::ok; ++k) status = advance(c, work, s);
   CHECK(status == Status::out_of_range || status == Status::not_finite);

@@ -18,10 +18,10 @@ const auto kFast = static_cast<tr_real>(kLimits.speed);
 const auto kSlowRotor = static_cast<tr_real>(kLimits.rotor_speed.low);
 const auto kFastRotor = static_cast<tr_real>(kLimits.rotor_speed.high);
 const Case kCases[] = {{90, 0, 0, kFast},
-                       {90, kFastRotor, static_cast<tr_real>(kLimits.altitude.low), kFast * tr_real(0.96)},
+                       {90, kFastRotor, static_cast<tr_real>(kLimits.altitude.low), kFast* tr_real(0.96)},
                        {75, kFastRotor, 0, kFast / 2},
                        {0, kFastRotor, 0, 0},
-                       {90, kSlowRotor * tr_real(1.125), 0, kFast}};
+                       {90, kSlowRotor* tr_real(1.125), 0, kFast}};
 
 bool trimmed(const Case& which, tr_work* work, tr_sim* sim) {
   tr_setup setup;

@@ -77,8 +77,9 @@ TEST(capi_step_with_outputs_refuses) {
   CHECK(same_bits(state_of(sim), before));
   // When only the step fails, the outputs are those of the last good state.
   tr_state last = before;
-  last.x[TR_PITCH] = tr_real(1.55);
-  last.x[TR_Q] = 15;
+  last.position_m[0] = 1e9;
+  last.x[TR_NORTH] = tr_real(last.position_m[0]);
+  last.x[TR_YAW] = 0;
   CHECK_EQ(tr_set_state(&sim, &last), TR_OK);
   const tr_state here = state_of(sim);
   tr_outputs expected = cleared();

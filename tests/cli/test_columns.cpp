@@ -173,10 +173,11 @@ TEST(cli_modes_every_fills_rows_at_its_interval) {
   }
 }
 
-// Euler angles end where the nose points straight up: the rows so far, the time and the state, exit status 1.
+// The method that keeps to Euler angles ends where the nose points straight up: the rows so far, the time and the state,
+// exit status 1.
 TEST(cli_respond_reports_a_lost_flight) {
-  const check::ProgramResult lost =
-      run_tiltrotor("respond --speed 40 --input long_stick=-4in@0.5 --duration 30 --dt 0.01 --format csv");
+  const check::ProgramResult lost = run_tiltrotor(
+      "respond --speed 40 --input long_stick=-4in@0.5 --method rodas3 --duration 30 --dt 0.01 --format csv");
   CHECK_EQ(lost.exit_status, 1);
   CHECK(lost.err.find("respond: the flight cannot be continued beyond ") != std::string::npos);
   CHECK(lost.err.find(", state ") != std::string::npos);

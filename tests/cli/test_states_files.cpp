@@ -211,7 +211,7 @@ TEST_OF_XV15(cli_bad_states_ranges_are_those_of_the_c_interface) {
   check_states_refused(folder, with("u", "1e5"), ":2: column u: 1e5 lies outside -300..300 m/s");
   check_states_refused(folder, with("q", "-20.1"), "-20.1 lies outside -20..20 rad/s");
   check_states_refused(folder, with("theta", "1.5707963267948966"),
-                       "lies outside -1.5707945814656446..1.5707945814656446 rad");
+                       "lies outside -1.5707945814656445..1.5707945814656445 rad");
   check_states_refused(folder, with("phi", "1001"), "1001 lies outside -1000..1000 rad");
   check_states_refused(folder, with("b1c_R", "2.1"), "2.1 lies outside -2..2 rad");
   check_states_refused(folder, with("db1s_L", "201"), "201 lies outside -200..200 rad/s");

@@ -395,7 +395,6 @@ TEST(options_sets_are_what_they_say) {
   CHECK(o.inertia == Options{}.inertia);
   CHECK(o.tail_pressure == Options{}.tail_pressure);
   const Options reference = reference_options();
-  CHECK(reference.radial_inflow == RadialInflow::constant);
-  CHECK(reference.nacelle_mass == NacelleMass::quoted);
+  CHECK(reference.radial_inflow == RadialInflow::constant && reference.nacelle_mass == NacelleMass::quoted);
   CHECK(!reference.cyclic_rigging);
 }

@@ -124,7 +124,7 @@ Status start(const Configuration<R>& c, const State<R>& x, const Controls<R>& u,
   return s.status;
 }
 
-// Status: ok; bad_argument (no room left, or the signal is not valid).
+// Status: ok; bad_argument (no place left, or the signal is not valid).
 template <class R>
 Status add_input(Simulation<R>& s, const InputSignal<R>& signal) {
   if (s.inputs >= kMaxInputs || !is_valid(signal)) return Status::bad_argument;
