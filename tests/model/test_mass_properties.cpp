@@ -21,7 +21,8 @@ Options quoted() {
 
 MassProperties<double> at(double mast, double sl_cg0_in = 301.2, const Options& options = quoted(),
                           double mass = 13000 * kPound) {
-  return mass_properties(aircraft_data<double>(), mast, mass, sl_cg0_in * kInch, 81.65 * kInch, options);
+  return mass_properties(aircraft_data<double>(), mast, sine_and_cosine(mast * kRadPerDeg<double>), mass,
+                         sl_cg0_in * kInch, 81.65 * kInch, options);
 }
 
 }  // namespace

@@ -111,10 +111,10 @@ void configure(Configuration<C>& c) {
   const C& flap_deg = setup.flap_deg;
   c.mast = mast_deg * kRadPerDeg<R>;
   c.air = surrounding_air(setup.altitude, c.around.warmer, c.around.pressure_above);
-  c.mass = mass_properties(aircraft, mast_deg, setup.mass, setup.sl_cg, setup.wl_cg, o);
+  const SineCosine<C> tilt = sine_and_cosine(c.mast);
+  c.mass = mass_properties(aircraft, mast_deg, tilt, setup.mass, setup.sl_cg, setup.wl_cg, o);
 
   const MastTables<R>& mast = aircraft.mast;
-  const SineCosine<C> tilt = sine_and_cosine(c.mast);
   c.nacelle_axis_b = {tilt.sine, C(R(0)), -tilt.cosine};
   const Loads<R>& outside = c.around.outside;
   const Vec3<C> pull = {C(outside.force.x), C(outside.force.y), C(outside.force.z)};

@@ -44,6 +44,22 @@ Inertia<C> inertia_at(const MassTables<Real<C>>& m, const C& mast_deg, const Opt
   return i;
 }
 
+// Its slope per degree of mast angle.
+template <class R>
+Inertia<R> inertia_slope(const MassTables<R>& m, const Options& options) {
+  Inertia<R> slope = m.inertia_slope;
+  if (options.inertia == InertiaSet::flown) {
+    slope.yy = slope.yy * m.flown_pitch;
+    slope.zz = slope.zz * m.flown_yaw;
+  }
+  if (options.inertia == InertiaSet::design_1975) {
+    slope.xx = (m.design_90.xx - m.design_0.xx) / R(90);
+    slope.yy = (m.design_90.yy - m.design_0.yy) / R(90);
+    slope.zz = (m.design_90.zz - m.design_0.zz) / R(90);
+  }
+  return slope;
+}
+
 // Mass of what tilts, kg.
 template <class R>
 R nacelle_mass(const MassTables<R>& m, const Options& options) {
@@ -52,22 +68,21 @@ R nacelle_mass(const MassTables<R>& m, const Options& options) {
 
 // The CG is derived here: with k = m_nacelles/m, f = k (SL_pivot - SL_nacelles) and h = k (WL_pivot -
 // WL_nacelles), SL = SL_0 + h sin bM + f (1 - cos bM),  WL = WL_0 + h (1 - cos bM) - f sin bM.
-// `sl_cg0`, `wl_cg0`: CG at mast 0, m. The nacelles at rest.
+// `tilt`: sine and cosine of the mast angle. `sl_cg0`, `wl_cg0`: CG at mast 0, m. The nacelles at rest.
 template <class C>
-MassProperties<C> mass_properties(const Aircraft<Real<C>>& aircraft, const C& mast_deg, const C& mass,
-                                  const C& sl_cg0, const C& wl_cg0, const Options& options) {
+MassProperties<C> mass_properties(const Aircraft<Real<C>>& aircraft, const C& mast_deg,
+                                  const SineCosine<C>& tilt, const C& mass, const C& sl_cg0, const C& wl_cg0,
+                                  const Options& options) {
   using R = Real<C>;
   const MassTables<R>& m = aircraft.mass;
   const C moving = nacelle_mass(m, options) / mass;
   const C forward = moving * (aircraft.mast.sl_pivot - m.sl_nacelle);
   const C below = moving * (aircraft.mast.wl_pivot - m.wl_nacelle);
-  const C s = sin(C(mast_deg * kRadPerDeg<R>));
-  const C c = cos(C(mast_deg * kRadPerDeg<R>));
 
   MassProperties<C> p{};
   p.mass = mass;
-  p.sl_cg = sl_cg0 + below * s + forward * (R(1) - c);
-  p.wl_cg = wl_cg0 + below * (R(1) - c) - forward * s;
+  p.sl_cg = sl_cg0 + below * tilt.sine + forward * (R(1) - tilt.cosine);
+  p.wl_cg = wl_cg0 + below * (R(1) - tilt.cosine) - forward * tilt.sine;
   p.inertia = inertia_at(m, mast_deg, options);
   return p;
 }

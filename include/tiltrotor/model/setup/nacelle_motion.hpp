@@ -28,9 +28,8 @@ NacelleMotion<C> nacelle_motion(const Aircraft<Real<C>>& aircraft, const Options
   const C ax = pivot_arm_b.x + rx;
   const C az = pivot_arm_b.z + rz;
   const C k = -(moving * (square(m.nacelle_gyration) + ax * rx + az * rz));
-  const C per_mast_rate = rate / (R(90) * kRadPerDeg<R>);
-  const Inertia<C> at_0 = inertia_at(m, C(R(0)), options);
-  const Inertia<C> at_90 = inertia_at(m, C(R(90)), options);
+  const Inertia<R> slope = inertia_slope(m, options);
+  const C rate_deg = rate * kDegPerRad<R>;
 
   NacelleMotion<C> n;
   const C share = moving / mass;
@@ -38,8 +37,7 @@ NacelleMotion<C> nacelle_motion(const Aircraft<Real<C>>& aircraft, const Options
   n.cg_rate_z = share * rx * rate;
   n.cg_acceleration_x = -(share * (rx * square(rate) + rz * acceleration));
   n.cg_acceleration_z = share * (rx * acceleration - rz * square(rate));
-  n.inertia_rate = {(at_90.xx - at_0.xx) * per_mast_rate, (at_90.yy - at_0.yy) * per_mast_rate,
-                    (at_90.zz - at_0.zz) * per_mast_rate, (at_90.xz - at_0.xz) * per_mast_rate};
+  n.inertia_rate = {slope.xx * rate_deg, slope.yy * rate_deg, slope.zz * rate_deg, slope.xz * rate_deg};
   n.momentum = k * rate;
   n.momentum_rate = k * acceleration + moving * (ax * rz - az * rx) * square(rate);
   return n;
