@@ -124,8 +124,8 @@ TEST(moving_keeps_the_order_of_the_integrators) {
   }
 }
 
-// Blades one by one, which see time through their azimuth as well.
-TEST(moving_rotor_turns_its_blades) {
+// Blades one by one, which see time through their azimuth as well. At which steps the order shows is the XV-15's.
+TEST_OF_XV15(moving_rotor_turns_its_blades) {
   Options options = realtime();
   options.azimuth = AzimuthMode::individual;
   double azimuth = 0;
@@ -187,7 +187,10 @@ TEST(moving_step_is_cut_at_the_stop) {
 }
 
 TEST(moving_beyond_a_range_leaves_everything) {
-  Flight fast = begun(moving_setup(30, 0.99, 5, 0), 45, 0.01, Integrator::rk4), before = fast;
+  const LimitTables<double>& limits = aircraft_data<double>().limits;
+  Flight fast = begun(moving_setup(30, 0.999 * limits.mast_rate.high, limits.mast_acceleration.high, 0), 45,
+                      0.01, Integrator::rk4),
+         before = fast;
   CHECK(fly(fast, 1) == Status::out_of_range);
   CHECK(same_bits(fast.c, before.c) && same_bits(fast.s.state, before.s.state));
   Flight low = begun(moving_setup(30, 0, 0, 0), 45, 0.01, Integrator::rk4), high = low;

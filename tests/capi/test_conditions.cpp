@@ -1,6 +1,7 @@
 // The C interface: masts, rotor speed and loading in flight, loads from outside.
 // Expected: closed forms of the way and Newton's laws; other calls that say the same; the header's text.
 #include "capi/conditions.hpp"
+#include "tiltrotor/model/aircraft/aircraft_data.hpp"
 
 using namespace capi;
 
@@ -107,8 +108,9 @@ TEST(capi_configuration_errors) {
   CHECK(same_bits(sim, before));
   // A step that leads out of the range of the rotor speed leaves everything.
   tr_configuration fast = good;
-  fast.rotor_radps = tr_real(79.9);
-  fast.rotor_acceleration_radps2 = 50;
+  const auto& limits = tiltrotor::aircraft_data<tr_real>().limits;
+  fast.rotor_radps = tr_real(0.999) * limits.rotor_speed.high;
+  fast.rotor_acceleration_radps2 = limits.rotor_acceleration.high;
   CHECK_EQ(tr_set_configuration(&sim, &fast), TR_OK);
   const tr_sim ready = sim;
   CHECK_EQ(tr_step(&sim, new_work().get(), dt), TR_OUT_OF_RANGE);

@@ -83,7 +83,7 @@ TEST(capi_saturated_controls_are_those_given) {
   CHECK(same_bits(state_of(sim), after));
 }
 
-TEST(capi_flags_of_ordinary_flight_are_none) {
+TEST_OF_XV15(capi_flags_of_ordinary_flight_are_none) {
   for (const tr_real mast : {tr_real(0), tr_real(30), tr_real(90)})
     CHECK_EQ(flags_of(trimmed_sim(mast, mast < 90 ? tr_real(40) : tr_real(90))), 0);
   CHECK_EQ(flags_of(trimmed_sim(0, 0)), 0);
@@ -129,7 +129,7 @@ TEST_OF_XV15(capi_flags_name_a_gimbal_at_its_stop) {
 }
 
 // Against the outputs: more collective until a rating is passed.
-TEST(capi_flags_name_power_and_torque_beyond_the_ratings) {
+TEST_OF_XV15(capi_flags_name_power_and_torque_beyond_the_ratings) {
   const tiltrotor::ControlTables<tr_real>& t = tiltrotor::aircraft_data<tr_real>().controls;
   const tr_real absorbed = tr_real(t.engines) * t.engine_power * (1 - t.transmission_efficiency);
   int over_power = 0, over_torque = 0, within = 0;

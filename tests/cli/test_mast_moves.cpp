@@ -75,7 +75,7 @@ TEST(cli_respond_moves_masts_as_the_library_does) {
   CHECK_NEAR(flight.number(20, "q_degps"), s.state.rates.y / kDeg, 1e-8);
 }
 
-TEST(cli_bad_moves_of_masts_are_refused) {
+TEST_OF_XV15(cli_bad_moves_of_masts_are_refused) {
   check_refused("--input mast=30deg@1", "not mast=CHANGE[deg]@START..END, for example mast=30deg@1..5");
   check_refused("--input mast=x@1..2", "'x' is not a number");
   check_refused("--input mast=100@1..2", "100 lies outside -90..90 deg");

@@ -50,7 +50,7 @@ inline constexpr double kUnbounded = std::numeric_limits<double>::max();
 inline constexpr KindFacts kKindFacts[] = {
     {VariableKind::speed, "m/s", 10, 300},
     {VariableKind::body_rate, "rad/s", 1, 20},
-    {VariableKind::bank, "rad", 1, 1000},                      // rolls may add up
+    {VariableKind::bank, "rad", 1, 1000},                           // rolls may add up
     {VariableKind::pitch, "rad", 1, 89.9999 * kRadPerDeg<double>},  // Euler angles end at 90
     {VariableKind::heading, "rad", 1, 1e6, true},
     {VariableKind::gimbal_tilt, "rad", 1, 2},
