@@ -14,7 +14,8 @@ extern "C" {
 
 /* Masts, flaps, rotor speed and loading. While steps last, masts and rotors move on as their rates and
  * accelerations carry them: every evaluation of the equations of motion sees them where they are. At 0 and
- * 90 deg a mast stops; its rate and acceleration are 0 from there on, without a blow on the airframe. Ranges
+ * 90 deg a mast stops; its rate and acceleration are 0 from there on, without a blow on the airframe. A step that leads
+ * a rate or the rotor speed out of its range is TR_OUT_OF_RANGE. A trim is one of the moment: at the mast angle and rate as they are. Ranges
  * are the aircraft's, here those of the XV-15. */
 typedef struct tr_configuration {
   tr_real mast_deg;                  /* 0 helicopter .. 90 airplane */

@@ -102,7 +102,8 @@ tr_status tr_air_data_at(const tr_sim* sim, const tr_real station_m[3], tr_air_d
  * du; exact. `dx` holds TR_STATES numbers, `du` TR_CONTROLS, in the order and units of tr_state; `dxdot`
  * takes TR_STATES; doutputs->time_s is 0. TR_NOT_FINITE (in `dx` or `du`, and nothing is written; or in what
  * was found, which is then as computed). Outputs that have no derivative have 0: airspeed and its angles at
- * rest, the tilt of a gimbal that is not tilted. Cost: 1 Jacobian. */
+ * rest, the tilt of a gimbal that is not tilted. Cost: 1 Jacobian. The air is held as it is, also where it follows the
+ * altitude. */
 tr_status tr_directional(const tr_sim* sim, tr_work* work, const tr_real* dx, const tr_real* du,
                          tr_real* dxdot, tr_outputs* doutputs);
 

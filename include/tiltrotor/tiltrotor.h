@@ -132,7 +132,7 @@ typedef enum tr_tables {
   TR_TABLES_LINEAR = 2  /* the tables' own linear interpolation */
 } tr_tables;
 
-/* What stays fixed during a flight. tr_default_setup fills it; change fields afterwards. Ranges are the
+/* What a flight begins with. tr_default_setup fills it; change fields afterwards. Ranges are the
  * aircraft's, here those of the XV-15; tr_check_setup says them. */
 typedef struct tr_setup {
   int32_t aircraft;      /* tr_aircraft */
@@ -166,7 +166,7 @@ enum {
   TR_CONING_LEFT = 26,
   TR_NORTH = 28,
   TR_EAST,
-  TR_DOWN, /* position relative to the undisturbed air, m */
+  TR_DOWN, /* position over the ground, m: the wind of tr_environment carries along */
   TR_STATES = 31
 };
 
@@ -192,7 +192,7 @@ enum {
   TR_CONTROLS = 14
 };
 
-/* The complete state of a flight: restoring it replays bit for bit. */
+/* The state of a flight: restoring it replays bit for bit, what conditions.h changes being as it was. */
 typedef struct tr_state {
   double time_s;
   uint64_t steps; /* done so far */
@@ -247,7 +247,7 @@ tr_status tr_step(tr_sim* sim, tr_work* work, tr_real dt);
  * |roll| <= 1000 rad, |pitch| <= 89.9999 deg, |yaw| <= 1e6 rad, |angles and inflow| <= 2, |their rates| <= 200
  * rad/s, |position| <= 1e9 m, |controls| <= 100, time 0..1e9 s, steps <= 1e15; no step leads beyond.
  * roll_rad, yaw_rad and position_m count where they round to their numbers in x; elsewhere x counts.
- * TR_NOT_FINITE, TR_OUT_OF_RANGE. Cost: a copy. */
+ * TR_NOT_FINITE, TR_OUT_OF_RANGE. Cost: a copy; with air that follows the altitude, a twentieth of a derivative. */
 tr_status tr_get_state(const tr_sim* sim, tr_state* state);
 tr_status tr_set_state(tr_sim* sim, const tr_state* state);
 
@@ -260,7 +260,7 @@ tr_status tr_save(const tr_sim* sim, void* bytes, size_t length, size_t* used);
 /* Makes the aircraft that was saved; it flies on bit for bit. `sim` need not be initialised, and is untouched
  * unless TR_OK; `length` may be more than was used. TR_SHORT_BUFFER (cut off), TR_DAMAGED, TR_WRONG_VERSION
  * (`version`, or bytes of another version, precision, library or aircraft's tables), TR_BAD_ARGUMENT,
- * TR_NOT_FINITE and TR_OUT_OF_RANGE (numbers that tr_init or tr_set_state refuse). Cost: 1 derivative. */
+ * TR_NOT_FINITE and TR_OUT_OF_RANGE (numbers that tr_init, tr_set_state or a call of conditions.h refuses). Cost: 1 derivative. */
 tr_status tr_load_saved(tr_sim* sim, uint32_t version, const void* bytes, size_t length);
 
 /* Time derivative of the state, for integrators of your own: rates[i] belongs to x[i]; `length` >= TR_STATES.

@@ -109,7 +109,7 @@ tr_status check_environment(const tr_environment& e) {
   bool inside = within(vector(e.wind_mps), limits.wind) &&
                 within(vector(e.gust_rates_radps), limits.gust_rate) &&
                 std::fabs(e.temperature_offset_k) <= limits.warmer &&
-                std::fabs(e.pressure_ratio - R(1)) <= limits.pressure_above;
+                is_within(e.pressure_ratio, R(1) - limits.pressure_above, R(1) + limits.pressure_above);
   for (const auto& gust : e.gust_mps) {
     finite = finite && all_finite(gust, 3);
     inside = inside && within(vector(gust), limits.gust);

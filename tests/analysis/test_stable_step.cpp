@@ -263,3 +263,19 @@ TEST_OF_XV15(response_long_steps_follow_short_ones) {
     NOTE(flight.settings.mast_deg << " deg, " << flight.speed << " m/s: " << worst);
   }
 }
+
+// A gust at one rotor counts as motion through air at rest does.
+TEST(response_stability_counts_gusts_at_the_rotors) {
+  Configuration<double> c = configuration(0);
+  State<double> x{};
+  const Controls<double> u{};
+  x.velocity = {30, -10, 20};
+  const double moving = fastest_rates(c, x, u).decay;
+  x.velocity = {0, 0, 0};
+  CHECK_LT(fastest_rates(c, x, u).decay, 0.7 * moving);
+  for (const Side side : {right, left}) {
+    c.around = {};
+    c.around.rotor_gust_b[side] = {-30, 10, -20};
+    CHECK_REL(fastest_rates(c, x, u).decay, moving, 1e-14);
+  }
+}

@@ -89,6 +89,23 @@ TEST(capi_configuration_keeps_the_speed_of_the_inflow) {
   }
 }
 
+// Shaft torque is what the air takes and what speeds the blades up.
+TEST(capi_configuration_that_speeds_the_rotors_up_takes_torque) {
+  tr_sim sim = trimmed_sim(30, 50);
+  tr_outputs a, b;
+  CHECK_EQ(tr_get_outputs(&sim, &a), TR_OK);
+  tr_configuration c = configuration_of(sim);
+  c.rotor_acceleration_radps2 = 2;
+  CHECK_EQ(tr_set_configuration(&sim, &c), TR_OK);
+  CHECK_EQ(tr_get_outputs(&sim, &b), TR_OK);
+  const auto& rotor = tiltrotor::aircraft_data<tr_real>().rotor;
+  const double more = 2.0 * rotor.blades * double(rotor.flap_inertia);
+  for (int side = 0; side < 2; ++side) {
+    CHECK_NEAR(b.torque_nm[side] - a.torque_nm[side], more, 1e-3 * more);
+    CHECK_NEAR(b.power_w[side] - a.power_w[side], more * c.rotor_radps, 1e-3 * more * c.rotor_radps);
+  }
+}
+
 TEST(capi_configuration_errors) {
   tr_sim sim = trimmed_sim(30, 50);
   const tr_sim before = sim;

@@ -183,4 +183,10 @@ TEST(capi_environment_errors) {
     }
   }
   CHECK(same_bits(sim, before));
+  // The ends of a range belong to it.
+  for (const tr_real ratio : {tr_real(0.8), tr_real(1.2)}) {
+    tr_environment e = good;
+    e.pressure_ratio = ratio;
+    CHECK_EQ(tr_set_environment(&sim, &e), TR_OK);
+  }
 }

@@ -50,7 +50,8 @@ void recorded_derivative(const Configuration<C>& c, const State<T>& x, const Con
     Loads<T> jets{};
     if (c.setup.options.engine_jets) {
       const T power =
-          (steps.rotor[right].loads.torque + steps.rotor[left].loads.torque) * c.setup.rotor_speed;
+          (steps.rotor[right].loads.torque + steps.rotor[left].loads.torque + C(Real<T>(2) * c.spin_up)) *
+          c.setup.rotor_speed;
       jets = engine_jet_loads(c, power, total_speed(steps.velocity_b, c.aircraft->smooth.airspeed));
       steps.total = steps.total + jets;
     }

@@ -54,6 +54,14 @@ inline constexpr int kRoll = kStateIndex.roll, kPitch = kStateIndex.pitch, kYaw 
 inline constexpr int kRates[] = {kStateIndex.rates.x, kStateIndex.rates.y, kStateIndex.rates.z};
 static_assert(kYaw == 8 && kRoll == 6 && kPitch == 7);
 
+// Attitude at the beginning of a part in steep flight.
+template <class R>
+struct SteepStart {
+  EulerAngles<R> angles;
+  Rotation<R> rotation;
+  R bank, heading;  // added since the beginning of the step
+};
+
 // Right side of the active states at constant controls.
 template <class R, class Policy>
 struct RightSide {
@@ -63,7 +71,7 @@ struct RightSide {
   int& fault_state;
   R azimuth_at_0;
   const MovingConfiguration<R>* moving;  // of `c`, or nullptr
-  const Rotation<R>* steep;              // attitude at the beginning of a part in steep flight, or nullptr
+  const SteepStart<R>* steep;            // of a part in steep flight, or nullptr
 
   R azimuth(R time) const {
     if (moving == nullptr) return azimuth_at_0 + c.setup.rotor_speed * time;
@@ -96,11 +104,14 @@ struct RightSide {
   // The attitude by its turn since the beginning of the part: attitude.hpp.
   void steep_rates(const R* x, R* xdot, R azimuth) const {
     const Vec3<R> turn = {x[kRoll], x[kPitch], x[kYaw]};
-    const EulerAngles<R> now = euler_angles(turned_by(turn, *steep), work.whole[kRoll]);
+    // At the beginning the angles themselves, so that rates found there before are the same bits.
+    const bool begins = turn.x == R(0) && turn.y == R(0) && turn.z == R(0);
+    const EulerAngles<R> now =
+        begins ? steep->angles : euler_angles(turned_by(turn, steep->rotation), steep->angles.roll);
     for (int k = 0; k < work.active.count; ++k) work.upright[k] = x[k];
-    work.upright[kRoll] = now.roll - work.whole[kRoll];
+    work.upright[kRoll] = begins ? steep->bank : now.roll - work.whole[kRoll];
     work.upright[kPitch] = now.pitch;
-    work.upright[kYaw] = now.yaw - work.whole[kYaw];
+    work.upright[kYaw] = begins ? steep->heading : now.yaw - work.whole[kYaw];
     rates(static_cast<const R*>(work.upright), xdot, azimuth);
     const Vec3<R> rate = turn_rate(turn, {x[kRates[0]], x[kRates[1]], x[kRates[2]]});
     xdot[kRoll] = rate.x;
@@ -173,8 +184,7 @@ Status steep_step(const RightSide<R, Policy>& f, Integrator integrator, R time, 
   SimulationWorkspace<R, Policy>& work = f.work;
   R* const x = work.x;
   const EulerAngles<R> before = {work.whole[kRoll] + x[kRoll], x[kPitch], work.whole[kYaw] + x[kYaw]};
-  const Rotation<R> start = earth_to_body(before);
-  const R bank = x[kRoll], heading = x[kYaw];  // added so far
+  const SteepStart<R> start = {before, earth_to_body(before), x[kRoll], x[kYaw]};
   x[kRoll] = x[kPitch] = x[kYaw] = R(0);
   if (known != nullptr) {
     work.rates[kRoll] = R(0.25) * x[kRates[0]];
@@ -186,15 +196,15 @@ Status steep_step(const RightSide<R, Policy>& f, Integrator integrator, R time, 
   const Status status = explicit_or_rodas3(steep, integrator, time, dt, known);
   if (status != Status::ok) return status;
   const Vec3<R> turn = {x[kRoll], x[kPitch], x[kYaw]};
-  const EulerAngles<R> now = euler_angles(turned_by(turn, start), before.roll);
+  const EulerAngles<R> now = euler_angles(turned_by(turn, start.rotation), before.roll);
   const auto added = [](R from, R to) {
     return static_cast<R>(within_half_a_turn(static_cast<double>(to) - static_cast<double>(from)));
   };
-  x[kRoll] = bank + added(before.roll, now.roll);
+  x[kRoll] = start.bank + added(before.roll, now.roll);
   // Straight up and down are left to the neighbourhood: there, bank and heading are one.
   const R most = state_bound<R>(kPitch);
   x[kPitch] = now.pitch > most ? most : now.pitch < -most ? -most : now.pitch;
-  x[kYaw] = heading + added(before.yaw, now.yaw);
+  x[kYaw] = start.heading + added(before.yaw, now.yaw);
   return status;
 }
 
@@ -241,8 +251,10 @@ Status arrive(const MovingConfiguration<R>& moving, R time, bool at_stop, const 
               int& fault_state) {
   Configuration<R>& c = *moving.configuration;
   f.place_configuration(time, f.work.x);
-  if (at_stop) {
-    stop_mast<R>(c.setup, c.aircraft->limits.mast_deg);
+  // A mast that comes to rest at its stop may lie beyond it by a rounding.
+  const Bounds<R>& stops = c.aircraft->limits.mast_deg;
+  if (at_stop || c.setup.mast_deg < stops.low || c.setup.mast_deg > stops.high) {
+    stop_mast<R>(c.setup, stops);
     configure(c);
   }
   const SetupField fault = first_out_of_range(*c.aircraft, c.setup).field;
@@ -290,6 +302,7 @@ Status advance(const Configuration<R>& c, MovingConfiguration<R>* moving,
       s.status = hold(f, s.integrator, begin + since, until - since, count, known);
       known = nullptr;
     }
+    if (stops) known = nullptr;  // they are those of a mast on its way
     if (moving != nullptr && s.status == Status::ok) {
       const R azimuth_now = f.azimuth(begin + until);
       s.status = arrive(*moving, begin + until, stops, f, s.fault_state);

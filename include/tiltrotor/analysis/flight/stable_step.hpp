@@ -57,15 +57,21 @@ R inflow_decay(const Configuration<R>& c) {
   return larger_of(edgewise, larger_of(axial_mean, axial_harmonic));
 }
 
-// Bounds on the modes at a state and controls. Cost: three square roots and a few dozen multiplications.
+// Bounds on the modes at a state and controls. Cost: five square roots and a few dozen multiplications.
 template <class R>
 FastestRates<R> fastest_rates(const Configuration<R>& c, const State<R>& x, const Controls<R>& u) {
   const RotorTables<R>& rotor = c.aircraft->rotor;
   const R blades = static_cast<R>(rotor.blades);
   const R omega = c.setup.rotor_speed;
-  const Vec3<R> air = x.velocity - u.gust;
   const Vec3<R>& arm = c.hub[right].arm_b;
-  const R hub_speed = std::sqrt(dot(air, air)) + std::sqrt(dot(arm, arm) * dot(x.rates, x.rates));
+  const auto through = [&](const Vec3<R>& gust) {
+    const Vec3<R> air = x.velocity - u.gust - gust;
+    return std::sqrt(dot(air, air));
+  };
+  const Surroundings<R>& around = c.around;
+  const R hub_speed = larger_of(through(around.rotor_gust_b[right]), through(around.rotor_gust_b[left])) +
+                      std::sqrt(dot(arm, arm) * dot(x.rates, x.rates)) +
+                      std::sqrt(dot(arm, arm) * dot(around.gust_rates_b, around.gust_rates_b));
   const auto induced = [](const RotorState<R>& r) {
     return std::fabs(r.lambda_0) + std::fabs(r.lambda_c) + std::fabs(r.lambda_s);
   };

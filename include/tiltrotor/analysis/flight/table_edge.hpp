@@ -30,7 +30,8 @@ bool is_beyond_tables(const Configuration<R>& c, const State<R>& x, const Vec3<R
                       const BladeControls<R>& blades) {
   using namespace table_edge_detail;
   const Aircraft<R>& aircraft = *c.aircraft;
-  const R speed = length(velocity);
+  const Vec3<R> at_wing = velocity - c.around.wing_gust_b;
+  const R speed = length(at_wing);
   const R mach = speed / c.air.speed_of_sound;
   if (is_beyond(aircraft.wing.drag_90[0].smooth[1], mach) || is_beyond(aircraft.htail.drag.smooth[1], mach) ||
       is_beyond(aircraft.fin.drag.smooth[1], mach))
@@ -43,7 +44,7 @@ bool is_beyond_tables(const Configuration<R>& c, const State<R>& x, const Vec3<R
   }
   const R pressure_lift = R(0.5) * c.air.density * square(speed) * aircraft.wing.area;
   if (pressure_lift < kWingLoadShare<R> * c.mass.mass * kGravity<R>) return false;
-  const FreeStream<R> stream = free_stream(c, velocity);
+  const FreeStream<R> stream = free_stream(c, at_wing);
   return is_beyond(aircraft.fin.sidewash.smooth[0], stream.alpha_deg) ||
          is_beyond(aircraft.fin.sidewash.smooth[1], stream.abs_beta_deg) ||
          is_beyond(aircraft.htail.lift_elevator.smooth[1], blades.elevator * kDegPerRad<R>) ||

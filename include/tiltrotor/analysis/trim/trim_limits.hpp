@@ -183,7 +183,7 @@ LimitCheck<R> check_limits(const Configuration<R>& c, R speed, R wing_angle, con
   const Aircraft<R>& aircraft = *c.aircraft;
   const ControlTables<R>& t = aircraft.controls;
   LimitCheck<R> check;
-  const Vec3<R> velocity = x.velocity - u.gust;
+  const Vec3<R> velocity = airframe_velocity(x.velocity - u.gust, c.mass.nacelles);
   for (int side = 0; side < 2; ++side)
     check_descent(c, x, velocity, blades, rotor[side].loads.force_a.z, side, check);
 
@@ -208,14 +208,15 @@ LimitCheck<R> check_limits(const Configuration<R>& c, R speed, R wing_angle, con
       check.add(TrimStatus::flap_limit, side == right ? TrimLimit::gimbal_right : TrimLimit::gimbal_left,
                 tilt, t.flap_limit);
   }
-  const R power = (rotor[right].loads.torque + rotor[left].loads.torque) * c.setup.rotor_speed;
+  const R power =
+      (rotor[right].loads.torque + rotor[left].loads.torque + R(2) * c.spin_up) * c.setup.rotor_speed;
   const R available = shaft_power(c, t.engine_power);
   if (power > available) check.add(TrimStatus::power_limit, TrimLimit::power, power, available);
   // Rotors that drive the shafts speed up: nothing takes more than the losses of the transmission.
   const R absorbed = static_cast<R>(t.engines) * t.engine_power * (R(1) - t.transmission_efficiency);
   if (power < -absorbed) check.add(TrimStatus::power_limit, TrimLimit::windmill_power, power, -absorbed);
   for (int side = 0; side < 2; ++side) {
-    const R torque = rotor[side].loads.torque;
+    const R torque = rotor[side].loads.torque + c.spin_up;
     if (std::fabs(torque) > t.mast_torque)
       check.add(TrimStatus::torque_limit, side == right ? TrimLimit::torque_right : TrimLimit::torque_left,
                 torque, torque < R(0) ? -t.mast_torque : t.mast_torque);
