@@ -154,7 +154,7 @@ tr_status tr_motion_at(const tr_sim* sim, const tr_real station_m[3], tr_motion*
   const EulerAngles<R> attitude = {x.roll, x.pitch, x.yaw};
   const Rotation<R> to_body = earth_to_body(attitude);
   const Vec3<R> velocity = velocity_at(x.velocity, c.mass.nacelles, x.rates, arm);
-  const Vec3<R> specific = R(R(1) / c.mass.mass) * (found.total.force + c.outside.force);
+  const Vec3<R> specific = R(R(1) / c.mass.mass) * found.total.force;
   tr_motion& m = *motion;
   put(x.position + to_body.apply_inverse(arm), m.position_m);
   put(to_body.apply_inverse(velocity) + c.around.wind_n, m.velocity_ned_mps);

@@ -95,7 +95,9 @@ Configuration<double> flown(double t) {
 // Free flight without forces: classical Runge-Kutta.
 Attitude step(const Attitude& x, double t, double h) {
   const auto rates = [](const Attitude& a, double time) {
-    return rigid_body(flown(time).mass, V{0, 0, 0}, a.rates, a.roll, a.pitch, a.yaw, Loads<double>{});
+    const MassProperties<double> mass = flown(time).mass;
+    return rigid_body(mass, V{0, 0, 0}, a.rates, a.roll, a.pitch, a.yaw,
+                      Loads<double>{{0, 0, 0}, nacelle_moment(mass.nacelles, a.rates)});
   };
   const auto plus = [](const Attitude& a, double by, const RigidBodyRates<double>& d) {
     return Attitude{a.rates + by * d.rates, a.roll + by * d.roll, a.pitch + by * d.pitch, a.yaw + by * d.yaw};
@@ -215,7 +217,9 @@ TEST(nacelles_kinetic_energy_is_the_work_of_the_drive) {
     mass.inertia.yy = inertia(m.mast_deg);
     mass.nacelles.inertia_rate.yy =
         m.rate * (inertia(m.mast_deg + h) - inertia(m.mast_deg - h)) / (2 * h) * 180 / kPi<double>;
-    const double q_rate = rigid_body(mass, V{0, 0, 0}, V{0, m.q, 0}, 0.0, 0.0, 0.0, Loads<double>{}).rates.y;
+    const double q_rate = rigid_body(mass, V{0, 0, 0}, V{0, m.q, 0}, 0.0, 0.0, 0.0,
+                                     Loads<double>{{0, 0, 0}, nacelle_moment(mass.nacelles, V{0, m.q, 0})})
+                              .rates.y;
     // dE/dt along the motion.
     const double dt = 1e-5;
     const auto later = [&](double t) {

@@ -246,12 +246,12 @@ TEST(property_rotor_power_balance) {
         const double up = flow.normal_0 + s.radius * flow.normal_r + s.inflow_shape * flow.shaped;
         const double speed = std::hypot(std::hypot(ut, up), c.aircraft->smooth.section_speed);
         const double alpha = std::remainder(flow.pitch + s.twist - std::atan2(up, ut), 2 * kPi<double>);
-        const SectionCoefficients<double> k = section_coefficients(
+        const SectionCoefficients<double> section = section_coefficients(
             c.aircraft->rotor, c.setup.options.tables, region, alpha, speed / c.air.speed_of_sound);
         const double element =
             c.azimuth.weight * c.air.density * s.half_chord_dr * speed * (ut * ut + up * up);
-        profile += element * k.drag;
-        shape += element / (ut * ut + up * up) * (s.lift_weight * k.lift * ut - k.drag * up) *
+        profile += element * section.drag;
+        shape += element / (ut * ut + up * up) * (s.lift_weight * section.lift * ut - section.drag * up) *
                  s.inflow_shape * flow.shaped;
         gross += element;
       }

@@ -57,6 +57,11 @@ void recorded_derivative(const Configuration<C>& c, const State<T>& x, const Con
     }
     record(Component::engine_jets, static_cast<const Loads<T>&>(jets));
   });
+  out_of_line([&] {
+    steps.total.force = plus_fixed(steps.total.force, c.outside.force);
+    steps.total.moment =
+        plus_fixed(steps.total.moment, c.outside.moment) + nacelle_moment(c.mass.nacelles, x.rates);
+  });
   out_of_line([&] { rigid_body_rates(c, x, steps.total, rates); });
   out_of_line([&] {
     for (const Side side : {right, left}) rotor_rates(c, x, steps.rotor[side], side, rates);

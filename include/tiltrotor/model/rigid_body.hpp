@@ -1,5 +1,5 @@
-// Six-degree-of-freedom rigid body in body axes (Etkin, Dynamics of Atmospheric Flight, ch. 5), with nacelles
-// that move in it. Symmetric aircraft: Ixy = Iyz = 0.
+// Six-degree-of-freedom rigid body in body axes (Etkin, Dynamics of Atmospheric Flight, ch. 5). Symmetric
+// aircraft: Ixy = Iyz = 0.
 #pragma once
 
 #include "tiltrotor/model/setup/configuration.hpp"
@@ -18,7 +18,7 @@ struct RigidBodyRates {
   Vec3<T> position;    // m/s, north east down
 };
 
-// `v`: of the CG. `total`: aerodynamic force and moment about the CG; weight is added here. Euler rates are
+// `v`: of the CG. `total`: force and moment about it, those of moving nacelles included; weight is added here. Euler rates are
 // singular at 90 deg pitch.
 template <class T, class C>
 RigidBodyRates<T> rigid_body(const MassProperties<C>& mass, const Vec3<T>& v, const Vec3<T>& w, const T& roll,
@@ -39,14 +39,13 @@ RigidBodyRates<T> rigid_body(const MassProperties<C>& mass, const Vec3<T>& v, co
   d.velocity.z = total.force.z * inverse_mass + g * cp * cr - w.x * v.y + w.y * v.x;
 
   const Inertia<C>& i = mass.inertia;
-  const Vec3<T> moment = total.moment + nacelle_moment(mass.nacelles, w);
   const C inverse_g = R(1) / (i.xx * i.zz - i.xz * i.xz);
   // Moments about x and z with the gyroscopic terms; solved for p', r' by Ixx Izz - Ixz^2.
-  const T tx = moment.x + i.xz * w.x * w.y + (i.yy - i.zz) * w.y * w.z;
-  const T tz = moment.z - i.xz * w.y * w.z + (i.xx - i.yy) * w.x * w.y;
+  const T tx = total.moment.x + i.xz * w.x * w.y + (i.yy - i.zz) * w.y * w.z;
+  const T tz = total.moment.z - i.xz * w.y * w.z + (i.xx - i.yy) * w.x * w.y;
   d.rates.x = inverse_g * (i.zz * tx + i.xz * tz);
   d.rates.z = inverse_g * (i.xz * tx + i.xx * tz);
-  d.rates.y = (R(1) / i.yy) * (moment.y + (i.zz - i.xx) * w.x * w.z - i.xz * (w.x * w.x - w.z * w.z));
+  d.rates.y = (R(1) / i.yy) * (total.moment.y + (i.zz - i.xx) * w.x * w.z - i.xz * (w.x * w.x - w.z * w.z));
 
   const T turn = w.y * sr + w.z * cr;
   d.roll = w.x + turn * (sp / cp);

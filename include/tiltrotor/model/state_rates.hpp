@@ -7,12 +7,10 @@
 
 namespace tiltrotor {
 
-// `total`: aerodynamic force and moment about the CG; loads from outside are added. Wind carries the aircraft over
-// the ground.
+// `total`: force and moment about the CG, of the air, from outside and of moving nacelles. Wind carries the aircraft over the ground.
 template <class T, class C>
 void rigid_body_rates(const Configuration<C>& c, const State<T>& x, const Loads<T>& total, State<T>& rates) {
-  const Loads<T> all = {plus_fixed(total.force, c.outside.force), plus_fixed(total.moment, c.outside.moment)};
-  const RigidBodyRates<T> body = rigid_body(c.mass, x.velocity, x.rates, x.roll, x.pitch, x.yaw, all);
+  const RigidBodyRates<T> body = rigid_body(c.mass, x.velocity, x.rates, x.roll, x.pitch, x.yaw, total);
   rates.velocity = body.velocity;
   rates.rates = body.rates;
   rates.roll = body.roll;

@@ -65,7 +65,7 @@ void read_instruments(const Configuration<C>& c, const State<T>& x, const Deriva
   out.airspeed = air.speed;
   out.angle_of_attack = air.angle_of_attack;
   out.sideslip = air.sideslip;
-  out.specific_force = C(R(1) / c.mass.mass) * plus_fixed(found.total.force, c.outside.force);
+  out.specific_force = C(R(1) / c.mass.mass) * found.total.force;
   out.load_factor = load_factor(out.specific_force, found.velocity_b);
   out.climb_rate = c.around.wind_n.z - rates.position.z;
   for (const Side side : {right, left}) {
