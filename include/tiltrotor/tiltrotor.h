@@ -24,9 +24,9 @@
  * Units: SI and radians unless the name says otherwise. Body axes x forward, y right, z down; attitude 3-2-1
  * Euler. Right rotor first.
  *
- * Air that moves: velocity (TR_U..TR_W) and position of the state are relative to the undisturbed air, which
- * may drift over the ground steadily. TR_GUST_U..TR_GUST_W is the velocity of the air at the aircraft
- * relative to that: a gust, or all of the wind when the undisturbed air shall be at rest over the ground.
+ * Air that moves: velocity (TR_U..TR_W) of the state is relative to the undisturbed air, which the wind of
+ * tr_environment carries over the ground; position is over the ground. TR_GUST_U..TR_GUST_W is the velocity of
+ * the air at the aircraft relative to the undisturbed air: a gust.
  * What blades, wing and instruments feel is relative to the air at the aircraft: velocity minus gust. So
  * airspeed, angle of attack and sideslip of tr_outputs, and speed, climb and sideslip of tr_flight; climb
  * rate is that of the state.

@@ -122,6 +122,25 @@ TEST(steep_turns_follow_rodrigues) {
   }
 }
 
+// The rate of a turn about any axis, by a small step: the axes go on turning at w, C' = -w x C.
+TEST(steep_turn_rate_is_that_of_the_axes) {
+  const Rotation<double> start = earth_to_body(EulerAngles<double>{0.3, 1.4, -2});
+  const double h = 1e-5;
+  for (const V& s : {V{0.1, -0.2, 0.3}, V{-0.4, 0.1, 0.2}}) {
+    for (const V& w : {V{1, 0.5, -0.7}, V{-0.3, 2, 0.4}}) {
+      const V rate = turn_rate(s, w);
+      const Rotation<double> ahead = turned_by(s + h * rate, start), behind = turned_by(s - h * rate, start);
+      const Rotation<double> now = turned_by(s, start);
+      const auto column = [](const Rotation<double>& c) { return V{c.row_x.y, c.row_y.y, c.row_z.y}; };
+      const V found = (1 / (2 * h)) * (column(ahead) - column(behind));
+      const V expected = -1.0 * cross(w, column(now));
+      CHECK_NEAR(found.x, expected.x, 1e-9);
+      CHECK_NEAR(found.y, expected.y, 1e-9);
+      CHECK_NEAR(found.z, expected.z, 1e-9);
+    }
+  }
+}
+
 // A pull-up over the vertical and on its back, with bank and heading on the way. The other route: nine direction
 // cosines, steps of a tenth.
 TEST(steep_flight_goes_through_the_vertical) {

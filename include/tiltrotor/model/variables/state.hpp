@@ -34,7 +34,8 @@ struct State {
   RotorState<T> rotor[2];    // right, left
   T downwash;                // wing downwash at the tail, lagged, rad
   ConingState<T> coning[2];  // only with Options::coning_states
-  // North, east, down relative to the undisturbed air, m; only with Options::position_states.
+  // North, east, down over the ground, m: carried along by Surroundings::wind_n; only with
+  // Options::position_states.
   Vec3<T> position;
 
   // Every state once, with what it is, in the order of files and arrays.
