@@ -210,6 +210,12 @@ void Composer::controls() {
   put_single("controls.lateral_collective", "dtheta0_dXLT", "deg/in", "rad/in");
   put_single("controls.lateral_cyclic_gain", "A1_bm_gain", "ND", "ND");
   put_single("controls.lateral_cyclic", "A1_V", "degrees", "rad");
+
+  put_single("systems.augmentation.pitch", "K_pitch", "in s/rad", "in s/rad");
+  put_single("systems.augmentation.roll", "K_roll", "in s/rad", "in s/rad");
+  put_single("systems.augmentation.yaw", "K_yaw", "in s/rad", "in s/rad");
+  put_single("systems.governor.proportional", "K_proportional", "rad", "rad");
+  put_single("systems.governor.integral", "K_integral", "rad/s", "rad/s");
 }
 
 namespace {

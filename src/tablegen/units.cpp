@@ -78,6 +78,14 @@ constexpr Unit kUnits[] = {
     {"kg/s", 1, "kg/s"},
     {"slug/s/hp", kSlug / kHorsepower, "kg/J"},
     {"kg/J", 1, "kg/J"},
+    {"lb/hp/h", kPound / (kHorsepower * 3600), "kg/J"},
+    {"s", 1, "s"},
+    {"1/s", 1, "1/s"},
+    {"deg/s2", kDegPerRad, "rad/s2"},
+    {"hp/s", kHorsepower, "W/s"},
+    {"kW/s", 1000, "W/s"},
+    {"W/s", 1, "W/s"},
+    {"in s/rad", kInch, "m s/rad"},
 };
 
 }  // namespace

@@ -26,6 +26,8 @@ laws='
     of["in"] = of["ft"] = of["m"] = L; of["ft2"] = of["m2"] = L ^ 2; of["ft3"] = of["m3"] = L ^ 3
     of["ft/s"] = of["kt"] = of["m/s"] = of["ft/s/deg"] = speed
     of["rpm"] = of["rad/s"] = of["deg/s"] = 1 / time; of["rad/s2"] = 1 / time ^ 2
+    of["deg/s2"] = 1 / time ^ 2; of["1/s"] = 1 / time; of["s"] = time; of["hp/s"] = of["kW/s"] = mass * speed / time
+    of["lb/hp/h"] = 1 / L
     of["N"] = mass; of["in lbf"] = of["N m"] = of["ft lbf/rad"] = of["ft lbf/deg"] = of["N m/rad"] = mass * L
     of["ft lbf s/rad"] = of["N m s/rad"] = mass * L * time
     of["hp"] = of["W"] = of["kW"] = mass * speed
@@ -34,6 +36,7 @@ laws='
   # Hands and feet, the atmosphere and its gusts have their own size.
   function factor(name, unit) {
     if (name ~ /^(stick|pedal|collective)_.*travel/ || name == "guess_stick_step" || name ~ /^altitude_|^gust_|^wind_/) return 1
+    if (name ~ /^(scas_dead_band|smooth_stick)$/) return 1
     if (name ~ /^engine_jet_/) return name ~ /_per_power$/ ? 1 : L ^ 2
     if (name ~ /^engine_power_/) return of[unit] / (D * speed)
     if (name ~ /^(mast_torque|transmission_limit)/) return of[unit] / D
@@ -71,10 +74,12 @@ for file in "$from"/airframe/*.csv "$from"/rotor_airfoil/*.csv; do
       first = $1 == "V_kt" || $1 == "U_KCAS" ? speed : 1
       for (i = 2; i <= NF; ++i) if ($i ~ /^V[0-9]+$/) $i = "V" times(substr($i, 2), speed)
       by = name ~ /blade_chord/ ? L * blade : 1
+      if (name ~ /augmentation_gains/) by = time
       if (name ~ /\/(t3-|t4-XV_)/) by = comments ~ /\(ft3/ ? of["ft3"] : of["ft2"]
       print; next
     }
     name ~ /t4-XII_/ && $1 == "FL4" { next }
+    name ~ /governor_gains/ { $3 = times($3, 1 / time); print; next }
     { $1 = times($1, first); for (i = 2; i <= NF; ++i) $i = times($i, by); print }' "$file" >"$to/$name"
 done
 

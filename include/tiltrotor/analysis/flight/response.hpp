@@ -17,124 +17,12 @@
 // Masts, rotor speed and air that move while the flight lasts: advance_moving().
 #pragma once
 
-#include <type_traits>
-
-#include "tiltrotor/analysis/flight/attitude.hpp"
-#include "tiltrotor/analysis/flight/configuration_motion.hpp"
-#include "tiltrotor/analysis/flight/simulation.hpp"
+#include "tiltrotor/analysis/flight/right_side.hpp"
 #include "tiltrotor/analysis/flight/stable_step.hpp"
-#include "tiltrotor/analysis/linear/differentiation.hpp"
-#include "tiltrotor/math/integrate.hpp"
 
 namespace tiltrotor {
 
-template <class R, class Policy = DefaultDifferentiation>
-struct SimulationWorkspace {
-  using Seeded = typename Policy::template Scalar<R, kModelDirections>;
-  ModelWorkspaces<R, Seeded> model;
-  typename Policy::template Workspace<R, kModelDirections, state_count, state_count> differentiation;
-  Matrix<R, state_count, state_count> jacobian;
-  union Method {
-    RungeKuttaWorkspace<R, state_count> runge_kutta;
-    RosenbrockWorkspace<R, state_count> rosenbrock;
-  } method;
-  ActiveStates active;
-  R x[state_count];  // active states; of the sums what the step adds
-  R rates[state_count];
-  R ahead[state_count], behind[state_count];
-  R scale[state_count];
-  R upright[state_count];  // active states with Euler angles, in steep flight
-  R whole[state_count];    // every state, for those that stand still
-};
-
 namespace response_detail {
-
-// Places of the attitude and of the body rates among the active states: the first nine are alive always.
-inline constexpr int kRoll = kStateIndex.roll, kPitch = kStateIndex.pitch, kYaw = kStateIndex.yaw;
-inline constexpr int kRates[] = {kStateIndex.rates.x, kStateIndex.rates.y, kStateIndex.rates.z};
-static_assert(kYaw == 8 && kRoll == 6 && kPitch == 7);
-
-// Attitude at the beginning of a part in steep flight.
-template <class R>
-struct SteepStart {
-  EulerAngles<R> angles;
-  Rotation<R> rotation;
-  R bank, heading;  // added since the beginning of the step
-};
-
-// Right side of the active states at constant controls.
-template <class R, class Policy>
-struct RightSide {
-  const Configuration<R>& c;
-  SimulationWorkspace<R, Policy>& work;
-  const Controls<R>& controls;
-  int& fault_state;
-  R azimuth_at_0;
-  const MovingConfiguration<R>* moving;  // of `c`, or nullptr
-  const SteepStart<R>* steep;            // of a part in steep flight, or nullptr
-
-  R azimuth(R time) const {
-    if (moving == nullptr) return azimuth_at_0 + c.setup.rotor_speed * time;
-    return azimuth_at_0 + moving->from.rotor_speed * moving->begin +
-           turned(moving->from, time - moving->begin);
-  }
-  void place_configuration(R time, const R* x) const {
-    if (moving == nullptr) return;
-    R down = work.whole[kStateIndex.position.z];
-    for (int k = 0; k < work.active.count; ++k)
-      if (work.active.index[k] == kStateIndex.position.z) down += x[k];
-    place(*moving, time, down);
-  }
-
-  template <class T>
-  void rates(const T* x, T* rates, R azimuth) const {
-    ModelWorkspace<T>& at = work.model.template of<T>();
-    R u[control_count];
-    flatten(controls, u);
-    for (int i = 0; i < state_count; ++i) at.x[i] = T(work.whole[i]);
-    for (int j = 0; j < control_count; ++j) at.u[j] = T(u[j]);
-    for (int k = 0; k < work.active.count; ++k) {
-      const int i = work.active.index[k];
-      at.x[i] = sum_of(i) < 0 ? x[k] : at.x[i] + x[k];
-    }
-    model_rates(c, azimuth, at);
-    for (int k = 0; k < work.active.count; ++k) rates[k] = at.x[work.active.index[k]];
-  }
-
-  // The attitude by its turn since the beginning of the part: attitude.hpp.
-  void steep_rates(const R* x, R* xdot, R azimuth) const {
-    const Vec3<R> turn = {x[kRoll], x[kPitch], x[kYaw]};
-    // At the beginning the angles themselves, so that rates found there before are the same bits.
-    const bool begins = turn.x == R(0) && turn.y == R(0) && turn.z == R(0);
-    const EulerAngles<R> now =
-        begins ? steep->angles : euler_angles(turned_by(turn, steep->rotation), steep->angles.roll);
-    for (int k = 0; k < work.active.count; ++k) work.upright[k] = x[k];
-    work.upright[kRoll] = begins ? steep->bank : now.roll - work.whole[kRoll];
-    work.upright[kPitch] = now.pitch;
-    work.upright[kYaw] = begins ? steep->heading : now.yaw - work.whole[kYaw];
-    rates(static_cast<const R*>(work.upright), xdot, azimuth);
-    const Vec3<R> rate = turn_rate(turn, {x[kRates[0]], x[kRates[1]], x[kRates[2]]});
-    xdot[kRoll] = rate.x;
-    xdot[kPitch] = rate.y;
-    xdot[kYaw] = rate.z;
-  }
-
-  Status operator()(R time, const R* x, R* xdot) const {
-    place_configuration(time, x);
-    if (steep == nullptr) {
-      rates(x, xdot, azimuth(time));
-    } else {
-      steep_rates(x, xdot, azimuth(time));
-    }
-    for (int k = 0; k < work.active.count; ++k) {
-      if (!is_finite(xdot[k])) {
-        fault_state = work.active.index[k];
-        return Status::not_finite;
-      }
-    }
-    return Status::ok;
-  }
-};
 
 template <class R, class Policy>
 Status rodas3(const RightSide<R, Policy>& f, R time, R dt) {
@@ -166,14 +54,14 @@ template <class R, class Policy>
 Status explicit_or_rodas3(const RightSide<R, Policy>& f, Integrator integrator, R time, R dt,
                           const R* known) {
   SimulationWorkspace<R, Policy>& work = f.work;
-  const int n = work.active.count;
+  const int n = work.count();
   switch (integrator) {
     case Integrator::rk3:
       return rk3_step(f, {time, dt, work.x, n, known}, work.method.runge_kutta);
     case Integrator::rk4:
       return rk4_step(f, {time, dt, work.x, n, known}, work.method.runge_kutta);
     case Integrator::rodas3:
-      return rodas3(f, time, dt);
+      return f.systems == nullptr ? rodas3(f, time, dt) : Status::bad_argument;
   }
   return Status::bad_argument;
 }
@@ -236,38 +124,82 @@ Status hold(const RightSide<R, Policy>& f, Integrator integrator, R time, R dura
     const Status status =
         step(f, integrator, time + static_cast<R>(i) * part, part, i == 0 ? known : nullptr);
     if (status != Status::ok) return status;
-    for (int k = 0; k < f.work.active.count; ++k) {
-      f.fault_state = f.work.active.index[k];
-      if (!(std::fabs(f.work.x[k]) <= state_bound<R>(f.fault_state))) return Status::out_of_range;
+    for (int k = 0; k < f.work.count(); ++k) {
+      f.fault_state = f.work.place(k);
+      const R bound = static_cast<R>(vehicle_variable(f.fault_state).facts().bound);
+      if (!(std::fabs(f.work.x[k]) <= bound)) return Status::out_of_range;
     }
     f.fault_state = -1;
   }
   return Status::ok;
 }
 
+// At its stop a mast that a system drives stays as well.
+template <class R>
+void stop_driven_mast(const Bounds<R>& stops_deg, SystemState<R>& s) {
+  const R low = stops_deg.low * kRadPerDeg<R>, high = stops_deg.high * kRadPerDeg<R>;
+  if (s.mast >= low && s.mast <= high) return;
+  s.mast = s.mast < low ? low : high;
+  s.mast_rate = R(0);
+}
+
+// What the systems make of the configuration at the end of a stretch of a step; burnt fuel is gone.
+template <class R, class Policy>
+void put_systems(const RightSide<R, Policy>& f, R fuel_before) {
+  SystemPart<R>& part = *f.systems;
+  const Vehicle<R>& v = part.flight->vehicle;
+  SystemState<R> s = f.system_state(f.work.x);
+  if (v.on.conversion) stop_driven_mast(f.c.aircraft->limits.mast_deg, s);
+  part.flight->state = s;
+  R flat[system_state_count];
+  flatten(s, flat);
+  for (int k = 0; k < f.work.systems.count; ++k)
+    f.work.x[f.work.active.count + k] = flat[f.work.systems.index[k]];
+  part.base.mass -= s.fuel - fuel_before;
+  SystemState<R> rates;
+  airframe_demand(v, f.c, part.base, f.airframe_state(f.work.x), s, v.commands, f.controls, f.work.demand,
+                  f.work.flows, rates);
+  put_into(f.work.demand, *part.c);
+}
+
 // The configuration at the end of a stretch of a step.
 template <class R, class Policy>
-Status arrive(const MovingConfiguration<R>& moving, R time, bool at_stop, const RightSide<R, Policy>& f,
-              int& fault_state) {
+Status arrive(const MovingConfiguration<R>& moving, R time, bool at_stop, R fuel_before,
+              const RightSide<R, Policy>& f, int& fault_state) {
   Configuration<R>& c = *moving.configuration;
   f.place_configuration(time, f.work.x);
   // A mast that comes to rest at its stop may lie beyond it by a rounding.
   const Bounds<R>& stops = c.aircraft->limits.mast_deg;
-  if (at_stop || c.setup.mast_deg < stops.low || c.setup.mast_deg > stops.high) {
-    stop_mast<R>(c.setup, stops);
-    configure(c);
+  ConfigurationSetting<R>& setting = f.systems == nullptr ? c.setup : f.systems->base;
+  if (at_stop || setting.mast_deg < stops.low || setting.mast_deg > stops.high) {
+    stop_mast<R>(setting, stops);
+    if (f.systems == nullptr) configure(c);
   }
+  if (f.systems != nullptr) put_systems(f, fuel_before);
   const SetupField fault = first_out_of_range(*c.aircraft, c.setup).field;
   if (fault == SetupField::none) return Status::ok;
   if (fault == SetupField::altitude) fault_state = kStateIndex.position.z;
+  if (fault == SetupField::rotor_speed && f.systems != nullptr)
+    fault_state = state_count + kSystemIndex.rotor_speed;
   return Status::out_of_range;
 }
 
-// A step; `moving`: of `c`, or nullptr.
+// What moves by itself, systems that move the same left out.
+template <class R>
+ConfigurationSetting<R> prescribed(ConfigurationSetting<R> setting, const SystemPart<R>* systems) {
+  if (systems == nullptr) return setting;
+  const SystemSwitches& on = systems->flight->vehicle.on;
+  if (on.conversion) setting.mast_rate = setting.mast_acceleration = R(0);
+  if (on.governor == Governor::pi) setting.rotor_acceleration = R(0);
+  return setting;
+}
+
+// A step; `moving`: of `c`, or nullptr; `systems` of the same, or nullptr.
 template <class R, class Policy>
-Status advance(const Configuration<R>& c, MovingConfiguration<R>* moving,
+Status advance(const Configuration<R>& c, MovingConfiguration<R>* moving, SystemPart<R>* systems,
                SimulationWorkspace<R, Policy>& work, Simulation<R>& s, const R* xdot) {
   work.active = active_states(c.setup.options, true);
+  work.systems = systems == nullptr ? ActiveSystems{} : active_systems(systems->flight->vehicle.on);
   const int n = work.active.count;
   Travel travel = s.travel;
   follow(s.state, travel);
@@ -275,11 +207,16 @@ Status advance(const Configuration<R>& c, MovingConfiguration<R>* moving,
   // Sums begin at zero: what a step adds is not rounded to the size of the sum.
   for (int k = 0; k < n; ++k)
     work.x[k] = sum_of(work.active.index[k]) < 0 ? work.whole[work.active.index[k]] : R(0);
+  if (systems != nullptr) {
+    R flat[system_state_count];
+    flatten(systems->flight->state, flat);
+    for (int k = 0; k < work.systems.count; ++k) work.x[n + k] = flat[work.systems.index[k]];
+  }
   s.fault_state = -1;
 
   const R* known = nullptr;
   if (xdot != nullptr) {
-    for (int k = 0; k < n; ++k) work.rates[k] = xdot[work.active.index[k]];
+    for (int k = 0; k < work.count(); ++k) work.rates[k] = xdot[work.place(k)];
     known = work.rates;
   }
   const R begin = current_time(s);
@@ -289,14 +226,15 @@ Status advance(const Configuration<R>& c, MovingConfiguration<R>* moving,
     R until = next_change(s, since);
     bool stops = false;
     if (moving != nullptr) {
-      moving->from = c.setup;
+      moving->from = prescribed<R>(c.setup, systems);
       moving->begin = begin + since;
       const R stop = since + time_to_stop(moving->from, c.aircraft->limits.mast_deg, until - since);
       stops = stop < until;
       if (stops) until = stop;
     }
     const Controls<R> controls = controls_at(s, begin + R(0.5) * (since + until));
-    const RightSide<R, Policy> f{c, work, controls, s.fault_state, azimuth, moving, nullptr};
+    const RightSide<R, Policy> f{c, work, controls, s.fault_state, azimuth, moving, nullptr, systems};
+    const R fuel_before = systems == nullptr ? R(0) : systems->flight->state.fuel;
     if (until > since) {
       const int count = parts(s.integrator, until - since, fastest_rates(c, s.state, controls));
       s.status = hold(f, s.integrator, begin + since, until - since, count, known);
@@ -305,8 +243,8 @@ Status advance(const Configuration<R>& c, MovingConfiguration<R>* moving,
     if (stops) known = nullptr;  // they are those of a mast on its way
     if (moving != nullptr && s.status == Status::ok) {
       const R azimuth_now = f.azimuth(begin + until);
-      s.status = arrive(*moving, begin + until, stops, f, s.fault_state);
-      if (moving->from.rotor_acceleration != R(0))
+      s.status = arrive(*moving, begin + until, stops, fuel_before, f, s.fault_state);
+      if (c.setup.rotor_speed != moving->from.rotor_speed)
         azimuth = azimuth_now - c.setup.rotor_speed * (begin + until);
     }
     since = until;
@@ -348,7 +286,8 @@ template <class R, class Policy>
 Status advance(const Configuration<R>& c, SimulationWorkspace<R, Policy>& work, Simulation<R>& s,
                const R* xdot = nullptr) {
   if (s.status != Status::ok) return s.status;
-  return response_detail::advance(c, static_cast<MovingConfiguration<R>*>(nullptr), work, s, xdot);
+  return response_detail::advance(c, static_cast<MovingConfiguration<R>*>(nullptr),
+                                  static_cast<response_detail::SystemPart<R>*>(nullptr), work, s, xdot);
 }
 
 // The same, while masts and rotors move as the rates and accelerations of the setting carry them, every evaluation
@@ -363,9 +302,33 @@ Status advance_moving(MovingConfiguration<R>& moving, SimulationWorkspace<R, Pol
   Configuration<R>& c = *moving.configuration;
   if (!is_moving<R>(c.setup) && !moving.air_follows_altitude) return advance(c, work, s, xdot);
   const ConfigurationSetting<R> before = c.setup;
-  const Status status = response_detail::advance(c, &moving, work, s, xdot);
+  const Status status = response_detail::advance(
+      c, &moving, static_cast<response_detail::SystemPart<R>*>(nullptr), work, s, xdot);
   if (status != Status::ok) {
     static_cast<ConfigurationSetting<R>&>(c.setup) = before;
+    configure(c);
+  }
+  return status;
+}
+
+// The same with systems: `c` is put into what they ask for, and they move on with the flight. Events of the step come
+// first: begin_step(). Of the integrators rk3 and rk4; rodas3 is a bad_argument. `xdot`[vehicle_state_count]: those
+// of vehicle_rates(). Unless ok, configuration and systems are as they were; fault_state counts as vehicle_variable().
+// Cost: that of advance(), and a twentieth of a derivative more an evaluation where masts, rotor speed or air move;
+// with an ideal governor some three times as many derivatives.
+template <class R, class Policy>
+Status advance_vehicle(Configuration<R>& c, SystemFlight<R>& flight, SimulationWorkspace<R, Policy>& work,
+                       Simulation<R>& s, const R* xdot = nullptr) {
+  if (s.status != Status::ok) return s.status;
+  const SystemFlight<R> before = flight;
+  const ConfigurationSetting<R> setting = c.setup;
+  begin_step(*c.aircraft, s.state, current_controls(s), flight.vehicle, flight.state);
+  MovingConfiguration<R> moving{&c, false, R(0), {}, R(0)};
+  response_detail::SystemPart<R> part{&flight, &c, c.setup};
+  const Status status = response_detail::advance(c, &moving, &part, work, s, xdot);
+  if (status != Status::ok) {
+    flight = before;
+    static_cast<ConfigurationSetting<R>&>(c.setup) = setting;
     configure(c);
   }
   return status;

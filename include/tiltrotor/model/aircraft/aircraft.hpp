@@ -11,6 +11,7 @@
 #include "tiltrotor/model/aircraft/mass_tables.hpp"
 #include "tiltrotor/model/aircraft/rotor_tables.hpp"
 #include "tiltrotor/model/aircraft/smoothing_widths.hpp"
+#include "tiltrotor/model/aircraft/system_tables.hpp"
 
 namespace tiltrotor {
 
@@ -41,6 +42,7 @@ struct Aircraft {
   DefaultTables<R> defaults;
   TrimGuessTables<R> guess;
   SmoothingWidths<R> smooth;
+  SystemTables<R> systems;
 };
 
 }  // namespace tiltrotor

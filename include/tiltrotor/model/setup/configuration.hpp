@@ -100,6 +100,16 @@ Vec3<C> station_arm(const MassProperties<C>& mass, Real<C> sl, Real<C> bl, Real<
   return {mass.sl_cg - sl, C(bl), mass.wl_cg - wl};
 }
 
+// The loads around, about the CG.
+template <class C>
+void set_outside(Configuration<C>& c) {
+  using R = Real<C>;
+  const Loads<R>& outside = c.around.outside;
+  const Vec3<C> pull = {C(outside.force.x), C(outside.force.y), C(outside.force.z)};
+  c.outside = force_at(station_arm(c.mass, R(0), R(0), R(0)), pull);
+  c.outside.moment = plus_fixed(c.outside.moment, outside.moment);
+}
+
 // What follows from `c.setup` and `c.around`, its fixed part being prepared.
 template <class C>
 void configure(Configuration<C>& c) {
@@ -116,10 +126,7 @@ void configure(Configuration<C>& c) {
 
   const MastTables<R>& mast = aircraft.mast;
   c.nacelle_axis_b = {tilt.sine, C(R(0)), -tilt.cosine};
-  const Loads<R>& outside = c.around.outside;
-  const Vec3<C> pull = {C(outside.force.x), C(outside.force.y), C(outside.force.z)};
-  c.outside = force_at(station_arm(c.mass, R(0), R(0), R(0)), pull);
-  c.outside.moment = plus_fixed(c.outside.moment, outside.moment);
+  set_outside(c);
   c.pivot_arm_b = station_arm(c.mass, mast.sl_pivot, R(0), mast.wl_pivot);
   c.mass.nacelles =
       nacelle_motion(aircraft, o, setup.mass, tilt, c.pivot_arm_b, setup.mast_rate, setup.mast_acceleration);

@@ -32,6 +32,18 @@ enum class VariableKind : unsigned char {
   pedal,
   surface,
   gust,
+  mast_angle,
+  mast_rate,
+  flap_angle,
+  rotor_speed,
+  power,
+  actuator,
+  fuel,
+  series_actuator,
+  washout,
+  held_angle,
+  flag,
+  throttle,
   count
 };
 
@@ -66,6 +78,18 @@ inline constexpr KindFacts kKindFacts[] = {
     {VariableKind::pedal, "in", 1, kUnbounded},
     {VariableKind::surface, "rad", 1, kUnbounded},
     {VariableKind::gust, "m/s", 10, kUnbounded},
+    {VariableKind::mast_angle, "rad", 1, 2},
+    {VariableKind::mast_rate, "rad/s", 1, 2},
+    {VariableKind::flap_angle, "rad", 1, 2},
+    {VariableKind::rotor_speed, "rad/s", 10, 100},
+    {VariableKind::power, "W", 1e5, 1e8},
+    {VariableKind::actuator, "rad", 1, 2},
+    {VariableKind::fuel, "kg", 100, 1e6, true},
+    {VariableKind::series_actuator, "in", 1, 100},
+    {VariableKind::washout, "rad/s", 1, 20},
+    {VariableKind::held_angle, "rad", 1, 1000, true},
+    {VariableKind::flag, "-", 1, 1, true},
+    {VariableKind::throttle, "-", 1, kUnbounded},
 };
 
 constexpr bool kinds_in_order() {

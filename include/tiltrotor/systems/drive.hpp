@@ -1,0 +1,89 @@
+// Engines, transmission and rotor governor, all referred to the masts: one rotor speed for both rotors.
+//
+// The structure of governor and engines is NASA CR-166536's (subsystems 17 to 19), whose values are not public; the
+// numbers are substitutes. An engine is never driven by the rotors: a clutch stands between (TM X-62407), so its power
+// is never negative.
+#pragma once
+
+#include "tiltrotor/math/smooth.hpp"
+#include "tiltrotor/model/setup/configuration.hpp"
+
+namespace tiltrotor {
+
+// Power of one engine at its shaft with a throttle, W: of its take-off power here, which follows the air as choice
+// engine_lapse says; at most its contingency power.
+template <class T, class C>
+T demanded_power(const Aircraft<Real<T>>& aircraft, const Air<C>& air, const T& throttle) {
+  using R = Real<T>;
+  const ControlTables<R>& t = aircraft.controls;
+  const DriveTables<R>& drive = aircraft.systems.drive;
+  const Air<R> sea_level = standard_air(R(0));
+  const C lapse =
+      air.density * (R(1) / sea_level.density) * air.speed_of_sound * (R(1) / sea_level.speed_of_sound);
+  const C here = R(1) + t.engine_lapse * (lapse - R(1));
+  const R width = aircraft.systems.smooth.power / t.engine_power;
+  const R most = drive.contingency / t.engine_power;
+  return here * (t.engine_power * smooth_clip(throttle, R(0), most, width));
+}
+
+// First-order lag, at most power_rate, W/s.
+template <class T>
+T power_rate(const SystemTables<Real<T>>& t, const T& demanded, const T& power) {
+  const DriveTables<Real<T>>& drive = t.drive;
+  return smooth_clip(T((demanded - power) / drive.power_lag), -drive.power_rate, drive.power_rate,
+                     t.smooth.power_rate);
+}
+
+// kg/s, by the specific consumption at take-off power.
+template <class T>
+T fuel_flow(const SystemTables<Real<T>>& t, const T& power) {
+  return t.drive.fuel_per_energy * power;
+}
+
+// Of both rotors and the power turbines of the engines that run, kg m^2.
+template <class R>
+R drive_inertia(const Aircraft<R>& aircraft, int engines_running) {
+  return R(2) * static_cast<R>(aircraft.rotor.blades) * aircraft.rotor.flap_inertia +
+         static_cast<R>(engines_running) * aircraft.systems.drive.turbine_inertia;
+}
+
+// J Omega' = eta P / Omega - Q_R - Q_L. `power`: of the engines at their shafts, W; `torque`: of the rotors, N m.
+template <class T>
+T rotor_acceleration(const Aircraft<Real<T>>& aircraft, int engines_running, const T& power, const T& torque,
+                     const T& rotor_speed) {
+  using R = Real<T>;
+  const T driving = aircraft.controls.transmission_efficiency * power / rotor_speed;
+  return (driving - torque) * (R(1) / drive_inertia(aircraft, engines_running));
+}
+
+// Rate of the collective that the governor adds, rad/s: proportional and integral action on the error of the rotor
+// speed, e = Omega/Omega_ref - 1, written for its electric actuator, which integrates: theta' = clip(kp e' + ki e).
+// At its stops it returns from what it is beyond.
+template <class T>
+T governor_rate(const SystemTables<Real<T>>& t, const T& mast, const T& reference, const T& rotor_speed,
+                const T& acceleration, const T& collective) {
+  using R = Real<T>;
+  const GovernorTables<R>& g = t.governor;
+  const T mast_deg = mast * kDegPerRad<R>;
+  const T proportional = lookup(g.proportional, Interpolation::c1, mast_deg);
+  const T integral = lookup(g.integral, Interpolation::c1, mast_deg);
+  const T wanted = (proportional * acceleration + integral * (rotor_speed - reference)) / reference;
+  const R e = t.smooth.actuator_angle;
+  const T beyond =
+      smooth_positive(T(collective - g.authority), e) - smooth_positive(T(-g.authority - collective), e);
+  return smooth_clip(wanted, -g.rate, g.rate, t.smooth.actuator_rate) - g.stop * beyond;
+}
+
+// Gains that give the rotor speed the natural frequency and damping of the tables: of both rotors, `q_theta` = dQ/d
+// collective (N m/rad), positive, `q_omega` = d(Q - eta P/Omega)/d Omega (N m s/rad); `inertia` kg m^2.
+template <class R>
+struct GovernorGains {
+  R proportional, integral;  // rad, rad/s
+};
+template <class R>
+GovernorGains<R> governor_gains(const GovernorTables<R>& t, R inertia, R reference, R q_theta, R q_omega) {
+  return {(R(2) * t.damping * t.frequency * inertia - q_omega) * reference / q_theta,
+          square(t.frequency) * inertia * reference / q_theta};
+}
+
+}  // namespace tiltrotor

@@ -1,0 +1,246 @@
+// The whole vehicle: airframe and systems, with everything between them. x' = f(x, u) of all states.
+//
+// Two halves around the airframe. Upstream, airframe_demand() finds from all states and inputs what the airframe is to
+// feel: controls, configuration, loads of the gear. Downstream, drive and governor answer the rotors' torque. Between
+// them stands a callable, airframe(demand, answer): the model itself, or, where derivatives are wanted, its exact
+// first-order expansion (analysis/linear/vehicle_model.hpp). So one text serves flight and linear model.
+#pragma once
+
+#include "tiltrotor/systems/actuators.hpp"
+#include "tiltrotor/systems/augmentation.hpp"
+#include "tiltrotor/systems/conversion.hpp"
+#include "tiltrotor/systems/drive.hpp"
+
+namespace tiltrotor {
+
+// off: rotor speed and collective are what they are set to, the power is what it takes. ideal: the speed is held, and
+// the collective is that which takes the power of the engines. pi: the speed is a state, the governor adds collective.
+enum class Governor : unsigned char { off, ideal, pi };
+
+struct SystemSwitches {
+  Governor governor;
+  bool conversion, engines, actuators, augmentation, gear, ground_effect, turbulence;
+};
+
+template <class R>
+struct Vehicle {
+  SystemSwitches on;
+  Commands<R> commands;
+  bool engine_failed[2];
+  bool disengages;    // the augmentation: its actuators return to neutral
+  bool air_follows;   // the altitude: `altitude_origin` less the position down
+  R altitude_origin;  // m
+};
+
+inline bool any_system(const SystemSwitches& on) {
+  return on.governor != Governor::off || on.conversion || on.engines || on.actuators || on.augmentation ||
+         on.gear || on.ground_effect || on.turbulence;
+}
+
+// The states of systems that move by themselves, in order: places in kSystemVariables.
+struct ActiveSystems {
+  int count;
+  int index[system_state_count];
+};
+
+// Whether a state belongs to a system that is on, and moves by itself.
+constexpr bool is_active(int state, const SystemSwitches& on) {
+  const SystemState<int>& at = kSystemIndex;
+  if (state == at.mast || state == at.mast_rate || state == at.flap) return on.conversion;
+  if (state == at.rotor_speed || state == at.governor) return on.governor == Governor::pi;
+  if (state == at.power[right] || state == at.power[left] || state == at.fuel) return on.engines;
+  if (state >= at.collective[right] && state <= at.rudder) return on.actuators;
+  if (state >= at.series[0] && state <= at.washout) return on.augmentation;
+  return false;
+}
+static_assert(kSystemIndex.rudder - kSystemIndex.collective[right] == 6, "actuators stand together");
+static_assert(kSystemIndex.washout - kSystemIndex.series[0] == 3,
+              "states of the augmentation stand together");
+
+inline ActiveSystems active_systems(const SystemSwitches& on) {
+  ActiveSystems active{0, {}};
+  for (int i = 0; i < system_state_count; ++i)
+    if (is_active(i, on)) active.index[active.count++] = i;
+  return active;
+}
+
+// What the airframe is to feel.
+template <class T>
+struct AirframeDemand {
+  Controls<T> controls;
+  ConfigurationSetting<T> setting;
+  Loads<T> outside;  // added to those around, about the CG
+};
+
+// What the systems need of it.
+template <class T>
+struct AirframeAnswer {
+  State<T> rates;
+  T torque[2];  // aerodynamic, of the rotors, N m
+};
+
+// Parts of an evaluation that later ones need.
+template <class T>
+struct VehicleFlows {
+  T power;     // of all engines at their shafts, W
+  T governed;  // collective that an ideal governor has added, rad
+};
+
+namespace vehicle_detail {
+
+template <class T>
+ConfigurationSetting<T> setting_of(const ConfigurationSetting<Real<T>>& s) {
+  return {T(s.mast_deg), T(s.mast_rate),   T(s.mast_acceleration),
+          T(s.flap_deg), T(s.rotor_speed), T(s.rotor_acceleration),
+          T(s.altitude), T(s.mass),        T(s.sl_cg),
+          T(s.wl_cg)};
+}
+
+inline int engines_running(const bool (&failed)[2]) { return !failed[right] + !failed[left]; }
+
+// What the actuators are asked for.
+template <class T>
+BladeControls<T> wanted_angles(const Aircraft<Real<T>>& aircraft, const Options& options, const T& mast_deg,
+                               const Controls<T>& u, const Vec3<T>& velocity) {
+  const Gearing<T> g = gearing(aircraft, options, mast_deg);
+  const GridPoint<T> pedal_mast[1] = {grid_point(aircraft.controls.pedal_cyclic.linear[0], mast_deg)};
+  BladeControls<T> wanted = mix_controls(aircraft, options, g, pedal_mast, u, velocity);
+  for (const Side side : {right, left}) wanted.long_cyclic[side] = wanted.long_cyclic[side] - g.rigging;
+  return wanted;
+}
+
+}  // namespace vehicle_detail
+
+// `c`: what no system moves, `base`: the setting of what they may. Rates of the systems, but for those that follow the
+// rotors' torque, go to `rates`.
+template <class T>
+void airframe_demand(const Vehicle<Real<T>>& v, const Configuration<Real<T>>& c,
+                     const ConfigurationSetting<Real<T>>& base, const State<T>& x, const SystemState<T>& s,
+                     const Commands<T>& commands, const Controls<T>& u, AirframeDemand<T>& demand,
+                     VehicleFlows<T>& flows, SystemState<T>& rates) {
+  using R = Real<T>;
+  const Aircraft<R>& aircraft = *c.aircraft;
+  const SystemTables<R>& t = aircraft.systems;
+  ConfigurationSetting<T>& setting = demand.setting;
+  setting = vehicle_detail::setting_of<T>(base);
+  SystemState<T>::each(rates, [](T& rate) { rate = T(R(0)); });
+
+  if (v.on.conversion) {
+    const MastMotion<T> mast = mast_motion(t, commands.mast, s.mast, s.mast_rate);
+    setting.mast_deg = s.mast * kDegPerRad<R>;
+    setting.mast_rate = mast.rate;
+    setting.mast_acceleration = mast.acceleration;
+    setting.flap_deg = s.flap * kDegPerRad<R>;
+    rates.mast = mast.rate;
+    rates.mast_rate = mast.acceleration;
+    rates.flap = flap_rate(t, commands.flap, s.flap);
+  }
+  if (v.on.governor == Governor::pi) {
+    setting.rotor_speed = s.rotor_speed;
+    setting.rotor_acceleration = T(R(0));  // see vehicle_rates()
+  }
+
+  if (v.air_follows) setting.altitude = v.altitude_origin - x.position.z;
+
+  const Air<T> air = surrounding_air(setting.altitude, c.around.warmer, c.around.pressure_above);
+  flows.power = T(R(0));
+  for (const Side side : {right, left}) {
+    const T throttle = v.engine_failed[side] ? T(R(0)) : commands.throttle[side];
+    const T demanded = demanded_power(aircraft, air, throttle);
+    if (v.on.engines) {
+      rates.power[side] = power_rate(t, demanded, s.power[side]);
+      rates.fuel = rates.fuel + fuel_flow(t, s.power[side]);
+    }
+    flows.power = flows.power + (v.on.engines ? s.power[side] : demanded);
+  }
+
+  Controls<T> moved = u;
+  const Vec3<T> velocity = x.velocity - u.gust;
+  const T mast = setting.mast_deg * kRadPerDeg<R>;
+  if (v.on.augmentation) {
+    const T airspeed = total_speed(velocity, aircraft.smooth.airspeed);
+    const R share = v.disengages ? R(0) : R(1);
+    const SeriesCommand<T> wanted = augmentation(t, aircraft.controls, mast, airspeed, x, s);
+    for (int k = 0; k < 3; ++k)
+      rates.series[k] = t.augmentation.servo * (share * wanted.axis[k] - s.series[k]);
+    rates.washout = (wanted.washed_rate - s.washout) * (R(1) / t.augmentation.washout);
+    moved.long_stick = moved.long_stick + s.series[0];
+    moved.lat_stick = moved.lat_stick + s.series[1];
+    moved.pedal = moved.pedal + s.series[2];
+  }
+  if (v.on.governor == Governor::pi) moved.collective = moved.collective + s.governor;
+  if (v.on.actuators) {
+    const BladeControls<T> wanted =
+        vehicle_detail::wanted_angles(aircraft, c.setup.options, setting.mast_deg, moved, velocity);
+    actuator_rates(aircraft, wanted, s, rates);
+    moved = actuated_controls(s, u);
+  }
+  demand.controls = moved;
+  Loads<T>::each(demand.outside, [](T& load) { load = T(R(0)); });
+}
+
+// The ideal governor: the collective at which the rotors take the power of the engines, by the secant method, its slope
+// kept where two points lie too near to give one. Dual numbers, whose value is the solution already, need one round,
+// and gain the derivative of the implicit function.
+template <class T, class Airframe>
+void hold_power(const Configuration<Real<T>>& c, const T& guess, const T& power, Airframe&& airframe,
+                AirframeDemand<T>& demand, AirframeAnswer<T>& answer, T& governed) {
+  using R = Real<T>;
+  constexpr int rounds = 6;
+  const R step = R(1e-3), apart = R(1e-6);  // rad
+  const R near = R(1e-12) * c.aircraft->controls.engine_power;
+  const R efficiency = c.aircraft->controls.transmission_efficiency;
+  const T collective = demand.controls.collective;
+  const auto excess = [&](const T& added) {
+    demand.controls.collective = collective + added;
+    airframe(demand, answer);
+    return T((answer.torque[right] + answer.torque[left]) * demand.setting.rotor_speed - efficiency * power);
+  };
+  governed = guess;
+  T left_over = excess(governed);
+  R slope = (value(excess(T(governed + step))) - value(left_over)) / step;
+  for (int k = 0; k < rounds; ++k) {
+    const T by = left_over * (R(-1) / slope);
+    const R before = value(left_over), way = value(by);
+    governed = governed + by;
+    left_over = excess(governed);
+    const R rest = value(left_over);
+    if (way > apart || way < -apart) slope = (rest - before) / way;
+    if (kIsPlain<T> && rest < near && rest > -near) break;
+  }
+}
+
+// Rates of all states. `airframe(demand, answer)`: rates of the airframe, and torque of its rotors.
+template <class T, class Airframe>
+void vehicle_rates(const Vehicle<Real<T>>& v, const Configuration<Real<T>>& c,
+                   const ConfigurationSetting<Real<T>>& base, const State<T>& x, const SystemState<T>& s,
+                   const Commands<T>& commands, const Controls<T>& u, Airframe&& airframe,
+                   AirframeDemand<T>& demand, AirframeAnswer<T>& answer, VehicleFlows<T>& flows,
+                   SystemState<T>& rates) {
+  using R = Real<T>;
+  airframe_demand(v, c, base, x, s, commands, u, demand, flows, rates);
+  flows.governed = T(R(0));
+  if (v.on.governor == Governor::ideal) {
+    hold_power(c, s.governor, flows.power, airframe, demand, answer, flows.governed);
+  } else {
+    airframe(demand, answer);
+  }
+  if (v.on.governor != Governor::pi) return;
+  const T torque = answer.torque[right] + answer.torque[left];
+  const T acceleration = rotor_acceleration(*c.aircraft, vehicle_detail::engines_running(v.engine_failed),
+                                            flows.power, torque, s.rotor_speed);
+  rates.rotor_speed = acceleration;
+  const T mast = demand.setting.mast_deg * kRadPerDeg<R>;
+  rates.governor =
+      governor_rate(c.aircraft->systems, mast, commands.rotor_speed, s.rotor_speed, acceleration, s.governor);
+  // Inflow keeps its speed when the rotor's changes: state_rates.hpp.
+  const T slower = acceleration / s.rotor_speed;
+  for (const Side side : {right, left}) {
+    RotorState<T>& rotor = answer.rates.rotor[side];
+    rotor.lambda_0 = rotor.lambda_0 - slower * x.rotor[side].lambda_0;
+    rotor.lambda_c = rotor.lambda_c - slower * x.rotor[side].lambda_c;
+    rotor.lambda_s = rotor.lambda_s - slower * x.rotor[side].lambda_s;
+  }
+}
+
+}  // namespace tiltrotor
