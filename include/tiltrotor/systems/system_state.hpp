@@ -54,8 +54,8 @@ struct SystemState {
     visit(s.held_roll, Variable{"held_roll", K::held_angle, lat});
     visit(s.holds_pitch, Variable{"holds_pitch", K::flag, lon});
     visit(s.holds_roll, Variable{"holds_roll", K::flag, lat});
-    visit(s.rest_long, Variable{"rest_long", K::stick, lon});
-    visit(s.rest_lat, Variable{"rest_lat", K::stick, lat});
+    visit(s.rest_long, Variable{"rest_long", K::held_stick, lon});
+    visit(s.rest_lat, Variable{"rest_lat", K::held_stick, lat});
   }
   template <class Self, class Visit>
   static constexpr void each(Self& s, Visit&& visit) {

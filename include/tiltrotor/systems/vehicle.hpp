@@ -28,8 +28,11 @@ struct Vehicle {
   Commands<R> commands;
   bool engine_failed[2];
   bool disengages;    // the augmentation: its actuators return to neutral
+  bool gear_down;
+  R brakes;           // 0..1
   bool air_follows;   // the altitude: `altitude_origin` less the position down
   R altitude_origin;  // m
+  R loaded_mass;      // with no fuel burnt, kg: what the engines' fuel is taken from
 };
 
 inline bool any_system(const SystemSwitches& on) {
@@ -140,6 +143,7 @@ void airframe_demand(const Vehicle<Real<T>>& v, const Configuration<Real<T>>& c,
     setting.rotor_acceleration = T(R(0));  // see vehicle_rates()
   }
 
+  if (v.on.engines) setting.mass = v.loaded_mass - s.fuel;
   if (v.air_follows) setting.altitude = v.altitude_origin - x.position.z;
 
   const Air<T> air = surrounding_air(setting.altitude, c.around.warmer, c.around.pressure_above);

@@ -9,27 +9,40 @@ namespace tiltrotor {
 template <class R>
 inline constexpr R kReturned = R(1e-6);
 
-// Events of a step, at its beginning: an attitude is held or given up, an augmentation that was switched off is gone
-// when its actuators have returned, engines stop without fuel.
 template <class R>
-void begin_step(const Aircraft<R>& aircraft, const State<R>& x, const Controls<R>& u, Vehicle<R>& v,
+bool has_returned(const SystemState<R>& s) {
+  for (const R& way : s.series)
+    if (!(way < kReturned<R> && way > -kReturned<R>)) return false;
+  return true;
+}
+
+// Events of a step, at its beginning: an attitude is held or given up, an augmentation that was switched off is gone
+// when its actuators have returned, engines stop without fuel. Whether anything happened.
+template <class R>
+bool begin_step(const Aircraft<R>& aircraft, const State<R>& x, const Controls<R>& u, Vehicle<R>& v,
                 SystemState<R>& s) {
   const AugmentationTables<R>& t = aircraft.systems.augmentation;
+  const R before[] = {s.holds_pitch, s.holds_roll};
+  bool happened = false;
   if (v.on.augmentation) {
     latch(t, u.long_stick - s.rest_long, x.rates.y, x.pitch, s.holds_pitch, s.held_pitch);
     latch(t, u.lat_stick - s.rest_lat, x.rates.x, x.roll, s.holds_roll, s.held_roll);
   }
   if (v.on.augmentation && v.disengages) {
-    bool returned = true;
-    for (const R& way : s.series) returned = returned && way < kReturned<R> && way > -kReturned<R>;
-    if (returned) {
+    if (has_returned(s)) {
       v.on.augmentation = v.disengages = false;
       for (R& way : s.series) way = R(0);
       s.washout = s.holds_pitch = s.holds_roll = R(0);
+      happened = true;
     }
   }
-  if (v.on.engines && s.fuel >= aircraft.systems.drive.fuel)
-    for (bool& failed : v.engine_failed) failed = true;
+  if (v.on.engines && s.fuel >= aircraft.systems.drive.fuel) {
+    for (bool& failed : v.engine_failed) {
+      happened = happened || !failed;
+      failed = true;
+    }
+  }
+  return happened || s.holds_pitch != before[0] || s.holds_roll != before[1];
 }
 
 // The systems in a steady flight at (x, u) of the airframe, `torque` of both rotors (N m): every rate that the flight
@@ -55,15 +68,7 @@ void settle(const Configuration<R>& c, const State<R>& x, R torque, Vehicle<R>& 
   }
 
   const Vec3<R> velocity = x.velocity - u.gust;
-  const BladeControls<R> angles =
-      vehicle_detail::wanted_angles(aircraft, c.setup.options, c.setup.mast_deg, u, velocity);
-  for (const Side side : {right, left}) {
-    s.collective[side] = angles.collective[side];
-    s.long_cyclic[side] = angles.long_cyclic[side];
-  }
-  s.elevator = angles.elevator;
-  s.aileron = angles.aileron;
-  s.rudder = angles.rudder;
+  put_actuators(vehicle_detail::wanted_angles(aircraft, c.setup.options, c.setup.mast_deg, u, velocity), s);
 
   const AugmentationTables<R>& t = aircraft.systems.augmentation;
   for (R& way : s.series) way = R(0);

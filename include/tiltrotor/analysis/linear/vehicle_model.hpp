@@ -256,8 +256,8 @@ Status linearize_vehicle(const Vehicle<R>& v, Configuration<R>& c, const State<R
   vehicle_rates(v, c, base, x, s, v.commands, u, VehicleAirframe<R>{c, x, work.steps, azimuth}, work.demand,
                 work.answer, flows, sdot);
   xdot = work.answer.rates;
-  SystemState<R> at = s;
-  if (v.on.governor == Governor::ideal) at.governor = flows.governed;
+  SystemState<R> point_state = s;
+  if (v.on.governor == Governor::ideal) point_state.governor = flows.governed;
   d::list_inputs(x, work.demand, about.input);
   about.outside = work.demand.outside;
   d::mark_used(v, shape, about);
@@ -298,7 +298,7 @@ Status linearize_vehicle(const Vehicle<R>& v, Configuration<R>& c, const State<R
   const int all = shape.states + shape.inputs;
   for (int first = 0; first < all; first += kVehicleDirections) {
     const int last = first + kVehicleDirections < all ? first + kVehicleDirections : all;
-    d::seed(x, at, v.commands, u, shape, first, last, systems);
+    d::seed(x, point_state, v.commands, u, shape, first, last, systems);
     vehicle_rates<T>(v, c, base, systems.x, systems.s, systems.commands, systems.u,
                      d::ExpandedAirframe<T>{about, c.mass, systems.x}, systems.demand, systems.answer,
                      systems.flows, systems.rates);
