@@ -78,6 +78,10 @@ constexpr Unit kUnits[] = {
     {"kg/s", 1, "kg/s"},
     {"slug/s/hp", kSlug / kHorsepower, "kg/J"},
     {"kg/J", 1, "kg/J"},
+    {"lbf/in", kPoundForce / kInch, "N/m"},
+    {"N/m", 1, "N/m"},
+    {"lbf s/in", kPoundForce / kInch, "N s/m"},
+    {"N s/m", 1, "N s/m"},
 };
 
 }  // namespace
