@@ -29,3 +29,5 @@
 #include "tiltrotor/model/setup/setup_explanation.hpp"
 #include "tiltrotor/model/variables/control_range.hpp"
 #include "tiltrotor/model/variables/presets.hpp"
+#include "tiltrotor/systems/ground_effect.hpp"
+#include "tiltrotor/systems/landing_gear.hpp"
