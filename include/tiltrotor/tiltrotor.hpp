@@ -29,3 +29,4 @@
 #include "tiltrotor/model/setup/setup_explanation.hpp"
 #include "tiltrotor/model/variables/control_range.hpp"
 #include "tiltrotor/model/variables/presets.hpp"
+#include "tiltrotor/systems/turbulence.hpp"

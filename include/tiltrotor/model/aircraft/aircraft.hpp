@@ -8,6 +8,7 @@
 
 #include "tiltrotor/model/aircraft/airframe_tables.hpp"
 #include "tiltrotor/model/aircraft/control_tables.hpp"
+#include "tiltrotor/model/aircraft/gust_tables.hpp"
 #include "tiltrotor/model/aircraft/mass_tables.hpp"
 #include "tiltrotor/model/aircraft/rotor_tables.hpp"
 #include "tiltrotor/model/aircraft/smoothing_widths.hpp"
@@ -41,6 +42,7 @@ struct Aircraft {
   DefaultTables<R> defaults;
   TrimGuessTables<R> guess;
   SmoothingWidths<R> smooth;
+  GustTables<R> gust;
 };
 
 }  // namespace tiltrotor
