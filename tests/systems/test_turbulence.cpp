@@ -4,8 +4,6 @@
 #include "tiltrotor/systems/turbulence.hpp"
 
 #include <algorithm>
-#include <cstdint>
-#include <cstring>
 
 #include "check.hpp"
 #include "systems/turbulence_response.hpp"

@@ -141,7 +141,7 @@ void advance_delay(GustDelay<T>& d, const T& mean_series, const T& z) {
 }  // namespace turbulence_detail
 
 // The state dt later, dt >= 0 in s, any length; `noise` belongs to this step alone. Air and aircraft as they are
-// during the step. Finite for finite arguments. About 150 operations.
+// during the step. Finite for finite arguments. About 200 operations.
 template <class T>
 TurbulenceState<T> turbulence_step(TurbulenceState<T> state, const TurbulentAir<T>& air, Real<T> dt,
                                    const GustNoise<Real<T>>& noise, const Aircraft<Real<T>>& aircraft) {
@@ -175,7 +175,7 @@ TurbulenceState<T> turbulence_step(TurbulenceState<T> state, const TurbulentAir<
   return state;
 }
 
-// Gusts of a state, m/s, body axes. Without wind they are zero.
+// Gusts of a state, m/s, body axes; zero without wind. About 300 operations.
 template <class T>
 LocalGusts<T> gusts_at(const TurbulenceState<T>& state, const TurbulentAir<T>& air,
                        const Aircraft<Real<T>>& aircraft) {
