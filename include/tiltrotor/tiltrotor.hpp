@@ -31,3 +31,4 @@
 #include "tiltrotor/model/variables/presets.hpp"
 #include "tiltrotor/systems/ground_effect.hpp"
 #include "tiltrotor/systems/landing_gear.hpp"
+#include "tiltrotor/systems/turbulence.hpp"

@@ -342,6 +342,19 @@ const std::vector<Field> kFields = {
     {"ground.fade_end", "ground_fade_end", "ND"},
     {"ground.download_on_gear", "ground_download_on_gear", "ND"},
     {"ground.download_end", "ground_download_end", "ND"},
+    {"gust.wind_light", "gust_W20_light", "m/s"},
+    {"gust.wind_moderate", "gust_W20_moderate", "m/s"},
+    {"gust.wind_severe", "gust_W20_severe", "m/s"},
+    {"gust.vertical_intensity", "gust_sigma_w_over_W20", "ND"},
+    {"gust.ground_shape", "gust_ground_shape", "ND"},
+    {"gust.low_height", "gust_low_height", "m"},
+    {"gust.high_height", "gust_high_height", "m"},
+    {"gust.high_length", "gust_high_length", "m"},
+    {"gust.high_intensity", "gust_high_intensity", "ND"},
+    {"gust.lowest_height", "gust_lowest_height", "m"},
+    {"gust.convection_speed", "gust_convection_speed", "m/s"},
+    {"gust.height_width", "gust_height_width", "m"},
+    {"gust.speed_width", "gust_speed_width", "m/s"},
 };
 
 namespace {

@@ -9,6 +9,7 @@
 #include "tiltrotor/model/aircraft/airframe_tables.hpp"
 #include "tiltrotor/model/aircraft/control_tables.hpp"
 #include "tiltrotor/model/aircraft/ground_tables.hpp"
+#include "tiltrotor/model/aircraft/gust_tables.hpp"
 #include "tiltrotor/model/aircraft/mass_tables.hpp"
 #include "tiltrotor/model/aircraft/rotor_tables.hpp"
 #include "tiltrotor/model/aircraft/smoothing_widths.hpp"
@@ -46,6 +47,7 @@ struct Aircraft {
   GroundTables<R> ground;
   SmoothingWidths<R> smooth;
   SystemTables<R> systems;
+  GustTables<R> gust;
 };
 
 }  // namespace tiltrotor
