@@ -57,6 +57,7 @@ void settle(const Configuration<R>& c, const State<R>& x, R torque, Vehicle<R>& 
   s.flap = v.commands.flap = c.setup.flap_deg * kRadPerDeg<R>;
   s.rotor_speed = v.commands.rotor_speed = c.setup.rotor_speed;
   s.governor = R(0);
+  v.loaded_mass = c.setup.mass + s.fuel;
 
   const R needed = torque * c.setup.rotor_speed / aircraft.controls.transmission_efficiency;
   const int running = vehicle_detail::engines_running(v.engine_failed);
@@ -86,6 +87,29 @@ void settle(const Configuration<R>& c, const State<R>& x, R torque, Vehicle<R>& 
   }
   s.rest_long = u.long_stick;
   s.rest_lat = u.lat_stick;
+}
+
+// The air of the turbulence about an aircraft.
+template <class R>
+TurbulentAir<R> turbulent_air(const Configuration<R>& c, const State<R>& x, const Controls<R>& u,
+                              const Vehicle<R>& v) {
+  const bool near = v.ground.down < vehicle_detail::kFarGround<R>;
+  const R height = near ? v.ground.down - x.position.z : c.setup.altitude;
+  return {height, length(x.velocity - u.gust), v.wind_20_ft};
+}
+
+// The surroundings with the gusts of the turbulence, which add to those that are there.
+template <class R>
+Surroundings<R> with_turbulence(const Configuration<R>& c, const State<R>& x, const Controls<R>& u,
+                                const Vehicle<R>& v, const SystemState<R>& s) {
+  Surroundings<R> around = c.around;
+  if (!v.on.turbulence) return around;
+  const LocalGusts<R> gusts = gusts_at(s.gusts, turbulent_air(c, x, u, v), *c.aircraft);
+  for (const Side side : {right, left})
+    around.rotor_gust_b[side] = around.rotor_gust_b[side] + gusts.rotor[side];
+  around.wing_gust_b = around.wing_gust_b + gusts.wing;
+  around.tail_gust_b = around.tail_gust_b + gusts.tail;
+  return around;
 }
 
 }  // namespace tiltrotor

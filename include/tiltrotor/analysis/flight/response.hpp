@@ -156,15 +156,15 @@ void put_systems(const RightSide<R, Policy>& f) {
   for (int k = 0; k < f.work.systems.count; ++k)
     f.work.x[f.work.active.count + k] = flat[f.work.systems.index[k]];
   SystemState<R> rates;
-  airframe_demand(v, f.c, part.base, f.airframe_state(f.work.x), s, v.commands, f.controls, f.work.demand,
-                  f.work.flows, rates);
+  airframe_demand(v, f.c, part.base, *part.c, f.airframe_state(f.work.x), s, v.commands, f.controls,
+                  f.work.demand, f.work.flows, rates);
   put_into(f.work.demand, *part.c);
 }
 
 // The configuration at the end of a stretch of a step.
 template <class R, class Policy>
-Status arrive(const MovingConfiguration<R>& moving, R time, bool at_stop,
-              const RightSide<R, Policy>& f, int& fault_state) {
+Status arrive(const MovingConfiguration<R>& moving, R time, bool at_stop, const RightSide<R, Policy>& f,
+              int& fault_state) {
   Configuration<R>& c = *moving.configuration;
   f.place_configuration(time, f.work.x);
   // A mast that comes to rest at its stop may lie beyond it by a rounding.
@@ -323,10 +323,21 @@ Status advance_vehicle(Configuration<R>& c, SystemFlight<R>& flight, SimulationW
   // Rates found before an event are not those after it; those of an ideal governor bring its collective along.
   const bool happened = begin_step(*c.aircraft, s.state, current_controls(s), flight.vehicle, flight.state);
   if (happened || flight.vehicle.on.governor == Governor::ideal) xdot = nullptr;
+  const Surroundings<R> around = c.around;
+  const State<R> now = current_state(s);
+  const TurbulentAir<R> air = turbulent_air(c, now, current_controls(s), flight.vehicle);
+  c.around = with_turbulence(c, now, current_controls(s), flight.vehicle, flight.state);
   MovingConfiguration<R> moving{&c, false, R(0), {}, R(0)};
   response_detail::SystemPart<R> part{&flight, &c, c.setup};
   const Status status = response_detail::advance(c, &moving, &part, work, s, xdot);
-  if (status != Status::ok) {
+  c.around = around;
+  if (status == Status::ok) {
+    if (flight.vehicle.on.turbulence) {
+      const GustNoise<R> noise = gust_noise<R>(flight.vehicle.turbulence_seed, flight.steps);
+      flight.state.gusts = turbulence_step(flight.state.gusts, air, s.dt, noise, *c.aircraft);
+    }
+    ++flight.steps;
+  } else {
     flight = before;
     static_cast<ConfigurationSetting<R>&>(c.setup) = setting;
     configure(c);
