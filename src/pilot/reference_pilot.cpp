@@ -17,10 +17,9 @@ constexpr double kDegree = kRadPerDeg<double>;
 constexpr double kSpeedReference = 0.5, kHeightReference = 0.4, kClimbReference = 1.0,
                  kHeadingReference = 0.6;
 constexpr double kTurnReference = 1.5;
-constexpr double kAcceleration = 1.5, kVerticalAcceleration = 1.5;  // m/s^2
-constexpr double kAccelerationLag = 1;                              // s
+constexpr double kVerticalAcceleration = 1.5;         // m/s^2
+constexpr double kAccelerationLag = 1;                // s
 constexpr double kAheadSpeed = 6, kAheadHeight = 10;  // m/s, m: they wait for an aircraft that cannot follow
-constexpr double kClimb = 6;                          // m/s, on the way to a height
 constexpr double kBank = 20 * kDegree, kRolling = 8 * kDegree;  // rad, rad/s
 constexpr double kTurn = 12 * kDegree;                          // rad/s; rad/s^2 as well
 constexpr double kPositionSpeed = 5, kTrackSpeed = 5;           // m/s, on the way to a place
@@ -83,7 +82,7 @@ void begin(const PilotSees& sees, const PilotGains& gains, PilotMemory& m) {
 void move_longitudinal_reference(const PilotAims& aims, const PilotSees& sees, const Seen& seen, double speed,
                                  double dt, PilotMemory& m) {
   if (aims.holds_speed || aims.holds_position) {
-    const double wanted = within(kSpeedReference * (speed - m.speed), kAcceleration);
+    const double wanted = within(kSpeedReference * (speed - m.speed), aims.acceleration);
     m.acceleration += std::min(dt / kAccelerationLag, 1.0) * (wanted - m.acceleration);
     m.speed = seen.forward + within(m.speed + dt * m.acceleration - seen.forward, kAheadSpeed);
   } else {
@@ -96,7 +95,7 @@ void move_longitudinal_reference(const PilotAims& aims, const PilotSees& sees, c
   } else {
     const double climb = aims.vertical == Vertical::climb
                              ? aims.climb
-                             : within(kHeightReference * (aims.height - m.height), kClimb);
+                             : within(kHeightReference * (aims.height - m.height), aims.most_climb);
     m.climb_rate = within(kClimbReference * (climb - m.climb), kVerticalAcceleration);
     m.climb += dt * m.climb_rate;
   }
@@ -137,11 +136,54 @@ double move_lateral_reference(const PilotAims& aims, const PilotSees& sees, cons
   return acceleration;
 }
 
-// The hand on its way to `wanted`; tells whether it gets there.
-bool reach_for(double wanted, double low, double high, double step, double& hand) {
-  const double target = std::clamp(wanted, low, high);
-  hand = std::clamp(target, hand - step, hand + step);
-  hand = std::clamp(hand, low, high);
+// Speeds to stay at and accelerations to make, of the two halves: forward and upward, sideward and turning. `error`: the
+// part of the accelerations that the present errors ask for, which are integrated.
+struct Wishes {
+  Pair stay[2], change[2], error[2];
+  double turn;  // rad/s
+};
+enum Half { longitudinal, lateral };
+
+Wishes wish(const PilotAims& aims, const PilotSees& sees, const Seen& seen, const PilotGains& gains,
+            double dt, PilotMemory& m) {
+  // Position becomes speeds over the ground.
+  double speed = aims.speed, side_speed = 0;
+  if (aims.holds_position) {
+    const double north = aims.north - sees.north, east = aims.east - sees.east;
+    const double cosine = std::cos(sees.yaw), sine = std::sin(sees.yaw);
+    speed = within(kPosition * (cosine * north + sine * east), kPositionSpeed);
+    side_speed = within(kPosition * (-sine * north + cosine * east), kPositionSpeed);
+  }
+  move_longitudinal_reference(aims, sees, seen, speed, dt, m);
+  const double turn_acceleration = move_lateral_reference(aims, sees, seen, dt, m);
+
+  const double height_error = aims.vertical == Vertical::height ? m.height - sees.height : 0;
+  const double yaw_error = aims.lateral == Lateral::heading ? wrapped(m.heading - sees.yaw) : 0;
+  const bool turns = aims.lateral != Lateral::released;
+  const double turn = turns ? m.turn_rate + kHeading * yaw_error : 0;
+  const double side_gain = kSideOverGround + seen.air * (kSideThroughAir - kSideOverGround);
+  const double yaw_gain = kYawOverGround + seen.air * (kYawThroughAir - kYawOverGround);
+  const Pair lon{kSpeed * (m.speed - seen.forward),
+                 kClimbing * (m.climb + kHeight * height_error - seen.climb)};
+  const Pair lat{side_gain * (side_speed - seen.side), turns ? yaw_gain * (turn - seen.turn_rate) : 0};
+  const double load = kGravity<double> * (1 / std::cos(within(sees.roll, kBankRange)) - 1);
+  return {
+      {{m.speed - gains.speed + m.forward, m.climb + m.upward}, {side_speed + m.sideward, turn + m.turning}},
+      {{m.acceleration + lon.first + kIntegral * m.forward,
+        m.climb_rate + load + lon.second + kIntegral * m.upward},
+       {lat.first + kLateralIntegral * m.sideward,
+        turn_acceleration + lat.second + kLateralIntegral * m.turning}},
+      {lon, lat},
+      turn};
+}
+
+// The hand on its way to `wanted`; tells whether that lies within its travel.
+bool reach_for(double wanted, double PilotOutput::*hand, const PilotReach& reach, double dt,
+               PilotOutput& at) {
+  const double step = dt * reach.rate.*hand;
+  const double target = std::clamp(wanted, reach.low.*hand, reach.high.*hand);
+  at.*hand =
+      std::clamp(std::clamp(target, at.*hand - step, at.*hand + step), reach.low.*hand, reach.high.*hand);
   return target == wanted;
 }
 
@@ -168,87 +210,54 @@ PilotOutput reference_pilot(const PilotAims& aims, const PilotSees& sees, const 
                             Thrust thrust, const PilotReach& reach, double dt, PilotMemory& m) {
   if (!m.has_begun) begin(sees, gains, m);
   const Seen seen = look(sees, m.speed);
+  const Wishes wishes = wish(aims, sees, seen, gains, dt, m);
 
-  // Position becomes speeds over the ground.
-  double speed = aims.speed, side_speed = 0;
-  if (aims.holds_position) {
-    const double north = aims.north - sees.north, east = aims.east - sees.east;
-    const double cosine = std::cos(sees.yaw), sine = std::sin(sees.yaw);
-    speed = within(kPosition * (cosine * north + sine * east), kPositionSpeed);
-    side_speed = within(kPosition * (-sine * north + cosine * east), kPositionSpeed);
-  }
-  move_longitudinal_reference(aims, sees, seen, speed, dt, m);
-  const double turn_acceleration = move_lateral_reference(aims, sees, seen, dt, m);
-
-  // What is to stay, and what is to change: references, errors, and what is left of them over time.
-  const double height_error = aims.vertical == Vertical::height ? m.height - sees.height : 0;
-  const double yaw_error = aims.lateral == Lateral::heading ? wrapped(m.heading - sees.yaw) : 0;
-  const bool turns = aims.lateral != Lateral::released;
-  const double turn = turns ? m.turn_rate + kHeading * yaw_error : 0;
-  const double side_gain = kSideOverGround + seen.air * (kSideThroughAir - kSideOverGround);
-  const double yaw_gain = kYawOverGround + seen.air * (kYawThroughAir - kYawOverGround);
-  const double forward_error = kSpeed * (m.speed - seen.forward);
-  const double upward_error = kClimbing * (m.climb + kHeight * height_error - seen.climb);
-  const double side_error = side_gain * (side_speed - seen.side);
-  const double turn_error = turns ? yaw_gain * (turn - seen.turn_rate) : 0;
-  const double load = kGravity<double> * (1 / std::cos(within(sees.roll, kBankRange)) - 1);
-  const Pair forward_upward{m.speed - gains.speed + m.forward, m.climb + m.upward};
-  const Pair faster{m.acceleration + forward_error + kIntegral * m.forward,
-                    m.climb_rate + load + upward_error + kIntegral * m.upward};
-  const Pair sideward_turning{side_speed + m.sideward, turn + m.turning};
-  const Pair more{side_error + kLateralIntegral * m.sideward,
-                  turn_acceleration + turn_error + kLateralIntegral * m.turning};
-
-  // They need attitudes and levers.
+  // Wishes need attitudes and levers.
   const Needs &lon = gains.longitudinal, &lat = gains.lateral;
-  const double pitch_change =
-      times(lon.steady.attitude, forward_upward) + times(lon.changing.attitude, faster);
+  const Pair &stay_lon = wishes.stay[longitudinal], &change_lon = wishes.change[longitudinal];
+  const Pair &stay_lat = wishes.stay[lateral], &change_lat = wishes.change[lateral];
+  const double pitch_change = times(lon.steady.attitude, stay_lon) + times(lon.changing.attitude, change_lon);
   const double pitch = gains.pitch + within(pitch_change, kPitchRange);
-  const double lever_change = times(lon.steady.lever, forward_upward) + times(lon.changing.lever, faster);
+  const double lever_change = times(lon.steady.lever, stay_lon) + times(lon.changing.lever, change_lon);
   const double bank_wanted =
-      std::atan(times(lat.steady.attitude, sideward_turning)) + times(lat.changing.attitude, more);
+      std::atan(times(lat.steady.attitude, stay_lat)) + times(lat.changing.attitude, change_lat);
   const double bank = within(bank_wanted, kBankRange);
-  const double pedal = times(lat.steady.lever, sideward_turning) + times(lat.changing.lever, more) +
-                       gains.yaw_damping * (turn - seen.turn_rate);
 
-  // Attitudes become sticks.
+  // Attitudes need sticks.
   const AttitudeGains &by_long = gains.pitch_by_stick, &by_lat = gains.roll_by_stick;
   const double pitch_error = pitch - sees.pitch, bank_error = bank - sees.roll;
-  const double long_stick = gains.long_stick + times(lon.steady.stick, forward_upward) +
-                            times(lon.changing.stick, faster) + by_long.angle * pitch_error -
-                            by_long.rate * seen.pitch_rate + m.long_stick;
-  const double lat_stick = times(lat.steady.stick, sideward_turning) + times(lat.changing.stick, more) +
-                           by_lat.angle * bank_error - by_lat.rate * seen.roll_rate + m.lat_stick;
-
   const bool by_collective = thrust == Thrust::collective;
-  const double collective =
-      gains.collective + (by_collective ? lever_change : gains.following * lever_change);
-  const double throttle = gains.throttle + (by_collective ? gains.following * lever_change : lever_change);
-  const PilotOutput &low = reach.low, &high = reach.high, &rate = reach.rate;
-  const bool has_collective =
-      reach_for(collective, low.collective, high.collective, dt * rate.collective, m.last.collective);
-  const bool has_throttle =
-      reach_for(throttle, low.throttle, high.throttle, dt * rate.throttle, m.last.throttle);
-  const bool has_long =
-      reach_for(long_stick, low.long_stick, high.long_stick, dt * rate.long_stick, m.last.long_stick);
-  const bool has_lat =
-      reach_for(lat_stick, low.lat_stick, high.lat_stick, dt * rate.lat_stick, m.last.lat_stick);
-  const bool has_pedal = reach_for(pedal, low.pedal, high.pedal, dt * rate.pedal, m.last.pedal);
+  const double following = gains.following * lever_change;
+  const PilotOutput wanted = {gains.collective + (by_collective ? lever_change : following),
+                              gains.long_stick + times(lon.steady.stick, stay_lon) +
+                                  times(lon.changing.stick, change_lon) + by_long.angle * pitch_error -
+                                  by_long.rate * seen.pitch_rate + m.long_stick,
+                              times(lat.steady.stick, stay_lat) + times(lat.changing.stick, change_lat) +
+                                  by_lat.angle * bank_error - by_lat.rate * seen.roll_rate + m.lat_stick,
+                              times(lat.steady.lever, stay_lat) + times(lat.changing.lever, change_lat) +
+                                  gains.yaw_damping * (wishes.turn - seen.turn_rate),
+                              gains.throttle + (by_collective ? following : lever_change)};
+  const auto has = [&](double PilotOutput::*hand) {
+    return reach_for(wanted.*hand, hand, reach, dt, m.last);
+  };
+  const bool has_collective = has(&PilotOutput::collective), has_throttle = has(&PilotOutput::throttle);
+  const bool has_long = has(&PilotOutput::long_stick), has_lat = has(&PilotOutput::lat_stick);
+  const bool has_pedal = has(&PilotOutput::pedal);
 
   // Integrals move while everything they move is free.
+  const Taken& taken = aims.taken;
   const bool flies = !sees.is_on_ground;
-  const bool lon_free = flies && has_long && !aims.taken.long_stick && !aims.taken.thrust &&
-                        (by_collective ? has_collective : has_throttle) &&
-                        pitch == gains.pitch + pitch_change;
+  const bool lon_free = flies && has_long && (by_collective ? has_collective : has_throttle) &&
+                        pitch == gains.pitch + pitch_change && !taken.long_stick && !taken.thrust;
   const bool lat_free =
-      flies && has_lat && has_pedal && !aims.taken.lat_stick && !aims.taken.pedal && bank == bank_wanted;
+      flies && has_lat && has_pedal && bank == bank_wanted && !taken.lat_stick && !taken.pedal;
   const bool lowers = sees.is_on_ground && aims.vertical == Vertical::climb && aims.climb < 0;
-  integrate(forward_error, lon_free, dt, m.forward);
-  integrate(lowers ? -kLowering : upward_error, lon_free || lowers, dt, m.upward);
-  integrate(side_error, lat_free, dt, m.sideward);
-  integrate(turn_error, lat_free, dt, m.turning);
-  integrate(by_long.integral * pitch_error, flies && has_long && !aims.taken.long_stick, dt, m.long_stick);
-  integrate(by_lat.integral * bank_error, flies && has_lat && !aims.taken.lat_stick, dt, m.lat_stick);
+  integrate(wishes.error[longitudinal].first, lon_free, dt, m.forward);
+  integrate(lowers ? -kLowering : wishes.error[longitudinal].second, lon_free || lowers, dt, m.upward);
+  integrate(wishes.error[lateral].first, lat_free, dt, m.sideward);
+  integrate(wishes.error[lateral].second, lat_free, dt, m.turning);
+  integrate(by_long.integral * pitch_error, flies && has_long && !taken.long_stick, dt, m.long_stick);
+  integrate(by_lat.integral * bank_error, flies && has_lat && !taken.lat_stick, dt, m.lat_stick);
   return m.last;
 }
 

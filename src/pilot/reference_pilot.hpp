@@ -22,10 +22,12 @@ struct Taken {
 // The loops that are on, and what they hold.
 struct PilotAims {
   bool holds_speed;
-  double speed;  // m/s, forward: over the ground below 10 m/s, through the air above 30 m/s
+  double speed;               // m/s, forward: over the ground below 10 m/s, through the air above 30 m/s
+  double acceleration = 1.5;  // m/s^2, on the way there
   Vertical vertical;
-  double height;  // m above the ground
-  double climb;   // m/s, + up
+  double height;          // m above the ground
+  double most_climb = 6;  // m/s, on the way there
+  double climb;           // m/s, + up
   Lateral lateral;
   double heading;       // rad
   double turn_rate;     // rad/s, + right

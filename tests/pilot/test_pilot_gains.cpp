@@ -1,9 +1,9 @@
 // Gains of the reference pilot.
-// Expected: a body whose inverse is known by hand.
+// Expected: a body whose inverse is known by hand; numbers that are linear between points.
 #include <vector>
 
 #include "analysis/analysis_case.hpp"
-#include "pilot/pilot_gains.hpp"
+#include "pilot/pilot_schedule.hpp"
 #include "tiltrotor/model/rigid_body.hpp"
 
 using namespace analysis_case;
@@ -60,4 +60,34 @@ TEST(pilot_gains_of_a_known_body) {
   CHECK(pilot_gains(model, {}, rule, gains) == Status::singular);
   model.control[2] = kControlIndex.aileron;
   CHECK(pilot_gains(model, {}, rule, gains) == Status::bad_argument);
+}
+
+// Numbers linear in mast angle and speed come back as they are between points, and stay at the ends of a row.
+TEST(pilot_schedule_is_linear_between_its_points) {
+  PilotSchedule schedule;
+  CHECK(schedule.is_empty());
+  const auto pitch = [](double mast, double speed) { return 0.3 - 0.01 * mast + 0.002 * speed; };
+  for (const double mast : {0.0, 60.0, 90.0})
+    for (const double speed : {mast, mast + 20, mast + 50}) {
+      PilotGains point{};
+      point.mast_deg = mast;
+      point.speed = speed;
+      point.pitch = pitch(mast, speed);
+      schedule.add(point);
+    }
+  for (const double mast : {0.0, 17.0, 60.0, 72.0, 90.0})
+    for (const double speed : {60.0, 65.0, 70.0}) {
+      const PilotGains gains = schedule.at(mast, speed);
+      CHECK_NEAR(gains.mast_deg, mast, 1e-12);
+      // Rows of other mast angles may end before: held there.
+      const double held = gains.speed;
+      CHECK_NEAR(gains.pitch, pitch(mast, held), 1e-12);
+    }
+  CHECK_NEAR(schedule.at(60, 75).speed, 75, 1e-12);
+  CHECK_NEAR(schedule.at(60, 75).pitch, pitch(60, 75), 1e-12);
+  CHECK_EQ(schedule.at(60, 10).speed, 60);
+  CHECK_EQ(schedule.at(0, 300).speed, 50);
+  CHECK_EQ(schedule.at(120, 100).mast_deg, 90);
+  CHECK_EQ(schedule.at(-10, 20).mast_deg, 0);
+  CHECK_NEAR(schedule.at(45, 40).speed, 0.25 * 40 + 0.75 * 60, 1e-12);
 }
