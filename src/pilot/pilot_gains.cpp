@@ -50,7 +50,7 @@ Status held_response(const LinearModel<double>& body, const Half& half, double s
     drive(i, 0) = body.a(rows[i], half.attitude) + s * body.a(rows[i], half.rate) - (i == 2 ? s * s : 0);
     drive(i, 1) = body.b(rows[i], half.lever);
   }
-  LU<double, 3> lu;
+  LU<double, 3> lu{};
   const Status status = lu_factor(system, 3, lu);
   return status == Status::ok ? lu_solve(lu, drive, 2, response) : status;
 }
@@ -127,7 +127,7 @@ Status pilot_gains(const LinearModel<double>& model, const RateFeedback& augment
 }
 
 PilotGains between(const PilotGains& a, const PilotGains& b, double part) {
-  double number[48];
+  double number[48] = {};
   int count = 0;
   PilotGains::each(b, [&](const double& x) { number[count++] = x; });
   PilotGains mean = a;

@@ -103,35 +103,36 @@ void move_longitudinal_reference(const PilotAims& aims, const PilotSees& sees, c
   m.height = sees.height + (aims.vertical == Vertical::height ? within(above, kAheadHeight) : 0);
 }
 
-// Acceleration of the reference's turn.
-double move_lateral_reference(const PilotAims& aims, const PilotSees& sees, const Seen& seen, double dt,
-                              PilotMemory& m) {
-  const double most =
-      std::min(kTurn, kGravity<double> * std::tan(kBank) / std::fmax(seen.forward, kLeastSpeed));
-  double turn = seen.turn_rate;
+// Turn rate that leads to what is told.
+double turn_told(const PilotAims& aims, const PilotSees& sees, const Seen& seen, double heading) {
   switch (aims.lateral) {
     case Lateral::heading:
-      turn = within(kHeadingReference * wrapped(aims.heading - m.heading), most);
-      break;
+      return kHeadingReference * wrapped(aims.heading - heading);
     case Lateral::turn:
-      turn = within(aims.turn_rate, most);
-      break;
+      return aims.turn_rate;
     case Lateral::track: {
       const double off =
           -std::sin(aims.track) * (sees.north - aims.north) + std::cos(aims.track) * (sees.east - aims.east);
       const double back =
           std::atan2(within(kPosition * off, kTrackSpeed), std::fmax(seen.over_ground, kLeastSpeed));
-      turn = within(kHeadingReference * wrapped(aims.track - back - seen.course), most);
-      break;
+      return kHeadingReference * wrapped(aims.track - back - seen.course);
     }
     case Lateral::released:
-      m.turn_rate = seen.turn_rate;
-      m.heading = sees.yaw;
-      return 0;
+      break;
   }
-  const double fastest = std::min(kTurn, kGravity<double> * kRolling / std::fmax(seen.forward, kLeastSpeed));
-  const double acceleration = within(kTurnReference * (turn - m.turn_rate), fastest);
-  m.turn_rate += dt * acceleration;
+  return seen.turn_rate;
+}
+
+// Acceleration of the reference's turn.
+double move_lateral_reference(const PilotAims& aims, const PilotSees& sees, const Seen& seen, double dt,
+                              PilotMemory& m) {
+  const double speed = std::fmax(seen.forward, kLeastSpeed);
+  const double most = std::min(kTurn, kGravity<double> * std::tan(kBank) / speed);
+  const double fastest = std::min(kTurn, kGravity<double> * kRolling / speed);
+  const double told = within(turn_told(aims, sees, seen, m.heading), most);
+  const bool is_released = aims.lateral == Lateral::released;
+  const double acceleration = is_released ? 0 : within(kTurnReference * (told - m.turn_rate), fastest);
+  m.turn_rate = is_released ? seen.turn_rate : m.turn_rate + dt * acceleration;
   m.heading = aims.lateral == Lateral::heading ? wrapped(m.heading + dt * m.turn_rate) : sees.yaw;
   return acceleration;
 }

@@ -78,7 +78,7 @@ TEST(pilot_closes_stable_loops_around_every_condition) {
           flight.aims.holds_position = holds_position;
           double frequency = 0;
           const double growth = largest_growth(flight, frequency);
-          if (!CHECK_LT(growth, -0.04))
+          if (!CHECK_LT(growth, -0.02))
             NOTE(condition << (is_augmented ? ", augmented" : "") << (holds_position ? ", position held" : "")
                            << ", lag " << lag << " s: " << growth << " 1/s at " << frequency << " rad/s");
         }
