@@ -6,6 +6,7 @@
 #include "cli/command.hpp"
 #include "cli/derived_columns.hpp"
 #include "cli/errors.hpp"
+#include "cli/governed.hpp"
 #include "cli/linear_options.hpp"
 #include "cli/linear_output.hpp"
 #include "cli/output.hpp"
@@ -23,15 +24,16 @@ class Linearizer {
       : rigid_(wants_rigid(arguments)),
         controls_(control_set(arguments)),
         output_(arguments, single),
-        model_(std::make_unique<LinearModel<double>>()) {}
+        model_(std::make_unique<LinearModel<double>>()),
+        matrices_(std::make_unique<VehicleMatrices>()) {}
 
   const Shard& shard() const { return output_.shard(); }
   Analyses& work() const { return *work_; }
 
   int add(LinearCase which, const Configuration<double>& c, const State<double>& x,
           const Controls<double>& u) {
-    Status status = linearize(c, x, u, controls_, *work_, *model_);
-    if (status == Status::ok && rigid_) status = reduce_to_rigid(*model_);
+    ShownModel shown;
+    const Status status = find(c, x, u, shown);
     which.valid = status == Status::ok;
     if (!which.valid) {
       which.status = status_word(status);
@@ -39,18 +41,34 @@ class Linearizer {
                    flight_text("linearize", which.mast_deg, which.speed).c_str(), which.name.c_str(),
                    status_text(status));
     }
-    output_.add(which, *model_);
+    output_.add(which, shown);
     return which.valid ? exit_success : exit_case_failed;
   }
 
-  void add_without_model(const LinearCase& which) { output_.add(which, *model_); }
+  void add_without_model(const LinearCase& which) { output_.add(which, ShownModel()); }
   void finish() { output_.finish(); }
 
  private:
+  Status find(const Configuration<double>& c, const State<double>& x, const Controls<double>& u,
+              ShownModel& shown) {
+    if (c.setup.options.governor != Governor::off) {
+      const Status status = linearize_governed(c, x, u, controls_, *work_, *matrices_);
+      Controls<double> at = u;
+      const SystemFlight<double> flight = governed(c, x, at);
+      shown = ShownModel(*matrices_, x, flight.state, u, flight.vehicle.commands);
+      return status;
+    }
+    Status status = linearize(c, x, u, controls_, *work_, *model_);
+    if (status == Status::ok && rigid_) status = reduce_to_rigid(*model_);
+    shown = ShownModel(*model_);
+    return status;
+  }
+
   bool rigid_;
   ControlSet controls_;
   LinearOutput output_;  // last of what arguments can refuse, since it begins to write
   std::unique_ptr<LinearModel<double>> model_;
+  std::unique_ptr<VehicleMatrices> matrices_;
   AnalysesWorkspace work_;
 };
 
@@ -90,6 +108,7 @@ int at_trim(const Arguments& arguments, const SetupOptions& setup) {
 
 int run(const Arguments& arguments) {
   const SetupOptions setup(arguments);
+  require_no_governor(setup.switches(), arguments, "--reduce");
   return arguments.given("--states") ? at_given_states(arguments, setup) : at_trim(arguments, setup);
 }
 

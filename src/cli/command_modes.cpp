@@ -1,5 +1,6 @@
 // `tiltrotor modes`: eigenvalues with names.
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <limits>
@@ -7,6 +8,7 @@
 
 #include "cli/command.hpp"
 #include "cli/errors.hpp"
+#include "cli/governed.hpp"
 #include "cli/linear_options.hpp"
 #include "cli/output.hpp"
 #include "cli/trimmed_flights.hpp"
@@ -37,15 +39,19 @@ bool neighbours(const TrimmedFlight& flight, double mast_deg, double speed) {
 }
 
 void add_row(Records& records, const TrimmedFlight& flight, const char* status,
-             const Mode<double>* mode = nullptr) {
+             const Mode<double>* mode = nullptr, const char* axis = nullptr) {
   constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
   Row row = {as_given(flight.mast_deg), as_given(flight.flight.speed)};
-  const Row numbers = mode != nullptr
-                          ? Row{axis_word(mode->axis), mode->name,          mode->real,        mode->imag,
-                                mode->frequency,       mode->damping_ratio, mode->time_to_half}
-                          : Row{"", "", nothing, nothing, nothing, nothing, nothing};
+  const Row numbers = mode != nullptr ? Row{axis != nullptr ? axis : axis_word(mode->axis),
+                                            mode->name,
+                                            mode->real,
+                                            mode->imag,
+                                            mode->frequency,
+                                            mode->damping_ratio,
+                                            mode->time_to_half}
+                                      : Row{"", "", nothing, nothing, nothing, nothing, nothing};
   row.insert(row.end(), numbers.begin(), numbers.end());
-  const double branch = mode != nullptr ? mode->branch : nothing;
+  const double branch = mode != nullptr && mode->branch > 0 ? mode->branch : nothing;
   for (const Cell& cell :
        Row{status, as_given(flight.setting("altitude_m")), as_given(flight.setting("mass_kg")),
            as_given(flight.setting("cg_sl_in")), branch, as_given(flight.setting("flap_deg"))})
@@ -58,14 +64,46 @@ void add_rows(Records& records, const TrimmedFlight& flight, const ModeSet<doubl
     add_row(records, flight, trim_status_word(flight.trim.status), &set.mode[i]);
 }
 
+// Rows of a model with a governor: modes of the systems besides, on an axis of their own; no branches.
+class GovernedModes {
+ public:
+  Status find(const TrimmedFlight& flight, Analyses& work) {
+    const Status status = linearize_governed(flight.configuration, flight.trim.state, flight.trim.controls,
+                                             ControlSet{}, work, *matrices_);
+    return status == Status::ok ? vehicle_modes(*matrices_, work, *modes_) : status;
+  }
+  void add_rows(Records& records, const TrimmedFlight& flight) const {
+    for (int i = 0; i < modes_->count; ++i) {
+      const VehicleMode<double>& m = modes_->mode[i];
+      Mode<double> shown{};
+      shown.real = m.real;
+      shown.imag = m.imag;
+      shown.frequency = m.frequency;
+      shown.damping_ratio = m.damping_ratio;
+      shown.time_to_half = m.time_to_half;
+      shown.axis = m.axis;
+      std::copy(std::begin(m.name), std::end(m.name), std::begin(shown.name));
+      add_row(records, flight, trim_status_word(flight.trim.status), &shown,
+              m.is_system ? "system" : nullptr);
+    }
+  }
+
+ private:
+  std::unique_ptr<VehicleMatrices> matrices_ = std::make_unique<VehicleMatrices>();
+  std::unique_ptr<VehicleModes<double>> modes_ = std::make_unique<VehicleModes<double>>();
+};
+
 int run(const Arguments& arguments) {
   const std::vector<SetupOptions> setups = SetupOptions::every_combination(arguments);
   const bool rigid = wants_rigid(arguments);
+  const Options& options = setups.front().switches();
+  require_no_governor(options, arguments, "--reduce");
   flight_cases(arguments, setups.size());
   Output output(arguments);
   Records records = output.records(columns, Output::to_read);
   const AnalysesWorkspace work;
   const auto model = std::make_unique<LinearModel<double>>();
+  GovernedModes with_governor;
   ModeTracker<double> tracker;
   double mast_before = 0;
   double speed_before = 0;
@@ -78,6 +116,17 @@ int run(const Arguments& arguments) {
     if (!is_trimmed(trim.status)) {
       tracker.lose_track();
       if (!flight.is_preliminary) add_row(records, flight, trim_status_word(trim.status));
+      return exit_case_failed;
+    }
+    if (options.governor != Governor::off && flight.is_preliminary) return exit_success;
+    if (options.governor != Governor::off) {
+      const Status found = with_governor.find(flight, *work);
+      if (found == Status::ok) {
+        with_governor.add_rows(records, flight);
+        return exit_success;
+      }
+      add_row(records, flight, status_word(found));
+      std::fprintf(stderr, "tiltrotor: %s: %s\n", flight.where.c_str(), status_text(found));
       return exit_case_failed;
     }
     Status status = linearize(flight.configuration, trim.state, trim.controls, ControlSet{}, *work, *model);

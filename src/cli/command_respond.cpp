@@ -9,6 +9,7 @@
 #include "cli/command.hpp"
 #include "cli/errors.hpp"
 #include "cli/flight_range.hpp"
+#include "cli/governed.hpp"
 #include "cli/input_text.hpp"
 #include "cli/linear_options.hpp"
 #include "cli/mast_moves.hpp"
@@ -131,6 +132,8 @@ class Companions {
 int fly(const TrimmedFlight& flight, const Plan& plan, Simulation<double>& simulation, Analyses& analyses,
         Companions& companions, Records& records) {
   Configuration<double> c = flight.configuration;
+  const bool is_governed = c.setup.options.governor != Governor::off;
+  SystemFlight<double> systems = governed(c, simulation.state, simulation.controls);
   const std::size_t steps = plan.steps + (plan.rest > 0 ? 1 : 0);
   Progress progress("respond", steps);
   int exit_status = exit_success;
@@ -145,7 +148,9 @@ int fly(const TrimmedFlight& flight, const Plan& plan, Simulation<double>& simul
     }
     if (step == steps) return exit_status;
     Status status = step == plan.steps ? change_step(simulation, plan.rest) : Status::ok;
-    if (status == Status::ok) status = plan.masts.advance(c, analyses, simulation);
+    if (status == Status::ok)
+      status = is_governed ? advance_vehicle(c, systems, analyses, simulation)
+                           : plan.masts.advance(c, analyses, simulation);
     if (status != Status::ok) {
       progress.message("respond: the flight cannot be continued beyond " + now + fault_text(simulation) +
                        ": " + status_text(status));
@@ -159,6 +164,10 @@ int run(const Arguments& arguments) {
   const SetupOptions setup(arguments);
   single_flight(arguments);
   const Plan plan = read_plan(arguments);
+  for (const char* option : {"--modes-every", "--matrices"})
+    require_no_governor(setup.switches(), arguments, option);
+  if (!plan.masts.is_empty()) require_no_governor(setup.switches(), arguments, "--input");
+  if (plan.integrator == Integrator::rodas3) require_no_governor(setup.switches(), arguments, "--method");
   Companions companions(arguments, plan);
   if (arguments.given("--control-set") && !arguments.given("--matrices"))
     throw UsageError(arguments.where("--control-set") + ": of the columns of --matrices, which is not given");

@@ -7,13 +7,12 @@
 #include "text/identity.hpp"
 #include "text/json.hpp"
 #include "text/number.hpp"
-#include "text/rounding.hpp"
 
 namespace tiltrotor::cli {
 
 namespace {
 
-using Model = LinearModel<double>;
+using Model = ShownModel;
 
 std::string joined(int count, const std::string& separator, const std::function<std::string(int)>& item) {
   std::string text;
@@ -66,8 +65,7 @@ LinearOutput::LinearOutput(const Arguments& arguments, bool single)
   if (kind_ == Kind::json && !single_) sink_.write("[\n");
 }
 
-void LinearOutput::add(const LinearCase& which, const Model& exact) {
-  const Model model = without_rounding(exact);
+void LinearOutput::add(const LinearCase& which, const Model& model) {
   if (kind_ == Kind::table) add_table(which, model);
   if (kind_ == Kind::csv) add_csv(which, model);
   if (kind_ == Kind::json) add_json(which, model);
@@ -94,9 +92,9 @@ void LinearOutput::add_csv(const LinearCase& which, const Model& model) {
             number_text(value) + "\n";
   };
   for (int i = 0; i < model.states; ++i)
-    line("x0", model.state_name(i), model.state_unit(i), "", "", model.x[i]);
+    line("x0", model.state_name(i), model.state_unit(i), "", "", model.x[static_cast<std::size_t>(i)]);
   for (int j = 0; j < model.controls; ++j) {
-    line("u0", model.control_name(j), model.control_unit(j), "", "", model.u[j]);
+    line("u0", model.control_name(j), model.control_unit(j), "", "", model.u[static_cast<std::size_t>(j)]);
   }
   for (int i = 0; i < model.states; ++i) {
     for (int j = 0; j < model.states; ++j) {
@@ -130,8 +128,10 @@ void LinearOutput::add_json(const LinearCase& which, const Model& model) {
             joined(n, ", ", [&](int i) { return named(model.state_name(i), model.state_unit(i)); }) +
             "],\n\"controls\": [" +
             joined(m, ", ", [&](int j) { return named(model.control_name(j), model.control_unit(j)); }) +
-            "],\n\"x0\": [" + joined(n, ", ", [&](int i) { return json_number(model.x[i]); }) +
-            "],\n\"u0\": [" + joined(m, ", ", [&](int j) { return json_number(model.u[j]); }) +
+            "],\n\"x0\": [" +
+            joined(n, ", ", [&](int i) { return json_number(model.x[static_cast<std::size_t>(i)]); }) +
+            "],\n\"u0\": [" +
+            joined(m, ", ", [&](int j) { return json_number(model.u[static_cast<std::size_t>(j)]); }) +
             "],\n\"A\": [\n" + matrix_text(n, n, ",\n", ", ", a, bracketed) + "\n],\n\"B\": [\n" +
             matrix_text(n, m, ",\n", ", ", b, bracketed) + "\n]";
   }
@@ -161,8 +161,8 @@ void LinearOutput::add_matlab(const LinearCase& which, const Model& model) {
     words("state_units", n, [&](int i) { return model.state_unit(i); });
     words("controls", m, [&](int j) { return model.control_name(j); });
     words("control_units", m, [&](int j) { return model.control_unit(j); });
-    numbers("x0", n, 1, [&](int i, int) { return model.x[i]; });
-    numbers("u0", m, 1, [&](int j, int) { return model.u[j]; });
+    numbers("x0", n, 1, [&](int i, int) { return model.x[static_cast<std::size_t>(i)]; });
+    numbers("u0", m, 1, [&](int j, int) { return model.u[static_cast<std::size_t>(j)]; });
     numbers("A", n, n, [&](int i, int j) { return model.a(i, j); });
     numbers("B", n, m, [&](int i, int j) { return model.b(i, j); });
   }
@@ -184,10 +184,10 @@ void LinearOutput::add_table(const LinearCase& which, const Model& model) {
             joined(model.controls, "", [&](int j) { return cell(model.control_name(j)); }) + "\n";
     for (int i = 0; i < model.states; ++i) {
       text +=
-          cell(model.state_name(i)) + cell(model.state_unit(i)) + cell(number_text(model.x[i], digits)) +
-          " |" + joined(model.states, "", [&](int j) { return cell(number_text(model.a(i, j), digits)); }) +
-          " |" + joined(model.controls, "", [&](int j) { return cell(number_text(model.b(i, j), digits)); }) +
-          "\n";
+          cell(model.state_name(i)) + cell(model.state_unit(i)) +
+          cell(number_text(model.x[static_cast<std::size_t>(i)], digits)) + " |" +
+          joined(model.states, "", [&](int j) { return cell(number_text(model.a(i, j), digits)); }) + " |" +
+          joined(model.controls, "", [&](int j) { return cell(number_text(model.b(i, j), digits)); }) + "\n";
     }
   }
   sink_.write(text);

@@ -5,8 +5,8 @@
 
 #include "cli/arguments.hpp"
 #include "cli/shard.hpp"
+#include "cli/shown_model.hpp"
 #include "text/sink.hpp"
-#include "tiltrotor/analysis/linear/linear_model.hpp"
 
 namespace tiltrotor::cli {
 
@@ -25,15 +25,15 @@ class LinearOutput {
   LinearOutput(const Arguments& arguments, bool single);
 
   const Shard& shard() const { return shard_; }
-  void add(const LinearCase& which, const LinearModel<double>& model);
+  void add(const LinearCase& which, const ShownModel& model);
   void finish();
 
  private:
   enum class Kind : unsigned char { table, csv, json, matlab };
-  void add_csv(const LinearCase& which, const LinearModel<double>& model);
-  void add_json(const LinearCase& which, const LinearModel<double>& model);
-  void add_matlab(const LinearCase& which, const LinearModel<double>& model);
-  void add_table(const LinearCase& which, const LinearModel<double>& model);
+  void add_csv(const LinearCase& which, const ShownModel& model);
+  void add_json(const LinearCase& which, const ShownModel& model);
+  void add_matlab(const LinearCase& which, const ShownModel& model);
+  void add_table(const LinearCase& which, const ShownModel& model);
 
   Sink sink_;
   Shard shard_;

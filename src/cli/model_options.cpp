@@ -137,6 +137,8 @@ std::vector<Switch> all_switches() {
       on_off("stall_delay", &O::stall_delay, "lift that rotation keeps beyond stall"),
       on_off("lateral_cyclic", &O::lateral_cyclic, "lateral cyclic scheduled with airspeed"),
       words("elevator_gearing", &O::elevator_gearing, {"aircraft", "printed_runs"}, "4.167 or 4.735 deg/in"),
+      words("governor", &O::governor, {"off", "ideal", "pi"},
+            "of the rotor speed, in linear models and flights"),
       data_set(),
       on_off("position_states", &O::position_states, "earth position among the states"),
   };

@@ -8,6 +8,8 @@ struct Analyses {
   TrimWorkspace<double> trim;
   LinearizationWorkspace<double> linearization;
   SimulationWorkspace<double> simulation;
+  VehicleModelWorkspace<double> vehicle;
+  VehicleModesWorkspace<double> vehicle_modes;
 };
 
 std::size_t analyses_size() { return sizeof(Analyses); }
@@ -34,6 +36,29 @@ Status advance(const Configuration<double>& c, Analyses& work, Simulation<double
 Status advance_moving(MovingConfiguration<double>& moving, Analyses& work, Simulation<double>& simulation,
                       const double* xdot) {
   return advance_moving(moving, work.simulation, simulation, xdot);
+}
+
+Status linearize_vehicle(const Vehicle<double>& v, Configuration<double>& c, const State<double>& x,
+                         const SystemState<double>& s, const Controls<double>& u, Analyses& work,
+                         VehicleMatrices& matrices, double azimuth) {
+  State<double> xdot;
+  SystemState<double> sdot;
+  set_zero(matrices.a);
+  set_zero(matrices.b);
+  return linearize_vehicle(
+      v, c, x, s, u, matrices.shape, work.vehicle, xdot, sdot,
+      [&](int i, int j, double slope) { matrices.a(i, j) = slope; },
+      [&](int i, int j, double slope) { matrices.b(i, j) = slope; }, azimuth);
+}
+
+Status vehicle_modes(const VehicleMatrices& matrices, Analyses& work, VehicleModes<double>& found) {
+  work.vehicle_modes.a = matrices.a;
+  return vehicle_modes(matrices.shape, work.vehicle_modes, found);
+}
+
+Status advance_vehicle(Configuration<double>& c, SystemFlight<double>& flight, Analyses& work,
+                       Simulation<double>& simulation, const double* xdot) {
+  return advance_vehicle(c, flight, work.simulation, simulation, xdot);
 }
 
 }  // namespace tiltrotor

@@ -12,6 +12,7 @@
 #include <cstddef>
 
 #include "tiltrotor/analysis/instances.hpp"
+#include "tiltrotor/analysis/linear/vehicle_modes.hpp"
 
 namespace tiltrotor {
 
@@ -33,5 +34,19 @@ Status advance(const Configuration<double>& c, Analyses& work, Simulation<double
                const double* xdot = nullptr);
 Status advance_moving(MovingConfiguration<double>& moving, Analyses& work, Simulation<double>& simulation,
                       const double* xdot = nullptr);
+
+// The linear model of the vehicle, by rows and columns of its shape.
+struct VehicleMatrices {
+  VehicleShape shape;
+  Matrix<double, kMaxVehicleStates, kMaxVehicleStates> a;
+  Matrix<double, kMaxVehicleStates, vehicle_input_count> b;
+};
+// `matrices.shape` says which; `c` is put into what the systems ask for.
+Status linearize_vehicle(const Vehicle<double>& v, Configuration<double>& c, const State<double>& x,
+                         const SystemState<double>& s, const Controls<double>& u, Analyses& work,
+                         VehicleMatrices& matrices, double azimuth = 0);
+Status vehicle_modes(const VehicleMatrices& matrices, Analyses& work, VehicleModes<double>& found);
+Status advance_vehicle(Configuration<double>& c, SystemFlight<double>& flight, Analyses& work,
+                       Simulation<double>& simulation, const double* xdot = nullptr);
 
 }  // namespace tiltrotor

@@ -15,10 +15,6 @@
 
 namespace tiltrotor {
 
-// off: rotor speed and collective are what they are set to, the power is what it takes. ideal: the speed is held, and
-// the collective is that which takes the power of the engines. pi: the speed is a state, the governor adds collective.
-enum class Governor : unsigned char { off, ideal, pi };
-
 struct SystemSwitches {
   Governor governor;
   bool conversion, engines, actuators, augmentation, gear, ground_effect, turbulence;

@@ -12,7 +12,9 @@ struct VehicleMode {
   R real, imag;                              // 1/s; imag >= 0, a pair is one mode
   R frequency, damping_ratio, time_to_half;  // as in Mode
   R system_share;                            // part of the systems' states in it, 0..1
-  char name[kModeNameLength];                // "short_period", "rotor_speed", "elevator_2"
+  ModeAxis axis;
+  bool is_system;              // named after a state of the systems
+  char name[kModeNameLength];  // "short_period", "rotor_speed", "elevator_2"
 };
 
 // The airframe's first, in the order of ModeSet, then the systems', slow ones first.
@@ -106,7 +108,8 @@ inline void write_system_name(const char* word, int ordinal, char (&name)[kModeN
 
 template <class R>
 VehicleMode<R> shown(const Mode<R>& m, R system_share) {
-  VehicleMode<R> out{m.real, m.imag, m.frequency, m.damping_ratio, m.time_to_half, system_share, {}};
+  VehicleMode<R> out{m.real, m.imag, m.frequency, m.damping_ratio, m.time_to_half, system_share,
+                     m.axis, false,  {}};
   for (int i = 0; i < kModeNameLength; ++i) out.name[i] = m.name[i];
   return out;
 }
@@ -176,6 +179,7 @@ Status vehicle_modes(const VehicleShape& shape, VehicleModesWorkspace<R>& work, 
                  (root[k].mode.frequency < root[i].mode.frequency ||
                   (root[k].mode.frequency == root[i].mode.frequency && k < i));
     VehicleMode<R> moving = d::shown(root[i].mode, root[i].systems);
+    moving.is_system = true;
     d::write_system_name(vehicle_variable(root[i].largest).name, ordinal, moving.name);
     int j = out.count++;
     for (; j > first && out.mode[j - 1].frequency > moving.frequency; --j) out.mode[j] = out.mode[j - 1];

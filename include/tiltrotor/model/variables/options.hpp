@@ -26,6 +26,10 @@ enum class FinArea : unsigned char { drawings, report };  // 25.25 or 20.25 ft^2
 enum class ChordSource : unsigned char { cutout, text, camrad };
 enum class TwistSource : unsigned char { table, linear };
 enum class ElevatorGearing : unsigned char { aircraft, printed_runs };  // 4.167 or 4.735 deg/in
+// off: rotor speed and collective are what they are set to, the power is what it takes. ideal: the speed is held, and
+// the collective is that which takes the power of the engines. pi: the speed is a state, the governor adds collective.
+// A choice of linear models and flights, systems/vehicle.hpp: the airframe itself does not ask.
+enum class Governor : unsigned char { off, ideal, pi };
 
 struct Options {
   Interpolation tables = Interpolation::c1;
@@ -70,6 +74,7 @@ struct Options {
   bool stall_delay = false;     // lift that rotation keeps beyond stall
   bool lateral_cyclic = false;  // lateral cyclic schedule with airspeed, tables 8a-VII and 8a-VIII
   ElevatorGearing elevator_gearing = ElevatorGearing::aircraft;
+  Governor governor = Governor::off;
   bool position_states = false;  // earth position among the active states
 };
 

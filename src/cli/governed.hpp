@@ -1,0 +1,20 @@
+// Linear models and flights of an aircraft whose rotor speed is governed: option governor of the model.
+#pragma once
+
+#include "cli/arguments.hpp"
+#include "library/analyses.hpp"
+#include "tiltrotor/analysis/flight/right_side.hpp"
+
+namespace tiltrotor::cli {
+
+// Rotors with their governor at (x, u) of the airframe, in a balance of power. Stick and pedals stay as they are.
+SystemFlight<double> governed(const Configuration<double>& c, const State<double>& x, Controls<double>& u);
+
+// A and B of it: the columns of a set, and the throttles of both engines.
+Status linearize_governed(const Configuration<double>& c, const State<double>& x, const Controls<double>& u,
+                          const ControlSet& columns, Analyses& work, VehicleMatrices& matrices);
+
+// Throws UsageError when an option is given that goes with governor=off alone.
+void require_no_governor(const Options& options, const Arguments& arguments, const char* option);
+
+}  // namespace tiltrotor::cli

@@ -1,0 +1,39 @@
+// A linear model as it is written: names and units of rows and columns, rounding taken for what it is.
+#pragma once
+
+#include <vector>
+
+#include "library/analyses.hpp"
+
+namespace tiltrotor::cli {
+
+class ShownModel {
+ public:
+  ShownModel() = default;
+  explicit ShownModel(const LinearModel<double>& model);
+  // At (x, s, u) and the commands of `v`.
+  ShownModel(const VehicleMatrices& matrices, const State<double>& x, const SystemState<double>& s,
+             const Controls<double>& u, const Commands<double>& commands);
+
+  int states = 0, controls = 0;
+  std::vector<double> x, u;
+
+  double a(int i, int j) const { return a_[place(i, states, j)]; }
+  double b(int i, int j) const { return b_[place(i, controls, j)]; }
+  const char* state_name(int i) const { return state(i).name; }
+  const char* state_unit(int i) const { return state(i).unit(); }
+  const char* control_name(int j) const { return control(j).name; }
+  const char* control_unit(int j) const { return control(j).unit(); }
+
+ private:
+  static std::size_t place(int row, int width, int column) {
+    return static_cast<std::size_t>(row) * static_cast<std::size_t>(width) + static_cast<std::size_t>(column);
+  }
+  const Variable& state(int i) const { return vehicle_variable(state_[static_cast<std::size_t>(i)]); }
+  const Variable& control(int j) const { return vehicle_input(control_[static_cast<std::size_t>(j)]); }
+
+  std::vector<int> state_, control_;
+  std::vector<double> a_, b_;
+};
+
+}  // namespace tiltrotor::cli
