@@ -71,7 +71,7 @@ TEST(gear_off_the_ground_carries_nothing) {
     CHECK_LE(std::abs(force - before), most * 2e-5);
     before = force;
   }
-  CHECK_LE(1e4, before);
+  CHECK_LE(0.1 * weight(c), before);
 }
 
 TEST(gear_never_pulls) {
@@ -221,8 +221,8 @@ TEST(gear_widths_are_harmless) {
   Configuration<double> narrow = c;
   narrow.aircraft = &other;
   const double full = c.aircraft->gear.main.stroke;
-  for (const double deeper : {-0.2, -0.1, 0.0, 0.05, 0.8 * full, full}) {
-    Motion<double> m = at_height(rest_height(c) - deeper);
+  for (const double part : {-0.5, -0.3, 0.0, 0.15, 0.8, 1.0}) {
+    Motion<double> m = at_height(rest_height(c) - part * full);
     m.roll = 0.02;
     m.velocity = {3, 0.1, 0.2};
     const GearLoads<double> a = loads_of(c, {}, m);
