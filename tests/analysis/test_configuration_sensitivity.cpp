@@ -248,8 +248,7 @@ TEST(derivatives_by_configuration_equal_central_differences) {
           if (parameter == Parameter::inertia_yy) moved.mass.inertia.yy += by;
           if (parameter == Parameter::inertia_zz) moved.mass.inertia.zz += by;
           if (parameter == Parameter::inertia_xz) moved.mass.inertia.xz += by;
-          moved.ground_wash[right] = flight.c.ground_wash[right];
-          moved.ground_wash[left] = flight.c.ground_wash[left];
+          for (const Side r : {right, left}) moved.ground_wash[r] = flight.c.ground_wash[r];
           moved.download = flight.c.download;
           if (parameter == Parameter::ground_wash_right) moved.ground_wash[right] += by;
           if (parameter == Parameter::ground_wash_left) moved.ground_wash[left] += by;

@@ -224,7 +224,7 @@ TEST(property_rotor_power_balance) {
     const RotorLoads<double> loads = rotor_loads(c, in, c.azimuth);
     const RotorState<double>& x = in.state;
     const double omega = c.setup.rotor_speed;
-    const MeanInflow<double> inflow = mean_inflow(c, in);
+    const FeltInflow<double> inflow = felt_inflow(c, in);
 
     double profile = 0;
     double harmonics = 0;

@@ -25,8 +25,8 @@ struct GroundEffect {
 
 // Part of the ground's effect that mast angle and speed leave, 0..1: cos^2(bM) vi^2/(vi^2 + V^2). `inflow`: mean, vi.
 template <class T, class C>
-T ground_effect_left(const Configuration<C>& c, int side, const Vec3<T>& velocity_b, const Vec3<T>& rates_b,
-                     const T& inflow) {
+T remaining_effect(const Configuration<C>& c, int side, const Vec3<T>& velocity_b, const Vec3<T>& rates_b,
+                   const T& inflow) {
   const HubFrame<C>& hub = c.hub[side];
   const Vec3<T> v = velocity_b + rate_cross_arm(rates_b, hub.arm_b);
   const T in_plane2 = dot(v, v) - square(component(v, hub.thrust_axis_b));
@@ -61,11 +61,11 @@ GroundEffect<T> ground_effect(const Configuration<C>& c, const AboveGround<T>& a
   GroundEffect<T> out;
   out.download = T(R(1));
   for (const Side side : {right, left}) {
-    const T left_over = ground_effect_left(c, side, velocity_b, rates_b, T(c.tip_speed * inflow[side]));
+    const T remaining = remaining_effect(c, side, velocity_b, rates_b, T(c.tip_speed * inflow[side]));
     const T height = height_of(above, c.hub[side].arm_b);
-    const T remains = R(1) - image_strength(*c.aircraft, height) * left_over;
-    out.wash[side] = remains * sqrt(remains);
-    out.download = out.download - R(0.5) * download_relief(*c.aircraft, height) * left_over;
+    const T k = image_strength(*c.aircraft, height) * remaining;
+    out.wash[side] = (R(1) - k) * sqrt(T(R(1) - k));
+    out.download = out.download - R(0.5) * download_relief(*c.aircraft, height) * remaining;
   }
   return out;
 }

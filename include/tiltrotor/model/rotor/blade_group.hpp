@@ -45,7 +45,7 @@ class BladeGroup {
  public:
   static constexpr int kBlades = kBatchLanes<R>;
 
-  void set_input(const RotorInput<T>& in, const MeanInflow<T>& inflow) {
+  void set_input(const RotorInput<T>& in, const FeltInflow<T>& inflow) {
     in_ = blade_group_detail::in_every_lane(in);
     inflow_ = {Batch<R>(value(inflow.even)), Batch<R>(value(inflow.shaped))};
   }
@@ -90,7 +90,7 @@ class BladeGroup {
   }
 
   RotorInput<Batch<R>> in_;
-  MeanInflow<Batch<R>> inflow_;
+  FeltInflow<Batch<R>> inflow_;
   BladeLoads<Lanes> loads_;
 };
 
@@ -101,7 +101,7 @@ class BladeGroup<std::complex<R>> {
 
  public:
   static constexpr int kBlades = 1;
-  void set_input(const RotorInput<T>&, const MeanInflow<T>&) {}
+  void set_input(const RotorInput<T>&, const FeltInflow<T>&) {}
   template <class C>
   void compute_blades(const Configuration<C>&, const AzimuthStations<R>&, int) {}
   template <class C>

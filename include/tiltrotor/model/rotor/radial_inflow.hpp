@@ -39,7 +39,7 @@ T radial_inflow(const Configuration<C>& c, const RotorInput<T>& in, const T& eve
 
 // `ground_wash`: part of it that the ground leaves to the blades.
 template <class T, class C>
-MeanInflow<T> mean_inflow(const Configuration<C>& c, const RotorInput<T>& in,
+FeltInflow<T> felt_inflow(const Configuration<C>& c, const RotorInput<T>& in,
                           const C& ground_wash = C(Real<C>(1))) {
   const T even = (c.tip_speed * ground_wash) * in.state.lambda_0;
   return {even, radial_inflow(c, in, even)};

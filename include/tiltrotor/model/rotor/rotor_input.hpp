@@ -44,9 +44,9 @@ T flap_angle(const RotorInput<T>& in, const Plain& cosine, const Plain& sine) {
   return in.coning.angle + in.state.b1c * cosine + in.state.b1s * sine;
 }
 
-// Mean inflow as the blades feel it, m/s: mean_inflow().
+// Mean inflow as the blades feel it, m/s: felt_inflow().
 template <class T>
-struct MeanInflow {
+struct FeltInflow {
   T even;    // over the disk
   T shaped;  // part of it that follows the radial shape
 };
@@ -56,7 +56,7 @@ struct MeanInflow {
 // cyclic pitch and signs as in NASA CR-166536, theta = theta75 - A1 cos psi - B1 sin psi.
 // `cosine`, `sine`: of the azimuth, a plain number or a batch of blades.
 template <class T, class C, class Plain>
-BladeFlow<T> blade_flow(const Configuration<C>& c, const RotorInput<T>& in, const MeanInflow<T>& inflow,
+BladeFlow<T> blade_flow(const Configuration<C>& c, const RotorInput<T>& in, const FeltInflow<T>& inflow,
                         const T& sin_flap, const T& cos_flap, const Plain& cosine, const Plain& sine) {
   const C omega = c.setup.rotor_speed;
   const RotorState<T>& x = in.state;

@@ -27,7 +27,7 @@ struct RotorLoads {
 // blade normal (-sin b cos psi, -sin b sin psi, cos b) and the direction of rotation (-sin psi, cos psi, 0),
 // and their moments about the hub centre.
 template <class T, class C>
-void add_blade(const Configuration<C>& c, const RotorInput<T>& in, const MeanInflow<T>& inflow,
+void add_blade(const Configuration<C>& c, const RotorInput<T>& in, const FeltInflow<T>& inflow,
                Real<T> cosine, Real<T> sine, const BladeGroup<T>& group, int lane, RotorLoads<T>& sum) {
   const T flap = flap_angle(in, cosine, sine);
   const T sin_flap = sin(flap);
@@ -50,7 +50,7 @@ void rotor_loads(const Configuration<C>& c, const RotorInput<T>& in, const Azimu
                  BladeGroup<T>& blades, RotorLoads<T>& sum, const C& ground_wash = C(Real<C>(1))) {
   using R = Real<T>;
   RotorLoads<T>::each(sum, [](T& x) { x = T(R(0)); });
-  const MeanInflow<T> inflow = mean_inflow(c, in, ground_wash);
+  const FeltInflow<T> inflow = felt_inflow(c, in, ground_wash);
   blades.set_input(in, inflow);
   for (int k = 0; k < azimuth.count; ++k) {
     const int lane = k % BladeGroup<T>::kBlades;
