@@ -81,23 +81,31 @@ struct Expansion {
   bool used[kColumns];
 };
 
-// Rates that a load causes beside those that are there: rigid_body.hpp.
+// Rates that a load causes beside those that are there: rigid_body.hpp, and of flapping state_rates.hpp.
 template <class T, class C>
-void add_load(const MassProperties<C>& mass, const Loads<T>& load, State<T>& rates) {
+void add_load(const Configuration<C>& c, const Loads<T>& load, State<T>& rates) {
   using R = Real<T>;
-  const Inertia<C>& i = mass.inertia;
-  const C inverse_mass = R(1) / mass.mass;
+  const Options& o = c.setup.options;
+  const Inertia<C>& i = c.mass.inertia;
+  const C inverse_mass = R(1) / c.mass.mass;
   const C inverse = R(1) / (i.xx * i.zz - i.xz * i.xz);
+  const Vec3<T> acceleration = {inverse * (i.zz * load.moment.x + i.xz * load.moment.z),
+                                (R(1) / i.yy) * load.moment.y,
+                                inverse * (i.xz * load.moment.x + i.xx * load.moment.z)};
   rates.velocity = rates.velocity + inverse_mass * load.force;
-  rates.rates.x = rates.rates.x + inverse * (i.zz * load.moment.x + i.xz * load.moment.z);
-  rates.rates.y = rates.rates.y + (R(1) / i.yy) * load.moment.y;
-  rates.rates.z = rates.rates.z + inverse * (i.xz * load.moment.x + i.xx * load.moment.z);
+  rates.rates = rates.rates + acceleration;
+  if (!o.flap_angular_acceleration || o.flapping != FlapOrder::second) return;
+  for (const Side side : {right, left}) {
+    const Vec3<T> acceleration_a = mirror_axial(c.hub[side].from_body.apply(acceleration), side);
+    rates.rotor[side].b1c_rate += acceleration_a.y;
+    rates.rotor[side].b1s_rate -= acceleration_a.x;
+  }
 }
 
 template <class T>
 struct ExpandedAirframe {
   const Expansion<Real<T>>& about;
-  const MassProperties<Real<T>>& mass;
+  const Configuration<Real<T>>& c;
   const State<T>& x;
 
   void operator()(const AirframeDemand<T>& demand, AirframeAnswer<T>& answer) const {
@@ -113,7 +121,7 @@ struct ExpandedAirframe {
     unflatten(found, answer.rates);
     const Loads<T> more = {minus_fixed(demand.outside.force, about.outside.force),
                            minus_fixed(demand.outside.moment, about.outside.moment)};
-    add_load(mass, more, answer.rates);
+    add_load(c, more, answer.rates);
     for (const Side side : {right, left}) answer.torque[side] = found[kTorqueRow[side]];
   }
 };
@@ -256,8 +264,8 @@ Status linearize_vehicle(const Vehicle<R>& v, Configuration<R>& c, const State<R
   vehicle_rates(v, c, base, x, s, v.commands, u, VehicleAirframe<R>{c, x, work.steps, azimuth}, work.demand,
                 work.answer, flows, sdot);
   xdot = work.answer.rates;
-  SystemState<R> at = s;
-  if (v.on.governor == Governor::ideal) at.governor = flows.governed;
+  SystemState<R> governed = s;
+  if (v.on.governor == Governor::ideal) governed.governor = flows.governed;
   d::list_inputs(x, work.demand, about.input);
   about.outside = work.demand.outside;
   d::mark_used(v, shape, about);
@@ -298,9 +306,9 @@ Status linearize_vehicle(const Vehicle<R>& v, Configuration<R>& c, const State<R
   const int all = shape.states + shape.inputs;
   for (int first = 0; first < all; first += kVehicleDirections) {
     const int last = first + kVehicleDirections < all ? first + kVehicleDirections : all;
-    d::seed(x, at, v.commands, u, shape, first, last, systems);
+    d::seed(x, governed, v.commands, u, shape, first, last, systems);
     vehicle_rates<T>(v, c, base, systems.x, systems.s, systems.commands, systems.u,
-                     d::ExpandedAirframe<T>{about, c.mass, systems.x}, systems.demand, systems.answer,
+                     d::ExpandedAirframe<T>{about, c, systems.x}, systems.demand, systems.answer,
                      systems.flows, systems.rates);
     T found[vehicle_state_count];
     flatten(systems.answer.rates, found);
