@@ -49,8 +49,8 @@ TEST(conversion_is_limited_and_arrives_without_overshoot) {
   CHECK_LE(mast.fastest, drive.rate);
   CHECK_LE(mast.hardest, drive.acceleration);
   CHECK_LT(0.99 * drive.acceleration, mast.hardest);
-  NOTE("fastest " << mast.fastest / kDeg << " deg/s, hardest " << mast.hardest / kDeg << " deg/s^2, highest less command "
-                  << (mast.highest - way) / kDeg << " deg");
+  NOTE("fastest " << mast.fastest / kDeg << " deg/s, hardest " << mast.hardest / kDeg
+                  << " deg/s^2, highest less command " << (mast.highest - way) / kDeg << " deg");
   Mast back{way, 0};
   back.go(way / drive.rate + 4, [](double) { return 0.0; });
   CHECK_NEAR(back.angle, 0, 1e-4);

@@ -98,8 +98,8 @@ Somewhere somewhere(Dice& dice, Governor governor) {
   s.rotor_speed = at.c.setup.rotor_speed * dice.between(0.95, 1.05);
   s.governor = governor == Governor::pi ? dice.between(-0.1, 0.1) : 0;
   const Rates at_first = rates(v, at.c, at.x, s, at.u);  // for the engines to give about what the rotors take
-  const double power = std::max(2e5, (at_first.airframe.torque[right] + at_first.airframe.torque[left]) *
-                                         at.c.setup.rotor_speed);
+  const double power = std::max(
+      2e5, (at_first.airframe.torque[right] + at_first.airframe.torque[left]) * at.c.setup.rotor_speed);
   const double engines = v.engine_failed[left] && !v.on.engines ? 1 : 2;
   for (const Side side : {right, left}) {
     const double full = demanded_power(aircraft, at.c.air, 1.0);
@@ -116,8 +116,8 @@ Somewhere somewhere(Dice& dice, Governor governor) {
     asked.lat_stick += s.series[1];
     asked.pedal += s.series[2];
   }
-  const BladeControls<double> angles = vehicle_detail::wanted_angles(aircraft, at.c.setup.options, mast, asked,
-                                                                     Vec3<double>(at.x.velocity - at.u.gust));
+  const BladeControls<double> angles = vehicle_detail::wanted_angles(
+      aircraft, at.c.setup.options, mast, asked, Vec3<double>(at.x.velocity - at.u.gust));
   const double away = dice.flip() ? 0.05 : 0.003;
   for (const Side side : {right, left}) {
     s.collective[side] = angles.collective[side] + dice.between(-away, away);
@@ -152,7 +152,8 @@ bool is_governed(const Somewhere& at) {
     Configuration<double> c = at.c;
     put_into(r.demand, c);
     evaluate_aircraft(c, at.x, u, e);
-    return (e.rotor[right].loads.torque + e.rotor[left].loads.torque) * c.setup.rotor_speed - efficiency * r.flows.power;
+    return (e.rotor[right].loads.torque + e.rotor[left].loads.torque) * c.setup.rotor_speed -
+           efficiency * r.flows.power;
   };
   const double step = 1e-4;
   return std::fabs(r.flows.governed) < 0.3 && std::fabs(excess(0)) < 1e-9 * engine &&
@@ -185,8 +186,8 @@ void complex_column(const Somewhere& at, const VehicleShape& shape, int j, doubl
   AirframeDemand<Complex> demand;
   AirframeAnswer<Complex> answer;
   VehicleFlows<Complex> flows;
-  vehicle_rates<Complex>(at.v, at.c, at.c.setup, x, systems, commands, u, VehicleAirframe<Complex>{c, x, steps, 0.0},
-                         demand, answer, flows, of_systems);
+  vehicle_rates<Complex>(at.v, at.c, at.c.setup, x, systems, commands, u,
+                         VehicleAirframe<Complex>{c, x, steps, 0.0}, demand, answer, flows, of_systems);
   Complex found[vehicle_state_count];
   flatten(answer.rates, found);
   flatten(of_systems, found + state_count);
@@ -233,12 +234,13 @@ void compare_with_complex_step(unsigned seed, int count) {
     const Matrices& m = matrices(at.v, at.c, at.x, at.s, at.u);
     if (!CHECK(m.status == Status::ok)) return;
     ++compared;
-    compare(m, governor == Governor::ideal,
-            [&](int j, double* column) { complex_column(at, m.shape, j, column); }, worst[k % 3]);
+    compare(
+        m, governor == Governor::ideal,
+        [&](int j, double* column) { complex_column(at, m.shape, j, column); }, worst[k % 3]);
   }
   for (const Worst& w : worst)
-    NOTE("worst of " << compared << " points, governor off, ideal, pi: " << w.error << " of the column, row " << w.row
-                     << " column " << w.column);
+    NOTE("worst of " << compared << " points, governor off, ideal, pi: " << w.error << " of the column, row "
+                     << w.row << " column " << w.column);
   CHECK_LT(worst[static_cast<int>(Governor::off)].error, 1e-11);
   CHECK_LT(worst[static_cast<int>(Governor::ideal)].error, 1e-9);
   CHECK_LT(worst[static_cast<int>(Governor::pi)].error, 1e-11);

@@ -7,6 +7,7 @@
 
 #include "../analysis/analysis_case.hpp"
 #include "tiltrotor/analysis/linear/vehicle_model.hpp"
+#include "tiltrotor/math/algebra/lu.hpp"
 
 namespace vehicle_case {
 
@@ -98,6 +99,26 @@ const Matrices& matrices(const Vehicle<double>& v, const Configuration<double>& 
                          const SystemState<double>& s, const Controls<double>& u);
 inline const Matrices& matrices(const Flight& f) {
   return matrices(f.systems.vehicle, f.c, f.s.state, f.systems.state, current_controls(f.s));
+}
+
+// The entry of a row against a column, rotors, wake and downwash in their balance: a_ij - A_if A_ff^-1 a_fj.
+// `column`(i): its entries.
+template <class Column>
+double settled(const Matrices& m, int row, Column&& column) {
+  static Matrix<double, kMaxVehicleStates, kMaxVehicleStates> fast;
+  static LU<double, kMaxVehicleStates> lu;
+  int place[kMaxVehicleStates], n = 0;
+  for (int i = 0; i < m.shape.states; ++i)
+    if (m.shape.state[i] < state_count && !is_rigid(m.shape.state[i])) place[n++] = i;
+  for (int i = 0; i < n; ++i)
+    for (int j = 0; j < n; ++j) fast(i, j) = m.a[place[i]][place[j]];
+  double way[kMaxVehicleStates];
+  for (int k = 0; k < n; ++k) way[k] = column(place[k]);
+  CHECK(lu_factor(fast, n, lu) == Status::ok);
+  CHECK(lu_solve(lu, way) == Status::ok);
+  double entry = column(row);
+  for (int k = 0; k < n; ++k) entry -= m.a[row][place[k]] * way[k];
+  return entry;
 }
 
 template <class S>

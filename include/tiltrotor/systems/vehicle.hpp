@@ -145,8 +145,8 @@ void airframe_demand(const Vehicle<Real<T>>& v, const Configuration<Real<T>>& c,
   const Air<T> air = surrounding_air(setting.altitude, c.around.warmer, c.around.pressure_above);
   flows.power = T(R(0));
   for (const Side side : {right, left}) {
-    const T throttle = v.engine_failed[side] ? T(R(0)) : commands.throttle[side];
-    const T demanded = demanded_power(aircraft, air, throttle);
+    const T demanded =
+        v.engine_failed[side] ? T(R(0)) : demanded_power(aircraft, air, commands.throttle[side]);
     if (v.on.engines) {
       rates.power[side] = power_rate(t, demanded, s.power[side]);
       rates.fuel = rates.fuel + fuel_flow(t, s.power[side]);

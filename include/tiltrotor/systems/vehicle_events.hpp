@@ -10,7 +10,8 @@ template <class R>
 inline constexpr R kReturned = R(1e-6);
 
 // Events of a step, at its beginning: an attitude is held or given up, an augmentation that was switched off is gone
-// when its actuators have returned, engines stop without fuel.
+// when its actuators have returned, engines stop without fuel; masts are sent no further than their stops, where else
+// their drive would push on.
 template <class R>
 void begin_step(const Aircraft<R>& aircraft, const State<R>& x, const Controls<R>& u, Vehicle<R>& v,
                 SystemState<R>& s) {
@@ -19,6 +20,10 @@ void begin_step(const Aircraft<R>& aircraft, const State<R>& x, const Controls<R
     latch(t, u.long_stick - s.rest_long, x.rates.y, x.pitch, s.holds_pitch, s.held_pitch);
     latch(t, u.lat_stick - s.rest_lat, x.rates.x, x.roll, s.holds_roll, s.held_roll);
   }
+  const Bounds<R>& stops = aircraft.limits.mast_deg;
+  if (v.on.conversion)
+    v.commands.mast =
+        smaller_of(larger_of(v.commands.mast, stops.low * kRadPerDeg<R>), stops.high * kRadPerDeg<R>);
   if (v.on.augmentation && v.disengages) {
     bool returned = true;
     for (const R& way : s.series) returned = returned && way < kReturned<R> && way > -kReturned<R>;

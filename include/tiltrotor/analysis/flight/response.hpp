@@ -315,11 +315,15 @@ Status advance_moving(MovingConfiguration<R>& moving, SimulationWorkspace<R, Pol
 // first: begin_step(). Of the integrators rk3 and rk4; rodas3 is a bad_argument. `xdot`[vehicle_state_count]: those
 // of vehicle_rates(). Unless ok, configuration and systems are as they were; fault_state counts as vehicle_variable().
 // Cost: that of advance(), and a twentieth of a derivative more an evaluation where masts, rotor speed or air move;
-// with an ideal governor some three times as many derivatives.
+// with an ideal governor some three times as many derivatives. With nothing on it is advance_moving().
 template <class R, class Policy>
 Status advance_vehicle(Configuration<R>& c, SystemFlight<R>& flight, SimulationWorkspace<R, Policy>& work,
                        Simulation<R>& s, const R* xdot = nullptr) {
   if (s.status != Status::ok) return s.status;
+  if (!any_system(flight.vehicle.on)) {
+    MovingConfiguration<R> alone{&c, flight.vehicle.air_follows, flight.vehicle.altitude_origin, {}, R(0)};
+    return advance_moving(alone, work, s, xdot);
+  }
   const SystemFlight<R> before = flight;
   const ConfigurationSetting<R> setting = c.setup;
   begin_step(*c.aircraft, s.state, current_controls(s), flight.vehicle, flight.state);
