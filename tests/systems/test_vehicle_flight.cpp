@@ -260,3 +260,76 @@ TEST(vehicle_is_not_flown_by_rodas3) {
   Flight f = begun(30, level(50), with(Governor::pi), 0.005, Integrator::rodas3);
   CHECK(fly(f, 1) == Status::bad_argument);
 }
+
+// Left and right are alike: the mirrored flight has mirrored states, one engine out and all.
+TEST(vehicle_in_the_mirror_flies_the_mirrored_flight) {
+  const auto flown_with = [](const Side& out, double sign) {
+    Flight f = begun(30, level(50), with(Governor::pi));
+    f.vehicle().engine_failed[out] = true;
+    f.s.controls.lat_stick += 0.3 * sign;
+    f.s.controls.pedal -= 0.4 * sign;
+    f.s.controls.gust.y += 3 * sign;
+    CHECK(fly(f, 200) == Status::ok);
+    return f;
+  };
+  const auto flat = [](const Flight& f, double* x) {
+    flatten(f.s.state, x);
+    flatten(f.systems.state, x + state_count);
+  };
+  double x[vehicle_state_count], mirrored[vehicle_state_count];
+  flat(flown_with(left, 1), x);
+  flat(flown_with(right, -1), mirrored);
+  for (int i = 0; i < vehicle_state_count; ++i) {
+    const Variable& variable = vehicle_variable(i);
+    int partner = i;
+    for (int j = 0; j < vehicle_state_count; ++j) {
+      const Variable& other = vehicle_variable(j);
+      const std::size_t length = std::strlen(variable.name);
+      if (variable.side != kNoSide && other.side != kNoSide && other.side != variable.side &&
+          std::strncmp(variable.name, other.name, length - 1) == 0)
+        partner = j;
+    }
+    const double sign = variable.plane == Plane::lateral && variable.kind != VariableKind::flag ? -1 : 1;
+    CHECK_NEAR(mirrored[partner], sign * x[i], 1e-10 * variable.facts().bend);
+  }
+}
+
+// Single precision flies the same flight.
+TEST(vehicle_flies_in_single_precision) {
+  static SimulationWorkspace<float, NumDiff> single;
+  for (const Governor governor : {Governor::ideal, Governor::pi}) {
+    Flight f = disturbed(with(governor), 0.005, Integrator::rk3);
+    f.vehicle().air_follows = false;
+    FlightSetup<float> setup = flight_setup(aircraft_data<float>(), 30.0f);
+    setup.options = realtime();
+    setup.altitude = static_cast<float>(this_aircraft::altitude());
+    Configuration<float> c;
+    CHECK(prepare(aircraft_data<float>(), setup, c) == Status::ok);
+    const auto narrow = [](const auto& from, auto& to) {
+      double wide[vehicle_state_count];
+      float flat[vehicle_state_count];
+      flatten(from, wide);
+      for (int i = 0; i < static_cast<int>(sizeof to / sizeof(float)); ++i) flat[i] = static_cast<float>(wide[i]);
+      unflatten(flat, to);
+    };
+    SystemFlight<float> systems{};
+    State<float> x;
+    Controls<float> u;
+    narrow(f.state(), systems.state);
+    narrow(f.vehicle().commands, systems.vehicle.commands);
+    narrow(f.s.state, x);
+    narrow(f.s.controls, u);
+    systems.vehicle.on = f.vehicle().on;
+    Simulation<float> s;
+    CHECK(start(c, x, u, 0.005f, Integrator::rk3, s) == Status::ok);
+    for (int k = 0; k < 400; ++k) CHECK(advance_vehicle(c, systems, single, s) == Status::ok);
+    CHECK(fly(f, 400) == Status::ok);
+    CHECK_NEAR(s.state.velocity.x, f.s.state.velocity.x, 0.01);
+    CHECK_NEAR(s.state.velocity.z, f.s.state.velocity.z, 0.02);
+    CHECK_NEAR(s.state.rates.y, f.s.state.rates.y, 1e-3);
+    CHECK_NEAR(s.state.roll, f.s.state.roll, 2e-3);
+    CHECK_NEAR(systems.state.mast, f.state().mast, 1e-5);
+    CHECK_NEAR(systems.state.rotor_speed, f.state().rotor_speed, 0.01);
+    CHECK_REL(systems.state.power[left], f.state().power[left], 1e-4);
+  }
+}
