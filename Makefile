@@ -116,7 +116,7 @@ MADE_TABLES     := $(if $(wildcard tables/$(AIRCRAFT)/make.sh),$(BUILD)/tables/$
 TABLES          := $(filter-out $(PUBLISHED),$(call find,tables/$(AIRCRAFT),*.csv)) $(MADE_TABLES:%=%/identity.csv)
 TABLEGEN_SOURCE := $(call find,src/tablegen,*.cpp)
 LIBRARY_SOURCE  := $(call find,src/library,*.cpp)
-PROGRAM_SOURCE  := $(call find,src/text src/plot src/study src/cli,*.cpp)
+PROGRAM_SOURCE  := $(call find,src/pilot src/text src/plot src/study src/cli,*.cpp)
 TEST_SOURCE     := $(wildcard tests/check.cpp) $(call find,tests,test_*.cpp)
 BENCH_SOURCE    := $(wildcard bench/*.cpp)
 

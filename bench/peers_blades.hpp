@@ -13,7 +13,7 @@ template <class T>
 class SingleBlades {
  public:
   static constexpr int kBlades = 1;
-  void set_input(const tiltrotor::RotorInput<T>&, const T&) {}
+  void set_input(const tiltrotor::RotorInput<T>&, const tiltrotor::MeanInflow<T>&) {}
   void compute_blades(const tiltrotor::Configuration<double>&, const tiltrotor::AzimuthStations<double>&,
                       int) {}
   tiltrotor::BladeLoads<T> loads(const tiltrotor::Configuration<double>& c, int,

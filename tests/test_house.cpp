@@ -39,10 +39,11 @@ constexpr Room kRooms[] = {
     {"analysis", "math systems " MODEL},
     {"facade", "math systems analysis " MODEL},  // headers of include/tiltrotor/ itself
     {"library", "generated interface math systems analysis " MODEL},
+    {"pilot", "math systems analysis library " MODEL},
     {"text", "generated math systems analysis library " MODEL},
     {"plot", "text"},
     {"study", "generated math systems analysis library text plot " MODEL},
-    {"cli", "math systems analysis library text study " MODEL},
+    {"cli", "math systems analysis library pilot text study " MODEL},
     {"tablegen", "math text " MODEL},
     {"firmware", "interface"},
     {"examples",

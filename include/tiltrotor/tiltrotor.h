@@ -52,22 +52,24 @@ extern "C" {
 #if defined(__ARM_ARCH_PROFILE) && __ARM_ARCH_PROFILE == 'M'
 #define TR_DOUBLE_WORK_SIZE 100352
 #define TR_SINGLE_WORK_SIZE 53248
+#define TR_LINEAR_SYSTEMS 0
 #else
-#define TR_DOUBLE_WORK_SIZE 147456
-#define TR_SINGLE_WORK_SIZE 90112
+#define TR_DOUBLE_WORK_SIZE 245760
+#define TR_SINGLE_WORK_SIZE 135168
+#define TR_LINEAR_SYSTEMS 1 /* whether linear models know systems.h */
 #endif
 
 #ifdef TR_SINGLE_PRECISION
 typedef float tr_real;
-#define TR_API_VERSION 0x00030004u
-#define TR_SIM_SIZE 3584
+#define TR_API_VERSION 0x00040004u
+#define TR_SIM_SIZE 3840
 #define TR_WORK_SIZE TR_SINGLE_WORK_SIZE
 #else
 typedef double tr_real;
 /* Changes when a program must be compiled again: interface in the upper half, bytes of a tr_real in the
  * lower. */
-#define TR_API_VERSION 0x00030008u
-#define TR_SIM_SIZE 6656 /* bytes */
+#define TR_API_VERSION 0x00040008u
+#define TR_SIM_SIZE 7168 /* bytes */
 #define TR_WORK_SIZE TR_DOUBLE_WORK_SIZE
 #endif
 
@@ -167,7 +169,8 @@ enum {
   TR_NORTH = 28,
   TR_EAST,
   TR_DOWN, /* position over the ground, m: the wind of tr_environment carries along */
-  TR_STATES = 31
+  TR_MAST, /* from here on those of systems.h, 0 while theirs are off */
+  TR_STATES = 56
 };
 
 /* Places after TR_ROTOR_RIGHT and TR_ROTOR_LEFT: x[TR_ROTOR_LEFT + TR_MEAN_INFLOW]. */
@@ -189,7 +192,8 @@ enum {
   TR_GUST_U,
   TR_GUST_V,
   TR_GUST_W, /* velocity of the air at the aircraft, body axes, m/s, within 50 */
-  TR_CONTROLS = 14
+  TR_CONTROLS = 14,
+  TR_INPUTS = 19 /* with the commands of systems.h: see tr_control_name */
 };
 
 /* The state of a flight: restoring it replays bit for bit, what conditions.h changes being as it was. */
@@ -254,7 +258,7 @@ tr_status tr_set_state(tr_sim* sim, const tr_state* state);
 /* The whole aircraft in bytes, for files and other machines: no addresses, fixed byte order, format, version
  * and precision, the tables, a checksum. `used` is the size, at most TR_SAVED_SIZE, and filled with
  * TR_SHORT_BUFFER too. Cost: a copy. */
-#define TR_SAVED_SIZE 1024 /* bytes */
+#define TR_SAVED_SIZE 2048 /* bytes */
 tr_status tr_save(const tr_sim* sim, void* bytes, size_t length, size_t* used);
 
 /* Makes the aircraft that was saved; it flies on bit for bit. `sim` need not be initialised, and is untouched
@@ -316,12 +320,13 @@ tr_status tr_trim(tr_sim* sim, tr_work* work, const tr_flight* flight, tr_trim_r
 
 /* ---- linear model and modes ---- */
 
-enum { TR_MAX_LINEAR_STATES = 27 };
+enum { TR_MAX_LINEAR_STATES = TR_LINEAR_SYSTEMS ? 46 : 27 };
 
 typedef enum tr_columns {
   TR_INCEPTORS = 1,      /* collective, sticks, pedal: 4 */
   TR_BLADE_CONTROLS = 2, /* blade angles and surfaces: 7 */
-  TR_ALL_CONTROLS = 3    /* 14 */
+  TR_ALL_CONTROLS = 3,   /* 14 */
+  TR_ALL_INPUTS = 4      /* controls, then the commands of tr_systems: 19 */
 } tr_columns;
 
 /* Meaning of rows and columns: A is states by states, B states by controls. */
@@ -329,7 +334,7 @@ typedef struct tr_linear_shape {
   int32_t states;
   int32_t controls;
   int32_t state[TR_MAX_LINEAR_STATES]; /* place in tr_state.x; see tr_state_name */
-  int32_t control[TR_CONTROLS];        /* place in tr_state.u */
+  int32_t control[TR_INPUTS];          /* place in tr_state.u; from TR_CONTROLS on a command */
 } tr_linear_shape;
 
 /* A = df/dx and B = df/du at the present state and controls, exact, by rows without gaps: a[i * states + j].
@@ -395,5 +400,6 @@ tr_status tr_hash(const tr_real* numbers, size_t length, uint64_t* hash);
 
 #include "tiltrotor/conditions.h"
 #include "tiltrotor/measure.h"
+#include "tiltrotor/systems.h"
 
 #endif

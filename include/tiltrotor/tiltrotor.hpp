@@ -29,3 +29,6 @@
 #include "tiltrotor/model/setup/setup_explanation.hpp"
 #include "tiltrotor/model/variables/control_range.hpp"
 #include "tiltrotor/model/variables/presets.hpp"
+#include "tiltrotor/systems/ground_effect.hpp"
+#include "tiltrotor/systems/landing_gear.hpp"
+#include "tiltrotor/systems/turbulence.hpp"

@@ -158,7 +158,7 @@ int reference_flight(text_sink write, int frames) {
     if (failed(write, "tr_eigenvalues", tr_eigenvalues(&work, a, n, eigenvalue_real, eigenvalue_imag, n)) ||
         failed(write, "tr_get_state", tr_get_state(&sim, &state)))
       return 1;
-    tr_hash(state.x, TR_STATES, &state_hash);
+    tr_hash(state.x, TR_MAST, &state_hash);
     tr_hash(a, n * n, &model_hash);
     tr_hash(b, n * (size_t)shape.controls, &model_hash);
     tr_hash(eigenvalue_real, n, &eigenvalue_hash);

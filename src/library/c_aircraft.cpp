@@ -4,6 +4,7 @@
 
 #include "library/c_fault.hpp"
 #include "library/c_state.hpp"
+#include "library/c_systems.hpp"
 #include "library/c_words.hpp"
 #include "tiltrotor/model/preparation.hpp"
 #include "tiltrotor/model/setup/setup_explanation.hpp"
@@ -40,10 +41,12 @@ constexpr bool are_in_order(const Shape<int>& places) {
   Shape<int>::describe(places, [&](const int& place, const Variable&) { right_place &= place == next++; });
   return right_place;
 }
-static_assert(int{TR_STATES} == state_count && int{TR_CONTROLS} == control_count);
+static_assert(int{TR_MAST} == state_count && int{TR_CONTROLS} == control_count);
 static_assert(are_in_order(kPlaces) && are_in_order(kControlPlaces));
 
-TILTROTOR_NOINLINE bool in_bound(int state, R x) { return std::fabs(x) <= state_bound<R>(state); }
+TILTROTOR_NOINLINE bool in_bound(int state, R x) {
+  return std::fabs(x) <= static_cast<R>(vehicle_variable(state).facts().bound);
+}
 
 constexpr std::size_t kLongestLine = 1000;
 
@@ -108,6 +111,7 @@ tr_status make(const FlightSetup<R>& setup, tr_sim* sim) {
   s.time = 0;
   s.steps = 0;
   s.air = {false, R(0), std::numeric_limits<R>::infinity()};
+  reset_systems(s);
   s.fault = no_fault();
   s.mark = kMark;
   return TR_OK;
@@ -130,6 +134,7 @@ void get_state(const Sim& s, tr_state& state) {
   state.time_s = s.time;
   state.steps = s.steps;
   flatten(s.x, state.x);
+  flatten(s.systems.state, state.x + state_count);
   flatten(s.u, state.u);
   const double* sum = s.travel.sum;
   state.roll_rad = *sum++;
@@ -142,6 +147,7 @@ void put_state(const tr_state& state, Sim& s) {
   s.steps = state.steps;
   unflatten(state.x, s.x);
   unflatten(state.u, s.u);
+  put_system_states(state.x + state_count, s);
   const double* north = state.position_m;
   s.travel = {{state.roll_rad, state.yaw_rad, north[0], north[1], north[2]}};
   follow(s.x, s.travel);
@@ -210,13 +216,13 @@ tr_status tr_set_state(tr_sim* sim, const tr_state* state) {
   if (state == nullptr) return noted(s, TR_BAD_ARGUMENT);
   const StateCheck found = check_state(*state);
   if (found.status != TR_OK) return noted(s, found.status, found.state, found.control);
-  const State<R> before = s.x;
-  unflatten(state->x, s.x);
-  const tr_status in_air = follow_air(s);
-  s.x = before;
-  if (in_air != TR_OK) return noted(s, in_air, TR_DOWN);
+  const Sim before = s;
   put_state(*state, s);
-  return TR_OK;
+  const tr_status with_systems = follow_systems(s);
+  const tr_status in_air = with_systems == TR_OK ? follow_air(s) : with_systems;
+  if (in_air == TR_OK) return TR_OK;
+  s = before;
+  return noted(s, in_air, with_systems == TR_OK ? int{TR_DOWN} : int{TR_MAST});
 }
 
 tr_status tr_derivative(const tr_sim* sim, tr_real* rates, size_t length) {
@@ -224,11 +230,10 @@ tr_status tr_derivative(const tr_sim* sim, tr_real* rates, size_t length) {
   if (ready != TR_OK) return ready;
   if (rates == nullptr) return TR_BAD_ARGUMENT;
   if (length < TR_STATES) return TR_SHORT_BUFFER;
-  const Sim& s = *opened(sim);
   Configuration<R> copy;
-  State<R> xdot;
-  derivative(equipped(s, copy), evaluated_state(s), s.u, xdot);
-  flatten(xdot, rates);
+  Found found;
+  evaluate(*opened(sim), copy, found);
+  flatten_rates(found, rates);
   return all_finite(rates, TR_STATES) ? TR_OK : TR_NOT_FINITE;
 }
 

@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "library/c_state.hpp"
+#include "library/c_systems.hpp"
 #include "library/c_words.hpp"
 #include "tiltrotor/analysis/flight/attitude.hpp"
 
@@ -48,6 +49,8 @@ tr_status put_around(const Surroundings<R>& around, const AirOrigin& air, Sim& s
   if (status != Status::ok) return translated(status);
   keep(c, s);
   s.air = air;
+  s.systems.vehicle.air_follows = air.follows;
+  s.systems.vehicle.altitude_origin = air.altitude;
   return TR_OK;
 }
 
@@ -90,6 +93,7 @@ tr_status put_configuration(const tr_configuration& from, Sim& s) {
     if (!(std::fabs(flat[i]) <= state_bound<R>(i))) return TR_OUT_OF_RANGE;
   s.x = x;
   keep(c, s);
+  follow_configuration(s);
   return TR_OK;
 }
 

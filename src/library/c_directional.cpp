@@ -1,6 +1,7 @@
 // The C interface: rates and outputs along a direction, and the outputs of the linear model.
 #include "library/c_linear.hpp"
 #include "library/c_outputs.hpp"
+#include "library/c_systems.hpp"
 #include "library/c_words.hpp"
 
 namespace tiltrotor::c_interface::checked {
@@ -11,11 +12,13 @@ tr_status tr_directional(const tr_sim* sim, tr_work* work, const tr_real* dx, co
   if (ready != TR_OK) return ready;
   if (work == nullptr || dx == nullptr || du == nullptr || dxdot == nullptr || doutputs == nullptr)
     return TR_BAD_ARGUMENT;
+  if (has_systems(*opened(sim))) return TR_BAD_ARGUMENT;
   if (!all_finite(dx, TR_STATES) || !all_finite(du, TR_CONTROLS)) return TR_NOT_FINITE;
   const Sim& s = *opened(sim);
   DirectionalCallWorkspace& call = workspace_in<DirectionalCallWorkspace>(work);
   const Configuration<R>& c = equipped(s, call.configuration);
   R readings[kReadings];
+  for (int i = state_count; i < TR_STATES; ++i) dxdot[i] = R(0);
   const Status status = directional(c, evaluated_state(s), s.u, dx, du, call.workspace, dxdot, readings);
   put_outputs(0, readings, *doutputs);
   return translated(status);
@@ -28,6 +31,7 @@ tr_status tr_linearize_outputs(const tr_sim* sim, tr_work* work, int32_t columns
   const ControlSet* set = control_set(columns);
   if (work == nullptr || set == nullptr) return TR_BAD_ARGUMENT;
   const Sim& s = *opened(sim);
+  if (has_systems(s)) return TR_BAD_ARGUMENT;
   OutputsCallWorkspace& call = workspace_in<OutputsCallWorkspace>(work);
   linear_states(s.configuration.setup.options, call.point);
   const auto states = static_cast<std::size_t>(call.point.states);

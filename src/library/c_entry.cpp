@@ -34,6 +34,9 @@ decltype(::tr_motion_at) tr_motion_at;
 decltype(::tr_air_data_at) tr_air_data_at;
 decltype(::tr_directional) tr_directional;
 decltype(::tr_linearize_outputs) tr_linearize_outputs;
+decltype(::tr_default_systems) tr_default_systems;
+decltype(::tr_get_systems) tr_get_systems;
+decltype(::tr_set_systems) tr_set_systems;
 
 }  // namespace tiltrotor::c_interface::checked
 
@@ -206,4 +209,19 @@ tr_status tr_linearize_outputs(const tr_sim* sim, tr_work* work, int32_t columns
   const tr_status status = processor_status();
   return status == TR_OK ? checked::tr_linearize_outputs(sim, work, columns, c, c_length, d, d_length)
                          : status;
+}
+
+tr_status tr_default_systems(tr_systems* systems) {
+  const tr_status status = processor_status();
+  return status == TR_OK ? checked::tr_default_systems(systems) : status;
+}
+
+tr_status tr_get_systems(const tr_sim* sim, tr_systems* systems) {
+  const tr_status status = processor_status();
+  return status == TR_OK ? checked::tr_get_systems(sim, systems) : status;
+}
+
+tr_status tr_set_systems(tr_sim* sim, const tr_systems* systems) {
+  const tr_status status = processor_status();
+  return status == TR_OK ? checked::tr_set_systems(sim, systems) : status;
 }

@@ -3,6 +3,7 @@
 #include "library/c_linear.hpp"
 #include "library/c_outputs.hpp"
 #include "library/c_state.hpp"
+#include "library/c_systems.hpp"
 #include "library/c_words.hpp"
 
 namespace tiltrotor::c_interface {
@@ -22,6 +23,7 @@ tr_status check_step(Sim& s, const tr_work* work, R dt) {
 tr_status step(Sim& s, tr_work* work, R dt, const R* xdot) {
   StepCallWorkspace& call = workspace_in<StepCallWorkspace>(work);
   const Configuration<R>& c = equipped(s, call.configuration);
+  const bool systems = has_systems(s);
   MovingConfiguration<R> moving{&call.configuration, s.air.follows, s.air.altitude, {}, 0};
   const Integrator integrator = dt <= kLongestOfRk3 ? Integrator::rk3 : Integrator::rk4;
   const double time = s.time + static_cast<double>(dt);
@@ -31,9 +33,13 @@ tr_status step(Sim& s, tr_work* work, R dt, const R* xdot) {
   const Status started = start(c, s.x, s.u, dt, integrator, call.simulation);
   if (started != Status::ok) return noted(s, translated(started));
   call.simulation.travel = s.travel;
-  const Status advanced = advance_moving(moving, call.workspace, call.simulation, xdot);
+  SystemFlight<R> flight = s.systems;
+  const Status advanced =
+      systems ? advance_vehicle(call.configuration, flight, call.workspace, call.simulation, xdot)
+              : advance_moving(moving, call.workspace, call.simulation, xdot);
   if (advanced != Status::ok) return noted(s, translated(advanced), call.simulation.fault_state);
-  if (is_moving<R>(s.configuration.setup) || s.air.follows) keep(call.configuration, s);
+  if (systems || is_moving<R>(s.configuration.setup) || s.air.follows) keep(call.configuration, s);
+  s.systems = flight;
   s.x = call.simulation.state;
   s.travel = call.simulation.travel;
   s.time = time;
@@ -55,7 +61,13 @@ tr_status tr_trim(tr_sim* sim, tr_work* work, const tr_flight* flight, tr_trim_r
   TrimCallWorkspace& call = workspace_in<TrimCallWorkspace>(work);
   const SteadyFlight<R> wanted = {flight->speed_mps, flight->climb_rad, flight->turn_rate_radps,
                                   flight->sideslip_rad, s.u.gust};
-  const TrimStatus status = trim(equipped(s, call.configuration), wanted, call.workspace, call.result);
+  // A driven mast stands while a trim is looked for.
+  equipped(s, call.configuration);
+  if (s.systems.vehicle.on.conversion && is_moving<R>(call.configuration.setup)) {
+    call.configuration.setup.mast_rate = call.configuration.setup.mast_acceleration = R(0);
+    configure(call.configuration);
+  }
+  const TrimStatus status = trim(call.configuration, wanted, call.workspace, call.result);
   if (result != nullptr) {
     result->iterations = call.result.iterations;
     result->attempts = call.result.attempts;
@@ -65,11 +77,13 @@ tr_status tr_trim(tr_sim* sim, tr_work* work, const tr_flight* flight, tr_trim_r
   if (is_trimmed(status)) {
     const R heading = s.x.yaw;
     const Vec3<R> position = s.x.position;
+    keep(call.configuration, s);
     s.x = call.result.state;
     s.x.yaw = heading;
     s.x.position = position;
     s.u = call.result.controls;
     follow(s.x, s.travel);
+    settle_systems(s);
     s.time = 0;
     s.steps = 0;
   }
@@ -91,12 +105,12 @@ tr_status tr_step_with_outputs(tr_sim* sim, tr_work* work, tr_real dt, tr_output
   const tr_status possible = check_step(s, work, dt);
   if (possible != TR_OK) return possible;
   if (outputs == nullptr) return noted(s, TR_BAD_ARGUMENT);
-  State<R> rates;
-  Configuration<R>& c = workspace_in<StepCallWorkspace>(work).configuration;
-  const tr_status read = outputs_here(equipped(s, c), s, *outputs, rates);
-  R xdot[state_count];
-  flatten(rates, xdot);
-  return read == TR_OK ? step(s, work, dt, xdot) : noted(s, read, first_not_finite(xdot, state_count));
+  Found found;
+  const tr_status read =
+      outputs_here(workspace_in<StepCallWorkspace>(work).configuration, s, *outputs, found);
+  R xdot[TR_STATES];
+  flatten_rates(found, xdot);
+  return read == TR_OK ? step(s, work, dt, xdot) : noted(s, read, first_not_finite(xdot, TR_STATES));
 }
 
 tr_status tr_linearize_and_step(tr_sim* sim, tr_work* work, tr_real dt, int32_t columns,
@@ -107,10 +121,10 @@ tr_status tr_linearize_and_step(tr_sim* sim, tr_work* work, tr_real dt, int32_t 
   Sim& s = *opened(sim);
   const tr_status possible = check_step(s, work, dt);
   if (possible != TR_OK) return possible;
-  R xdot[state_count];
+  R xdot[TR_STATES];
   const tr_status linear = linearize_here(s, work, columns, shape, {a, a_length, b, b_length}, xdot);
   if (linear == TR_OK) return step(s, work, dt, xdot);
-  return noted(s, linear, linear == TR_NOT_FINITE ? first_not_finite(xdot, state_count) : kNone);
+  return noted(s, linear, linear == TR_NOT_FINITE ? first_not_finite(xdot, TR_STATES) : kNone);
 }
 
 }  // namespace tiltrotor::c_interface::checked

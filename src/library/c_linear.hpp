@@ -19,6 +19,10 @@ struct LinearArrays {
   std::size_t b_length;
 };
 
+// Meaning of rows and columns, and whether A and, where it is wanted, B find room.
+void put_shape(int states, const int* state, int controls, const int* control, tr_linear_shape& shape);
+tr_status check_arrays(int states, int controls, const LinearArrays& to);
+
 // A and B into the arrays, and the rates at the state.
 tr_status linearize_here(const Sim& s, tr_work* work, std::int32_t columns, tr_linear_shape* shape,
                          const LinearArrays& to, R* xdot);

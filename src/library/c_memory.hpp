@@ -10,6 +10,7 @@
 #include "library/c_analyses.hpp"
 #include "tiltrotor/analysis/instances.hpp"
 #include "tiltrotor/analysis/linear/output_model.hpp"
+#include "tiltrotor/analysis/flight/response.hpp"
 #include "tiltrotor/model/aircraft/aircraft_data.hpp"
 #include "tiltrotor/tiltrotor.h"
 
@@ -34,6 +35,9 @@ struct Sim {
   double time;
   std::uint64_t steps;
   AirOrigin air;
+  SystemFlight<R> systems;
+  std::uint64_t turbulence_seed;
+  R turbulence_w20;
   tr_fault fault;
 };
 static_assert(sizeof(Sim) <= sizeof(tr_sim) && alignof(Sim) <= alignof(tr_sim));
@@ -76,9 +80,9 @@ struct DirectionalCallWorkspace {
   DirectionalWorkspace<R> workspace;
 };
 struct EigenCallWorkspace {
-  EigenWorkspace<R, kMaxLinearStates> workspace;
-  Matrix<R, kMaxLinearStates, kMaxLinearStates> a;
-  Eigenvalues<R, kMaxLinearStates> values;
+  EigenWorkspace<R, TR_MAX_LINEAR_STATES> workspace;
+  Matrix<R, TR_MAX_LINEAR_STATES, TR_MAX_LINEAR_STATES> a;
+  Eigenvalues<R, TR_MAX_LINEAR_STATES> values;
 };
 struct ModesCallWorkspace {
   ModesWorkspace<R> workspace;

@@ -10,12 +10,10 @@
 
 namespace tiltrotor::c_interface {
 
-tr_status outputs_here(const Configuration<R>& c, const Sim& s, tr_outputs& outputs, State<R>& rates) {
-  const State<R> x = evaluated_state(s);
-  DerivativeSteps<R> found;
-  derivative(c, x, s.u, found, rates);
+tr_status outputs_here(Configuration<R>& c, const Sim& s, tr_outputs& outputs, Found& found) {
+  evaluate(s, c, found);
   Instruments<R> read;
-  read_instruments(c, x, found, rates, read);
+  read_instruments(c, evaluated_state(s), found.steps, found.rates, read);
   R readings[kReadings];
   flatten(read, readings);
   put_outputs(s.time, readings, outputs);
@@ -93,8 +91,8 @@ tr_status tr_get_outputs(const tr_sim* sim, tr_outputs* outputs) {
   if (ready != TR_OK) return ready;
   if (outputs == nullptr) return TR_BAD_ARGUMENT;
   Configuration<R> copy;
-  State<R> rates;
-  return outputs_here(equipped(*opened(sim), copy), *opened(sim), *outputs, rates);
+  Found found;
+  return outputs_here(copy, *opened(sim), *outputs, found);
 }
 
 tr_status tr_last_fault(const tr_sim* sim, tr_fault* fault) {
@@ -111,13 +109,13 @@ tr_status tr_get_flags(const tr_sim* sim, uint32_t* flags) {
   if (flags == nullptr) return TR_BAD_ARGUMENT;
   const Sim& s = *opened(sim);
   Configuration<R> copy;
-  const Configuration<R>& c = equipped(s, copy);
+  Configuration<R>& c = copy;
   const State<R> x = evaluated_state(s);
-  DerivativeSteps<R> found;
-  State<R> rates;
-  derivative(c, x, s.u, found, rates);
+  Found all;
+  evaluate(s, c, all);
+  const DerivativeSteps<R>& found = all.steps;
   bool finite = true;
-  State<R>::each(rates, [&finite](R rate) { finite = finite && is_finite(rate); });
+  State<R>::each(all.rates, [&finite](R rate) { finite = finite && is_finite(rate); });
   if (!finite) return TR_NOT_FINITE;
   // Stall of the wing has no flag: asked at rest, where the aircraft does not rest on it.
   const LimitCheck<R> check = check_limits(c, R(0), R(0), x, s.u, found.controls, found.rotor);
@@ -144,11 +142,12 @@ tr_status tr_motion_at(const tr_sim* sim, const tr_real station_m[3], tr_motion*
   if (possible != TR_OK) return possible;
   const Sim& s = *opened(sim);
   Configuration<R> copy;
-  const Configuration<R>& c = equipped(s, copy);
+  Configuration<R>& c = copy;
   const State<R> x = evaluated_state(s);
-  DerivativeSteps<R> found;
-  State<R> rates;
-  derivative(c, x, s.u, found, rates);
+  Found all;
+  evaluate(s, c, all);
+  const DerivativeSteps<R>& found = all.steps;
+  const State<R>& rates = all.rates;
 
   const Vec3<R> arm = arm_to(s, station_m);
   const EulerAngles<R> attitude = {x.roll, x.pitch, x.yaw};

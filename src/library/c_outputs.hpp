@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <cstring>
 
-#include "library/c_memory.hpp"
+#include "library/c_systems.hpp"
 #include "tiltrotor/analysis/flight/instruments.hpp"
 
 namespace tiltrotor::c_interface {
@@ -20,7 +20,7 @@ inline void put_outputs(double time, const R (&readings)[kReadings], tr_outputs&
   std::memcpy(reinterpret_cast<unsigned char*>(&outputs) + kFirstReading, readings, sizeof readings);
 }
 
-// Outputs at the present state, and its rates. TR_NOT_FINITE: both are as computed.
-tr_status outputs_here(const Configuration<R>& c, const Sim& s, tr_outputs& outputs, State<R>& rates);
+// Outputs at the present state, and what was found for them; `c` is made. TR_NOT_FINITE: both are as computed.
+tr_status outputs_here(Configuration<R>& c, const Sim& s, tr_outputs& outputs, Found& found);
 
 }  // namespace tiltrotor::c_interface

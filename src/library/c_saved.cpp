@@ -8,6 +8,7 @@
 #include <type_traits>
 
 #include "library/c_state.hpp"
+#include "library/c_systems.hpp"
 #include "library/c_words.hpp"
 
 namespace tiltrotor::c_interface {
@@ -15,7 +16,7 @@ namespace tiltrotor::c_interface {
 namespace {
 
 constexpr unsigned char kMagic[8] = {'t', 'r', 's', 'a', 'v', 'e', 'd', 0x1a};
-constexpr std::uint32_t kFormat = 2;
+constexpr std::uint32_t kFormat = 3;
 
 // Least significant byte first. Out of line: there are many numbers, and little memory for code on a target.
 TILTROTOR_NOINLINE void put(std::uint64_t bits, std::size_t bytes, unsigned char* to) {
@@ -89,6 +90,9 @@ struct Conditions {
   tr_environment environment;
   std::uint32_t air_follows;
   Loads<R> outside;
+  tr_systems systems;
+  std::uint32_t scas_fades;
+  R loaded_mass;
 };
 
 template <class Saved, class Visit>
@@ -108,6 +112,25 @@ constexpr void each_of_conditions(Saved& saved, Visit&& visit) {
   visit(e.ground_down_m);
   visit(saved.air_follows);
   Loads<R>::each(saved.outside, visit);
+  auto& y = saved.systems;
+  visit(y.governor);
+  visit(y.conversion);
+  visit(y.engines);
+  visit(y.actuators);
+  visit(y.scas);
+  visit(y.gear);
+  visit(y.ground_effect);
+  visit(y.turbulence);
+  visit(y.mast_command_deg);
+  visit(y.flap_command_deg);
+  visit(y.rotor_command_radps);
+  for (auto& throttle : y.throttle) visit(throttle);
+  visit(y.gear_down);
+  for (auto& failed : y.engine_failed) visit(failed);
+  visit(y.turbulence_seed);
+  visit(y.turbulence_w20_mps);
+  visit(saved.scas_fades);
+  visit(saved.loaded_mass);
 }
 
 template <class Setup, class State, class Visit>
@@ -166,7 +189,11 @@ std::uint64_t identity() {
 
 Conditions conditions_of(const Sim& s) {
   const FlightSetup<R>& setup = s.configuration.setup;
-  Conditions c{setup.mast_rate, setup.mast_acceleration, setup.rotor_acceleration, setup.wl_cg, {}, 0, {}};
+  Conditions c{
+      setup.mast_rate, setup.mast_acceleration, setup.rotor_acceleration, setup.wl_cg, {}, 0, {}, {}, 0, 0};
+  get_systems(s, c.systems);
+  c.loaded_mass = s.systems.vehicle.loaded_mass;
+  c.scas_fades = s.systems.vehicle.disengages ? 1 : 0;
   get_environment(s, c.environment);
   c.air_follows = s.air.follows ? 1 : 0;
   c.outside = s.configuration.around.outside;
@@ -177,7 +204,10 @@ Conditions conditions_of(const Sim& s) {
 tr_status check_conditions(const Conditions& c, const tr_state& state, FlightSetup<R>& wanted) {
   const tr_status possible = check_environment(c.environment);
   if (possible != TR_OK) return possible;
-  if (c.air_follows > 1 || !within_limits(c.outside)) return TR_OUT_OF_RANGE;
+  if (!is_finite(c.loaded_mass)) return TR_NOT_FINITE;
+  if (c.air_follows > 1 || c.scas_fades > 1 || !within_limits(c.outside)) return TR_OUT_OF_RANGE;
+  const tr_status systems = check_systems(c.systems);
+  if (systems != TR_OK) return systems;
   wanted.mast_rate = c.mast_rate;
   wanted.mast_acceleration = c.mast_acceleration;
   wanted.rotor_acceleration = c.rotor_acceleration;
@@ -254,7 +284,12 @@ tr_status tr_load_saved(tr_sim* sim, uint32_t version, const void* bytes, size_t
   const tr_status made = make(wanted, sim);
   if (made != TR_OK) return made;
   Sim& s = *opened(sim);
+  put_switches(conditions.systems, s);
+  s.systems.vehicle.loaded_mass = conditions.loaded_mass;
+  if (conditions.scas_fades == 1) s.systems.vehicle.on.augmentation = s.systems.vehicle.disengages = true;
   put_state(state, s);
+  const tr_status with_systems = follow_systems(s);
+  if (with_systems != TR_OK) return with_systems;
   const tr_status around = put_environment(conditions.environment, conditions.air_follows == 1, s);
   return around == TR_OK ? put_loads(conditions.outside, s) : around;
 }

@@ -5,7 +5,7 @@
 #include <cstring>
 #include <type_traits>
 
-#include "tiltrotor/model/variables/state.hpp"
+#include "tiltrotor/systems/system_state.hpp"
 
 namespace tiltrotor::c_interface {
 
@@ -110,16 +110,16 @@ const char* tr_status_text(int32_t status) {
   return place < TR_STATUS_COUNT ? kWords[place].text : "";
 }
 const char* tr_state_name(int32_t index) {
-  return index >= 0 && index < TR_STATES ? kStateVariables[index].name : "unknown";
+  return index >= 0 && index < TR_STATES ? vehicle_variable(index).name : "unknown";
 }
 const char* tr_state_unit(int32_t index) {
-  return index >= 0 && index < TR_STATES ? kStateVariables[index].unit() : "";
+  return index >= 0 && index < TR_STATES ? vehicle_variable(index).unit() : "";
 }
 const char* tr_control_name(int32_t index) {
-  return index >= 0 && index < TR_CONTROLS ? kControlVariables[index].name : "unknown";
+  return index >= 0 && index < TR_INPUTS ? vehicle_input(index).name : "unknown";
 }
 const char* tr_control_unit(int32_t index) {
-  return index >= 0 && index < TR_CONTROLS ? kControlVariables[index].unit() : "";
+  return index >= 0 && index < TR_INPUTS ? vehicle_input(index).unit() : "";
 }
 const char* tr_version(void) { return TILTROTOR_VERSION; }
 

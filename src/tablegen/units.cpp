@@ -86,6 +86,10 @@ constexpr Unit kUnits[] = {
     {"kW/s", 1000, "W/s"},
     {"W/s", 1, "W/s"},
     {"in s/rad", kInch, "m s/rad"},
+    {"lbf/in", kPoundForce / kInch, "N/m"},
+    {"N/m", 1, "N/m"},
+    {"lbf s/in", kPoundForce / kInch, "N s/m"},
+    {"N s/m", 1, "N s/m"},
 };
 
 }  // namespace

@@ -32,6 +32,7 @@ laws='
     of["ft lbf s/rad"] = of["N m s/rad"] = mass * L * time
     of["hp"] = of["W"] = of["kW"] = mass * speed
     of["lb/ft2"] = of["Pa"] = D * L
+    of["lbf/in"] = of["N/m"] = mass / L; of["lbf s/in"] = of["N s/m"] = mass / L * time
   }
   # Hands and feet, the atmosphere and its gusts have their own size.
   function factor(name, unit) {

@@ -9,6 +9,7 @@
 #include "check.hpp"
 #include "tiltrotor/math/differentiation/complex_step.hpp"
 #include "tiltrotor/math/differentiation/dual.hpp"
+#include "tiltrotor/math/hyperbolic_tangent.hpp"
 
 using namespace tiltrotor;
 
@@ -95,6 +96,40 @@ TEST(smooth_step_is_twice_continuous) {
   CHECK_EQ(slope([](const D& z) { return smooth_step(z); }, 2), 0.0);
   // NaN is no step: it stays NaN.
   CHECK(std::isnan(smooth_step(std::numeric_limits<double>::quiet_NaN())));
+}
+
+// max(x, 0) itself outside the width; inside, its slope is the step and both meet the ends three times smoothly.
+TEST(smooth_ramp_is_exact_outside_its_width) {
+  const double e = 0.3;
+  const auto ramp = [e](const auto& x) { return smooth_ramp(x, e); };
+  for (const double x : {0.15, 0.1501, 0.7, 1e6}) {
+    CHECK_EQ(ramp(x), x);
+    CHECK_EQ(ramp(-x), 0.0);
+    CHECK_EQ(slope(ramp, x), 1.0);
+    CHECK_EQ(slope(ramp, -x), 0.0);
+  }
+  double before = 0;
+  for (double x = -0.15; x <= 0.15; x += 0.001) {
+    CHECK_NEAR(slope(ramp, x), smooth_step(x / e + 0.5), 1e-14);
+    CHECK(ramp(x) >= std::max(x, 0.0) - 1e-16 && ramp(x) <= std::max(x, 0.0) + 5.0 / 64 * e);
+    CHECK(ramp(x) >= before);
+    before = ramp(x);
+  }
+  CHECK_NEAR(ramp(0.0), 5.0 / 64 * e, 1e-16);
+  CHECK_NEAR(ramp(0.15 - 1e-4), 0.15 - 1e-4, 1e-13);  // C3: departs with the fourth power
+}
+
+// Against the standard library, with its slope along x^2 by tanh' = 1 - tanh^2.
+TEST(smooth_hyperbolic_tangent_over_its_argument) {
+  const auto ratio = [](const auto& x2) { return hyperbolic_tangent_over(x2); };
+  for (double x = 1e-8; x < 1e9; x *= 1.07) {
+    const double t = std::tanh(x);
+    CHECK_REL(ratio(x * x), t / x, 2e-15);
+    if (x > 1e-2) CHECK_NEAR(slope(ratio, x * x), ((1 - t * t) / x - t / (x * x)) / (2 * x), 1e-14 / (x * x));
+  }
+  CHECK_EQ(ratio(0.0), 1.0);
+  CHECK_REL(slope(ratio, 0), -1.0 / 3, 1e-15);  // tanh(x)/x = 1 - x^2/3 + ..
+  CHECK_REL(hyperbolic_tangent_over(4.0f), std::tanh(2.0f) / 2, 1e-6f);
 }
 
 TEST(smooth_wrapped_difference) {

@@ -23,7 +23,7 @@ double share(const Configuration<double>& c, double mu_x, double mu_z, double la
   RotorInput<double> in{};
   in.velocity_a = {mu_x * c.tip_speed, 0, mu_z * c.tip_speed};
   in.state.lambda_0 = lambda_0;
-  return radial_inflow(c, in) / (c.tip_speed * lambda_0);
+  return mean_inflow(c, in).shaped / (c.tip_speed * lambda_0);
 }
 
 }  // namespace

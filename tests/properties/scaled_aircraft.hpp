@@ -43,6 +43,7 @@ class ScaledAircraft {
     scale_controls();
     scale_smoothing();
     scale_limits();
+    scale_gear();
   }
   ScaledAircraft(const ScaledAircraft&) = delete;
   ScaledAircraft& operator=(const ScaledAircraft&) = delete;
@@ -173,6 +174,21 @@ class ScaledAircraft {
     times(s_.moment(), l.outside_moment);
     times(1 / s_.time(), l.gust_rate);
     times(s_.speed(), l.speed, l.gust, l.wind, aircraft_.guess.wing_speed);
+  }
+  void scale_gear() {
+    GearTables<double>& g = aircraft_.gear;
+    const double stiffness = s_.force() / s_.length;
+    for (StrutTables<double>* strut : {&g.nose, &g.main}) {
+      times(s_.length, strut->sl, strut->bl, strut->stroke);
+      times(stiffness, strut->oleo_stiffness, strut->tyre_stiffness);
+      times(stiffness * s_.time(), strut->oleo_damping);
+    }
+    SmoothingWidths<double>& e = aircraft_.smooth;
+    times(s_.length, g.ground_wl, g.drag_wl, aircraft_.ground.hub_height_on_gear, e.gear_contact,
+          e.gear_stop);
+    times(s_.length * s_.length, g.drag_area);
+    times(s_.speed(), g.slip_speed, e.ground_wash);
+    times(s_.force(), e.gear_force);
   }
 
   Aircraft<double> aircraft_;

@@ -309,7 +309,8 @@ TEST(vehicle_flies_in_single_precision) {
       double wide[vehicle_state_count];
       float flat[vehicle_state_count];
       flatten(from, wide);
-      for (int i = 0; i < static_cast<int>(sizeof to / sizeof(float)); ++i) flat[i] = static_cast<float>(wide[i]);
+      for (int i = 0; i < static_cast<int>(sizeof to / sizeof(float)); ++i)
+        flat[i] = static_cast<float>(wide[i]);
       unflatten(flat, to);
     };
     SystemFlight<float> systems{};
@@ -320,6 +321,7 @@ TEST(vehicle_flies_in_single_precision) {
     narrow(f.s.state, x);
     narrow(f.s.controls, u);
     systems.vehicle.on = f.vehicle().on;
+    systems.vehicle.loaded_mass = static_cast<float>(f.vehicle().loaded_mass);
     Simulation<float> s;
     CHECK(start(c, x, u, 0.005f, Integrator::rk3, s) == Status::ok);
     for (int k = 0; k < 400; ++k) CHECK(advance_vehicle(c, systems, single, s) == Status::ok);

@@ -87,7 +87,12 @@ Somewhere somewhere(Dice& dice, Governor governor) {
   at.u.gust = {dice.between(-2, 2), dice.between(-2, 2), dice.between(-2, 2)};
 
   Vehicle<double>& v = at.v;
-  v.on = {governor, dice.flip(), dice.flip(), dice.flip(), dice.flip(), false, false, false};
+  v.on = {governor, dice.flip(), dice.flip(), dice.flip(), dice.flip(), dice.flip(), dice.flip(), false};
+  v.loaded_mass = at.c.setup.mass;
+  v.gear_down = dice.flip();
+  // Wheels a foot in the ground, or some metres above it.
+  v.ground = {at.x.position.z + (dice.flip() ? 1.5 : 6) * this_aircraft::length(), 0.03, -0.02};
+  v.brake[right] = 0.3;
   v.air_follows = dice.flip();
   v.altitude_origin = this_aircraft::altitude() + 100;
   v.engine_failed[left] = dice.between(0, 1) < 0.2;
@@ -186,7 +191,7 @@ void complex_column(const Somewhere& at, const VehicleShape& shape, int j, doubl
   AirframeDemand<Complex> demand;
   AirframeAnswer<Complex> answer;
   VehicleFlows<Complex> flows;
-  vehicle_rates<Complex>(at.v, at.c, at.c.setup, x, systems, commands, u,
+  vehicle_rates<Complex>(at.v, at.c, at.c.setup, c, x, systems, commands, u,
                          VehicleAirframe<Complex>{c, x, steps, 0.0}, demand, answer, flows, of_systems);
   Complex found[vehicle_state_count];
   flatten(answer.rates, found);

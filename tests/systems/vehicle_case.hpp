@@ -68,7 +68,7 @@ inline Rates rates(const Vehicle<double>& v, Configuration<double> c, const Stat
   Rates r;
   const ConfigurationSetting<double> base = c.setup;
   SystemState<double> of_systems;
-  vehicle_rates(v, c, base, x, s, v.commands, u, VehicleAirframe<double>{c, x, steps, 0.0}, r.demand,
+  vehicle_rates(v, c, base, c, x, s, v.commands, u, VehicleAirframe<double>{c, x, steps, 0.0}, r.demand,
                 r.airframe, r.flows, of_systems);
   flatten(r.airframe.rates, r.of);
   flatten(of_systems, r.of + state_count);

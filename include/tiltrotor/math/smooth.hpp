@@ -48,6 +48,15 @@ T smooth_step(const T& t) {
   const T quintic = t * t * t * (R(10) + t * (R(-15) + R(6) * t));
   return select(v > R(0), select(v < R(1), quintic, T(R(1))), T(R(0) * t));
 }
+// max(x, 0), exactly so outside |x| < e/2: C3. Its slope is smooth_step(x/e + 1/2).
+template <class T>
+T smooth_ramp(const T& x, Real<T> e) {
+  using R = Real<T>;
+  const T t = x * (R(1) / e) + R(0.5);
+  const auto v = value(t);
+  const T between = (e * t * t) * (t * t) * (R(2.5) + t * (t - R(3)));
+  return select(v > R(0), select(v < R(1), between, x), T(R(0) * x));
+}
 
 // x brought to -pi..pi by any number of whole turns: the derivative is that of x.
 template <class T>

@@ -22,7 +22,7 @@ inline constexpr bool kScalarsFit = kIsPlain<C> ||
 
 // `azimuth`: of the first blade, rad; used in the individual-blade mode alone.
 template <class T, class C>
-void local_rotor_response(const Configuration<C>& c, const RotorInput<T>& in, Real<T> azimuth,
+void local_rotor_response(const Configuration<C>& c, const RotorInput<T>& in, int side, Real<T> azimuth,
                           LocalRotor<T>& work, RotorResponse<T>& out) {
   static_assert(kScalarsFit<T, C>,
                 "a configuration with partials has the scalar of the state, of at most 16 directions");
@@ -30,7 +30,7 @@ void local_rotor_response(const Configuration<C>& c, const RotorInput<T>& in, Re
   if (!averaged) individual_azimuth(c.aircraft->rotor.blades, azimuth, work.inner.stations);
   const AzimuthStations<Real<T>>& stations = averaged ? c.azimuth : work.inner.stations;
   preaccumulate(in, work.chain, out, [&](const auto& local, auto& found) {
-    rotor_response(c, local, stations, work.inner, found);
+    rotor_response(c, local, stations, work.inner, found, c.ground_wash[side]);
   });
 }
 template <class T, class C, class Record>

@@ -43,6 +43,18 @@ void actuator_rates(const Aircraft<Real<T>>& aircraft, const BladeControls<T>& w
   rates.rudder = actuator_rate(t, surface(c.rudder_limit), wanted.rudder, s.rudder);
 }
 
+// Actuators that have arrived.
+template <class T>
+void put_actuators(const BladeControls<T>& at, SystemState<T>& s) {
+  for (const Side side : {right, left}) {
+    s.collective[side] = at.collective[side];
+    s.long_cyclic[side] = at.long_cyclic[side];
+  }
+  s.elevator = at.elevator;
+  s.aileron = at.aileron;
+  s.rudder = at.rudder;
+}
+
 // Controls that set blades and surfaces to what the actuators are at: increments, with the inceptors at neutral.
 template <class T>
 Controls<T> actuated_controls(const SystemState<T>& s, const Controls<T>& u) {

@@ -6,6 +6,7 @@
 
 #include "tiltrotor/math/vector.hpp"
 #include "tiltrotor/model/variables/state.hpp"
+#include "tiltrotor/systems/turbulence.hpp"
 
 namespace tiltrotor {
 
@@ -24,6 +25,7 @@ struct SystemState {
   T held_pitch, held_roll;          // attitude that is held, rad
   T holds_pitch, holds_roll;        // 1 while it is, else 0
   T rest_long, rest_lat;            // where the stick stands when it is let go, in
+  TurbulenceState<T> gusts;         // filters of the turbulence, moved on between steps
 
   template <class Self, class Visit>
   static constexpr void describe(Self& s, Visit&& visit) {
@@ -54,8 +56,11 @@ struct SystemState {
     visit(s.held_roll, Variable{"held_roll", K::held_angle, lat});
     visit(s.holds_pitch, Variable{"holds_pitch", K::flag, lon});
     visit(s.holds_roll, Variable{"holds_roll", K::flag, lat});
-    visit(s.rest_long, Variable{"rest_long", K::stick, lon});
-    visit(s.rest_lat, Variable{"rest_lat", K::stick, lat});
+    visit(s.rest_long, Variable{"rest_long", K::held_stick, lon});
+    visit(s.rest_lat, Variable{"rest_lat", K::held_stick, lat});
+    TurbulenceState<T>::describe(s.gusts, [&visit](auto& x, const char* name) {
+      visit(x, Variable{name, K::gust_filter, Plane::longitudinal});
+    });
   }
   template <class Self, class Visit>
   static constexpr void each(Self& s, Visit&& visit) {

@@ -10,6 +10,8 @@
 #include "tiltrotor/systems/augmentation.hpp"
 #include "tiltrotor/systems/conversion.hpp"
 #include "tiltrotor/systems/drive.hpp"
+#include "tiltrotor/systems/ground_effect.hpp"
+#include "tiltrotor/systems/landing_gear.hpp"
 
 namespace tiltrotor {
 
@@ -27,9 +29,15 @@ struct Vehicle {
   SystemSwitches on;
   Commands<R> commands;
   bool engine_failed[2];
-  bool disengages;    // the augmentation: its actuators return to neutral
+  bool disengages;  // the augmentation: its actuators return to neutral
+  bool gear_down;
+  R brake[2];             // of the main wheels, right and left, 0..1
+  GroundPlane<R> ground;  // level and infinitely far below without one
+  std::uint64_t turbulence_seed;
+  R wind_20_ft;       // strength of the turbulence, m/s
   bool air_follows;   // the altitude: `altitude_origin` less the position down
   R altitude_origin;  // m
+  R loaded_mass;      // with no fuel burnt, kg: what the engines' fuel is taken from
 };
 
 inline bool any_system(const SystemSwitches& on) {
@@ -69,7 +77,8 @@ template <class T>
 struct AirframeDemand {
   Controls<T> controls;
   ConfigurationSetting<T> setting;
-  Loads<T> outside;  // added to those around, about the CG
+  GroundEffect<T> ground;
+  GearLoads<T> gear;  // its total, and its drag, are added to the loads around
 };
 
 // What the systems need of it.
@@ -96,6 +105,35 @@ ConfigurationSetting<T> setting_of(const ConfigurationSetting<Real<T>>& s) {
           T(s.wl_cg)};
 }
 
+template <class R>
+inline constexpr R kFarGround = R(1e8);  // m down: none
+
+// Wind over the ground in body axes.
+template <class T>
+Vec3<T> wind_in_body(const Vec3<Real<T>>& wind_n, const State<T>& x) {
+  const SineCosine<T> r = sine_and_cosine(x.roll), p = sine_and_cosine(x.pitch), y = sine_and_cosine(x.yaw);
+  const T ahead = wind_n.x * y.cosine + wind_n.y * y.sine;
+  const T aside = wind_n.y * y.cosine - wind_n.x * y.sine;
+  const T below = ahead * p.sine + wind_n.z * p.cosine;
+  return {ahead * p.cosine - wind_n.z * p.sine, aside * r.cosine + below * r.sine,
+          below * r.cosine - aside * r.sine};
+}
+
+// The setting alone; what is asked for already is not made again.
+template <class T>
+void put_setting(const ConfigurationSetting<T>& to, Configuration<T>& c) {
+  ConfigurationSetting<T>& now = c.setup;
+  if constexpr (kIsPlain<T>) {
+    if (now.mast_deg == to.mast_deg && now.mast_rate == to.mast_rate &&
+        now.mast_acceleration == to.mast_acceleration && now.flap_deg == to.flap_deg &&
+        now.rotor_speed == to.rotor_speed && now.rotor_acceleration == to.rotor_acceleration &&
+        now.altitude == to.altitude && now.mass == to.mass && now.sl_cg == to.sl_cg && now.wl_cg == to.wl_cg)
+      return;
+  }
+  now = to;
+  configure(c);
+}
+
 inline int engines_running(const bool (&failed)[2]) { return !failed[right] + !failed[left]; }
 
 // What the actuators are asked for.
@@ -109,15 +147,40 @@ BladeControls<T> wanted_angles(const Aircraft<Real<T>>& aircraft, const Options&
   return wanted;
 }
 
+// Gear and ground effect. Without them `at` is left alone.
+template <class T>
+void meet_ground(const Vehicle<Real<T>>& v, const Configuration<Real<T>>& c, Configuration<T>& at,
+                 const State<T>& x, AirframeDemand<T>& demand) {
+  using R = Real<T>;
+  demand.ground = {{T(R(1)), T(R(1))}, T(R(1))};
+  GearLoads<T>::each(demand.gear, [](T& number) { number = T(R(0)); });
+  const bool gear = v.on.gear && v.gear_down;
+  const bool near = v.ground.down < kFarGround<R>;
+  if (!gear && !(v.on.ground_effect && near)) return;
+  put_setting(demand.setting, at);
+  const Vec3<T> in_air = airframe_velocity(x.velocity - demand.controls.gust, at.mass.nacelles);
+  if (near) {
+    const AboveGround<T> above = above_ground(v.ground, x.roll, x.pitch, x.yaw, x.position);
+    if (v.on.ground_effect)
+      demand.ground =
+          ground_effect(at, above, in_air, x.rates, {x.rotor[right].lambda_0, x.rotor[left].lambda_0});
+    const GearCommand<T> command = {true, false, {T(v.brake[right]), T(v.brake[left])}};
+    if (gear)
+      landing_gear(at, above, x.velocity + wind_in_body(c.around.wind_n, x), x.rates, command, demand.gear);
+  }
+  if (gear) demand.gear.total = demand.gear.total + gear_drag(at, T(R(1)), in_air, x.rates);
+}
+
 }  // namespace vehicle_detail
 
-// `c`: what no system moves, `base`: the setting of what they may. Rates of the systems, but for those that follow the
-// rotors' torque, go to `rates`.
+// `c`: what no system moves, `base`: the setting of what they may, `at`: with the fixed part of `c`, put into the setting
+// that is asked for where ground counts. Rates of the systems, but for those that follow the rotors' torque, go to
+// `rates`.
 template <class T>
 void airframe_demand(const Vehicle<Real<T>>& v, const Configuration<Real<T>>& c,
-                     const ConfigurationSetting<Real<T>>& base, const State<T>& x, const SystemState<T>& s,
-                     const Commands<T>& commands, const Controls<T>& u, AirframeDemand<T>& demand,
-                     VehicleFlows<T>& flows, SystemState<T>& rates) {
+                     const ConfigurationSetting<Real<T>>& base, Configuration<T>& at, const State<T>& x,
+                     const SystemState<T>& s, const Commands<T>& commands, const Controls<T>& u,
+                     AirframeDemand<T>& demand, VehicleFlows<T>& flows, SystemState<T>& rates) {
   using R = Real<T>;
   const Aircraft<R>& aircraft = *c.aircraft;
   const SystemTables<R>& t = aircraft.systems;
@@ -140,6 +203,7 @@ void airframe_demand(const Vehicle<Real<T>>& v, const Configuration<Real<T>>& c,
     setting.rotor_acceleration = T(R(0));  // see vehicle_rates()
   }
 
+  if (v.on.engines) setting.mass = v.loaded_mass - s.fuel;
   if (v.air_follows) setting.altitude = v.altitude_origin - x.position.z;
 
   const Air<T> air = surrounding_air(setting.altitude, c.around.warmer, c.around.pressure_above);
@@ -176,7 +240,7 @@ void airframe_demand(const Vehicle<Real<T>>& v, const Configuration<Real<T>>& c,
     moved = actuated_controls(s, u);
   }
   demand.controls = moved;
-  Loads<T>::each(demand.outside, [](T& load) { load = T(R(0)); });
+  vehicle_detail::meet_ground(v, c, at, x, demand);
 }
 
 // The ideal governor: the collective at which the rotors take the power of the engines, by the secant method, its slope
@@ -213,12 +277,12 @@ void hold_power(const Configuration<Real<T>>& c, const T& guess, const T& power,
 // Rates of all states. `airframe(demand, answer)`: rates of the airframe, and torque of its rotors.
 template <class T, class Airframe>
 void vehicle_rates(const Vehicle<Real<T>>& v, const Configuration<Real<T>>& c,
-                   const ConfigurationSetting<Real<T>>& base, const State<T>& x, const SystemState<T>& s,
-                   const Commands<T>& commands, const Controls<T>& u, Airframe&& airframe,
-                   AirframeDemand<T>& demand, AirframeAnswer<T>& answer, VehicleFlows<T>& flows,
-                   SystemState<T>& rates) {
+                   const ConfigurationSetting<Real<T>>& base, Configuration<T>& at, const State<T>& x,
+                   const SystemState<T>& s, const Commands<T>& commands, const Controls<T>& u,
+                   Airframe&& airframe, AirframeDemand<T>& demand, AirframeAnswer<T>& answer,
+                   VehicleFlows<T>& flows, SystemState<T>& rates) {
   using R = Real<T>;
-  airframe_demand(v, c, base, x, s, commands, u, demand, flows, rates);
+  airframe_demand(v, c, base, at, x, s, commands, u, demand, flows, rates);
   flows.governed = T(R(0));
   if (v.on.governor == Governor::ideal) {
     hold_power(c, s.governor, flows.power, airframe, demand, answer, flows.governed);

@@ -10,23 +10,11 @@ namespace tiltrotor {
 // again.
 template <class T>
 void put_into(const AirframeDemand<T>& demand, Configuration<T>& c) {
-  ConfigurationSetting<T>& now = c.setup;
-  const ConfigurationSetting<T>& to = demand.setting;
-  bool same = kIsPlain<T>;
-  if constexpr (kIsPlain<T>) {
-    same = now.mast_deg == to.mast_deg && now.mast_rate == to.mast_rate &&
-           now.mast_acceleration == to.mast_acceleration && now.flap_deg == to.flap_deg &&
-           now.rotor_speed == to.rotor_speed && now.rotor_acceleration == to.rotor_acceleration &&
-           now.altitude == to.altitude && now.mass == to.mass && now.sl_cg == to.sl_cg &&
-           now.wl_cg == to.wl_cg;
-  }
-  if (same) {
-    set_outside(c);
-  } else {
-    now = to;
-    configure(c);
-  }
-  c.outside = c.outside + demand.outside;
+  vehicle_detail::put_setting(demand.setting, c);
+  set_outside(c);
+  c.outside = c.outside + demand.gear.total;
+  for (const Side side : {right, left}) c.ground_wash[side] = demand.ground.wash[side];
+  c.download = demand.ground.download;
 }
 
 // `c`: put into each demand.

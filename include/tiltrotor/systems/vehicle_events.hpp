@@ -9,32 +9,47 @@ namespace tiltrotor {
 template <class R>
 inline constexpr R kReturned = R(1e-6);
 
+template <class R>
+bool has_returned(const SystemState<R>& s) {
+  for (const R& way : s.series)
+    if (!(way < kReturned<R> && way > -kReturned<R>)) return false;
+  return true;
+}
+
 // Events of a step, at its beginning: an attitude is held or given up, an augmentation that was switched off is gone
 // when its actuators have returned, engines stop without fuel; masts are sent no further than their stops, where else
-// their drive would push on.
+// their drive would push on. Whether anything happened.
 template <class R>
-void begin_step(const Aircraft<R>& aircraft, const State<R>& x, const Controls<R>& u, Vehicle<R>& v,
+bool begin_step(const Aircraft<R>& aircraft, const State<R>& x, const Controls<R>& u, Vehicle<R>& v,
                 SystemState<R>& s) {
   const AugmentationTables<R>& t = aircraft.systems.augmentation;
+  const R before[] = {s.holds_pitch, s.holds_roll};
+  bool happened = false;
   if (v.on.augmentation) {
     latch(t, u.long_stick - s.rest_long, x.rates.y, x.pitch, s.holds_pitch, s.held_pitch);
     latch(t, u.lat_stick - s.rest_lat, x.rates.x, x.roll, s.holds_roll, s.held_roll);
   }
   const Bounds<R>& stops = aircraft.limits.mast_deg;
-  if (v.on.conversion)
-    v.commands.mast =
-        smaller_of(larger_of(v.commands.mast, stops.low * kRadPerDeg<R>), stops.high * kRadPerDeg<R>);
+  if (v.on.conversion) {
+    const R told = v.commands.mast;
+    v.commands.mast = smaller_of(larger_of(told, stops.low * kRadPerDeg<R>), stops.high * kRadPerDeg<R>);
+    happened = v.commands.mast != told;
+  }
   if (v.on.augmentation && v.disengages) {
-    bool returned = true;
-    for (const R& way : s.series) returned = returned && way < kReturned<R> && way > -kReturned<R>;
-    if (returned) {
+    if (has_returned(s)) {
       v.on.augmentation = v.disengages = false;
       for (R& way : s.series) way = R(0);
       s.washout = s.holds_pitch = s.holds_roll = R(0);
+      happened = true;
     }
   }
-  if (v.on.engines && s.fuel >= aircraft.systems.drive.fuel)
-    for (bool& failed : v.engine_failed) failed = true;
+  if (v.on.engines && s.fuel >= aircraft.systems.drive.fuel) {
+    for (bool& failed : v.engine_failed) {
+      happened = happened || !failed;
+      failed = true;
+    }
+  }
+  return happened || s.holds_pitch != before[0] || s.holds_roll != before[1];
 }
 
 // The systems in a steady flight at (x, u) of the airframe, `torque` of both rotors (N m): every rate that the flight
@@ -49,6 +64,7 @@ void settle(const Configuration<R>& c, const State<R>& x, R torque, Vehicle<R>& 
   s.flap = v.commands.flap = c.setup.flap_deg * kRadPerDeg<R>;
   s.rotor_speed = v.commands.rotor_speed = c.setup.rotor_speed;
   s.governor = R(0);
+  v.loaded_mass = c.setup.mass + s.fuel;
 
   const R needed = torque * c.setup.rotor_speed / aircraft.controls.transmission_efficiency;
   const int running = vehicle_detail::engines_running(v.engine_failed);
@@ -60,15 +76,7 @@ void settle(const Configuration<R>& c, const State<R>& x, R torque, Vehicle<R>& 
   }
 
   const Vec3<R> velocity = x.velocity - u.gust;
-  const BladeControls<R> angles =
-      vehicle_detail::wanted_angles(aircraft, c.setup.options, c.setup.mast_deg, u, velocity);
-  for (const Side side : {right, left}) {
-    s.collective[side] = angles.collective[side];
-    s.long_cyclic[side] = angles.long_cyclic[side];
-  }
-  s.elevator = angles.elevator;
-  s.aileron = angles.aileron;
-  s.rudder = angles.rudder;
+  put_actuators(vehicle_detail::wanted_angles(aircraft, c.setup.options, c.setup.mast_deg, u, velocity), s);
 
   const AugmentationTables<R>& t = aircraft.systems.augmentation;
   for (R& way : s.series) way = R(0);
@@ -86,6 +94,29 @@ void settle(const Configuration<R>& c, const State<R>& x, R torque, Vehicle<R>& 
   }
   s.rest_long = u.long_stick;
   s.rest_lat = u.lat_stick;
+}
+
+// The air of the turbulence about an aircraft.
+template <class R>
+TurbulentAir<R> turbulent_air(const Configuration<R>& c, const State<R>& x, const Controls<R>& u,
+                              const Vehicle<R>& v) {
+  const bool near = v.ground.down < vehicle_detail::kFarGround<R>;
+  const R height = near ? v.ground.down - x.position.z : c.setup.altitude;
+  return {height, length(x.velocity - u.gust), v.wind_20_ft};
+}
+
+// The surroundings with the gusts of the turbulence, which add to those that are there.
+template <class R>
+Surroundings<R> with_turbulence(const Configuration<R>& c, const State<R>& x, const Controls<R>& u,
+                                const Vehicle<R>& v, const SystemState<R>& s) {
+  Surroundings<R> around = c.around;
+  if (!v.on.turbulence) return around;
+  const LocalGusts<R> gusts = gusts_at(s.gusts, turbulent_air(c, x, u, v), *c.aircraft);
+  for (const Side side : {right, left})
+    around.rotor_gust_b[side] = around.rotor_gust_b[side] + gusts.rotor[side];
+  around.wing_gust_b = around.wing_gust_b + gusts.wing;
+  around.tail_gust_b = around.tail_gust_b + gusts.tail;
+  return around;
 }
 
 }  // namespace tiltrotor

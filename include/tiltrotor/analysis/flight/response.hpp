@@ -143,9 +143,9 @@ void stop_driven_mast(const Bounds<R>& stops_deg, SystemState<R>& s) {
   s.mast_rate = R(0);
 }
 
-// What the systems make of the configuration at the end of a stretch of a step; burnt fuel is gone.
+// What the systems make of the configuration at the end of a stretch of a step.
 template <class R, class Policy>
-void put_systems(const RightSide<R, Policy>& f, R fuel_before) {
+void put_systems(const RightSide<R, Policy>& f) {
   SystemPart<R>& part = *f.systems;
   const Vehicle<R>& v = part.flight->vehicle;
   SystemState<R> s = f.system_state(f.work.x);
@@ -155,17 +155,16 @@ void put_systems(const RightSide<R, Policy>& f, R fuel_before) {
   flatten(s, flat);
   for (int k = 0; k < f.work.systems.count; ++k)
     f.work.x[f.work.active.count + k] = flat[f.work.systems.index[k]];
-  part.base.mass -= s.fuel - fuel_before;
   SystemState<R> rates;
-  airframe_demand(v, f.c, part.base, f.airframe_state(f.work.x), s, v.commands, f.controls, f.work.demand,
-                  f.work.flows, rates);
+  airframe_demand(v, f.c, part.base, *part.c, f.airframe_state(f.work.x), s, v.commands, f.controls,
+                  f.work.demand, f.work.flows, rates);
   put_into(f.work.demand, *part.c);
 }
 
 // The configuration at the end of a stretch of a step.
 template <class R, class Policy>
-Status arrive(const MovingConfiguration<R>& moving, R time, bool at_stop, R fuel_before,
-              const RightSide<R, Policy>& f, int& fault_state) {
+Status arrive(const MovingConfiguration<R>& moving, R time, bool at_stop, const RightSide<R, Policy>& f,
+              int& fault_state) {
   Configuration<R>& c = *moving.configuration;
   f.place_configuration(time, f.work.x);
   // A mast that comes to rest at its stop may lie beyond it by a rounding.
@@ -175,7 +174,7 @@ Status arrive(const MovingConfiguration<R>& moving, R time, bool at_stop, R fuel
     stop_mast<R>(setting, stops);
     if (f.systems == nullptr) configure(c);
   }
-  if (f.systems != nullptr) put_systems(f, fuel_before);
+  if (f.systems != nullptr) put_systems(f);
   const SetupField fault = first_out_of_range(*c.aircraft, c.setup).field;
   if (fault == SetupField::none) return Status::ok;
   if (fault == SetupField::altitude) fault_state = kStateIndex.position.z;
@@ -234,7 +233,6 @@ Status advance(const Configuration<R>& c, MovingConfiguration<R>* moving, System
     }
     const Controls<R> controls = controls_at(s, begin + R(0.5) * (since + until));
     const RightSide<R, Policy> f{c, work, controls, s.fault_state, azimuth, moving, nullptr, systems};
-    const R fuel_before = systems == nullptr ? R(0) : systems->flight->state.fuel;
     if (until > since) {
       const int count = parts(s.integrator, until - since, fastest_rates(c, s.state, controls));
       s.status = hold(f, s.integrator, begin + since, until - since, count, known);
@@ -243,7 +241,7 @@ Status advance(const Configuration<R>& c, MovingConfiguration<R>* moving, System
     if (stops) known = nullptr;  // they are those of a mast on its way
     if (moving != nullptr && s.status == Status::ok) {
       const R azimuth_now = f.azimuth(begin + until);
-      s.status = arrive(*moving, begin + until, stops, fuel_before, f, s.fault_state);
+      s.status = arrive(*moving, begin + until, stops, f, s.fault_state);
       if (c.setup.rotor_speed != moving->from.rotor_speed)
         azimuth = azimuth_now - c.setup.rotor_speed * (begin + until);
     }
@@ -315,22 +313,31 @@ Status advance_moving(MovingConfiguration<R>& moving, SimulationWorkspace<R, Pol
 // first: begin_step(). Of the integrators rk3 and rk4; rodas3 is a bad_argument. `xdot`[vehicle_state_count]: those
 // of vehicle_rates(). Unless ok, configuration and systems are as they were; fault_state counts as vehicle_variable().
 // Cost: that of advance(), and a twentieth of a derivative more an evaluation where masts, rotor speed or air move;
-// with an ideal governor some three times as many derivatives. With nothing on it is advance_moving().
+// with an ideal governor some three times as many derivatives.
 template <class R, class Policy>
 Status advance_vehicle(Configuration<R>& c, SystemFlight<R>& flight, SimulationWorkspace<R, Policy>& work,
                        Simulation<R>& s, const R* xdot = nullptr) {
   if (s.status != Status::ok) return s.status;
-  if (!any_system(flight.vehicle.on)) {
-    MovingConfiguration<R> alone{&c, flight.vehicle.air_follows, flight.vehicle.altitude_origin, {}, R(0)};
-    return advance_moving(alone, work, s, xdot);
-  }
   const SystemFlight<R> before = flight;
   const ConfigurationSetting<R> setting = c.setup;
-  begin_step(*c.aircraft, s.state, current_controls(s), flight.vehicle, flight.state);
+  // Rates found before an event are not those after it; those of an ideal governor bring its collective along.
+  const bool happened = begin_step(*c.aircraft, s.state, current_controls(s), flight.vehicle, flight.state);
+  if (happened || flight.vehicle.on.governor == Governor::ideal) xdot = nullptr;
+  const Surroundings<R> around = c.around;
+  const State<R> now = current_state(s);
+  const TurbulentAir<R> air = turbulent_air(c, now, current_controls(s), flight.vehicle);
+  c.around = with_turbulence(c, now, current_controls(s), flight.vehicle, flight.state);
   MovingConfiguration<R> moving{&c, false, R(0), {}, R(0)};
   response_detail::SystemPart<R> part{&flight, &c, c.setup};
   const Status status = response_detail::advance(c, &moving, &part, work, s, xdot);
-  if (status != Status::ok) {
+  c.around = around;
+  if (status == Status::ok) {
+    if (flight.vehicle.on.turbulence) {
+      const GustNoise<R> noise = gust_noise<R>(flight.vehicle.turbulence_seed, flight.steps);
+      flight.state.gusts = turbulence_step(flight.state.gusts, air, s.dt, noise, *c.aircraft);
+    }
+    ++flight.steps;
+  } else {
     flight = before;
     static_cast<ConfigurationSetting<R>&>(c.setup) = setting;
     configure(c);

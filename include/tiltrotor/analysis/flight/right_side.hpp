@@ -47,6 +47,7 @@ template <class R>
 struct SystemFlight {
   Vehicle<R> vehicle;
   SystemState<R> state;
+  std::uint64_t steps;  // done so far: the number of a step's noise
 };
 
 namespace response_detail {
@@ -86,6 +87,7 @@ struct RightSide {
 
   R azimuth(R time) const {
     if (moving == nullptr) return azimuth_at_0 + c.setup.rotor_speed * time;
+    if (moving->from.rotor_acceleration == R(0)) return azimuth_at_0 + moving->from.rotor_speed * time;
     return azimuth_at_0 + moving->from.rotor_speed * moving->begin +
            turned(moving->from, time - moving->begin);
   }
@@ -148,7 +150,7 @@ struct RightSide {
     unflatten(at.x, at.state);
     unflatten(at.u, at.controls);
     SystemState<R> found;
-    vehicle_rates(v, c, systems->base, at.state, system_state(x), v.commands, at.controls,
+    vehicle_rates(v, c, systems->base, *systems->c, at.state, system_state(x), v.commands, at.controls,
                   VehicleAirframe<R>{*systems->c, at.state, at.derivative, azimuth}, work.demand, work.answer,
                   work.flows, found);
     // Where the next search of an ideal governor begins.

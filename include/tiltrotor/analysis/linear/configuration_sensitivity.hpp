@@ -38,6 +38,9 @@ enum class ConfigurationParameter : unsigned char {
   inertia_zz,
   inertia_xz,
   hub_spring_factor,
+  ground_wash_right,
+  ground_wash_left,
+  download,
   count
 };
 inline constexpr int kConfigurationParameters = static_cast<int>(ConfigurationParameter::count);
@@ -65,6 +68,9 @@ inline constexpr ParameterFacts kParameterFacts[] = {
     {ConfigurationParameter::inertia_zz, "inertia_zz", "kg m^2"},
     {ConfigurationParameter::inertia_xz, "inertia_xz", "kg m^2"},
     {ConfigurationParameter::hub_spring_factor, "hub_spring_factor", "-"},
+    {ConfigurationParameter::ground_wash_right, "ground_wash_right", "-"},  // of the ground: Configuration
+    {ConfigurationParameter::ground_wash_left, "ground_wash_left", "-"},
+    {ConfigurationParameter::download, "download", "-"},
 };
 constexpr bool parameters_in_order() {
   for (int k = 0; k < kConfigurationParameters; ++k)
@@ -107,6 +113,9 @@ void move_consequence(ConfigurationParameter parameter, const C& by, Configurati
   if (parameter == P::inertia_zz) c.mass.inertia.zz += by;
   if (parameter == P::inertia_xz) c.mass.inertia.xz += by;
   if (parameter == P::hub_spring_factor) c.hub_spring += by * c.aircraft->rotor.hub_spring;
+  if (parameter == P::ground_wash_right) c.ground_wash[right] += by;
+  if (parameter == P::ground_wash_left) c.ground_wash[left] += by;
+  if (parameter == P::download) c.download += by;
 }
 
 template <class T>
@@ -137,6 +146,8 @@ void moved_configuration(const Configuration<Real<T>>& c, const ConfigurationPar
   static_cast<ConfigurationSetting<T>&>(moved.setup) = sensitivity_detail::converted<T>(c.setup);
   moved.setup.options = c.setup.options;
   moved.around = c.around;
+  for (const Side side : {right, left}) moved.ground_wash[side] = T(c.ground_wash[side]);
+  moved.download = T(c.download);
   for (int k = 0; k < count; ++k) sensitivity_detail::move_setting<T>(parameter[k], by[k], moved.setup);
   configure(moved);
   for (int k = 0; k < count; ++k) sensitivity_detail::move_consequence(parameter[k], by[k], moved);

@@ -25,14 +25,18 @@ constexpr int roots(const Mode<R>& m) {
 }
 
 template <class R>
-Mode<R> describe_root(const SplitModel<R>& split, const Eigensystem<R, kMaxLinearStates>& system, int k) {
-  Mode<R> m{};
-  m.real = system.values.real[k];
-  m.imag = system.values.imag[k];
+void describe_value(R real, R imag, Mode<R>& m) {
+  m.real = real;
+  m.imag = imag;
   m.frequency = length_of(m.real, m.imag);
   m.damping_ratio = m.frequency > R(0) ? -m.real / m.frequency : R(0);
   const R ln2 = static_cast<R>(0.693147180559945309417232121458176568L);
   m.time_to_half = m.real != R(0) ? -ln2 / m.real : std::numeric_limits<R>::infinity();
+}
+template <class R>
+Mode<R> describe_root(const SplitModel<R>& split, const Eigensystem<R, kMaxLinearStates>& system, int k) {
+  Mode<R> m{};
+  describe_value(system.values.real[k], system.values.imag[k], m);
   m.condition = system.condition[k];
   m.eigenvalue = k;
   R total = R(0);
@@ -284,6 +288,19 @@ void number_names(ModeSet<R>& set) {
   }
 }
 
+// Names and order of the modes in a set, by their shares.
+template <class R>
+void name_set(ModeSet<R>& set, bool downwash_state) {
+  Selection rigid, others, longitudinal, lateral;
+  divide(set, rigid, others, kRigidStates);
+  divide_axes(set, rigid, longitudinal, lateral);
+  name_longitudinal(set, longitudinal);
+  name_lateral(set, lateral);
+  name_rotor(set, others, downwash_state);
+  sort_modes(set);
+  number_names(set);
+}
+
 }  // namespace mode_search_detail
 
 template <class R>
@@ -309,14 +326,7 @@ Status modes(const LinearModel<R>& model, ModesWorkspace<R>& work, ModeSet<R>& s
     set.count = 0;
     return Status::not_finite;
   }
-  d::Selection rigid, others, longitudinal, lateral;
-  d::divide(set, rigid, others, kRigidStates);
-  d::divide_axes(set, rigid, longitudinal, lateral);
-  d::name_longitudinal(set, longitudinal);
-  d::name_lateral(set, lateral);
-  d::name_rotor(set, others, downwash_state);
-  d::sort_modes(set);
-  d::number_names(set);
+  d::name_set(set, downwash_state);
   set.branches = set.count;
   for (int i = 0; i < set.count; ++i) set.mode[i].branch = i + 1;
   return Status::ok;

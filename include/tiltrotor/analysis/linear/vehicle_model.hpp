@@ -53,7 +53,10 @@ inline constexpr ConfigurationParameter kMoved[] = {ConfigurationParameter::mast
                                                     ConfigurationParameter::mast_acceleration,
                                                     ConfigurationParameter::flap,
                                                     ConfigurationParameter::rotor_speed,
-                                                    ConfigurationParameter::altitude};
+                                                    ConfigurationParameter::altitude,
+                                                    ConfigurationParameter::ground_wash_right,
+                                                    ConfigurationParameter::ground_wash_left,
+                                                    ConfigurationParameter::download};
 inline constexpr int kMovedCount = sizeof kMoved / sizeof kMoved[0];
 inline constexpr int kColumns = state_count + control_count + kMovedCount;
 inline constexpr int kFirstControl = state_count;
@@ -66,8 +69,15 @@ void list_inputs(const State<T>& x, const AirframeDemand<T>& demand, T* to) {
   flatten(x, to);
   flatten(demand.controls, to + kFirstControl);
   const ConfigurationSetting<T>& s = demand.setting;
-  const T moved[kMovedCount] = {s.mast_deg * kRadPerDeg<R>, s.mast_rate,   s.mast_acceleration,
-                                s.flap_deg * kRadPerDeg<R>, s.rotor_speed, s.altitude};
+  const T moved[kMovedCount] = {s.mast_deg * kRadPerDeg<R>,
+                                s.mast_rate,
+                                s.mast_acceleration,
+                                s.flap_deg * kRadPerDeg<R>,
+                                s.rotor_speed,
+                                s.altitude,
+                                demand.ground.wash[right],
+                                demand.ground.wash[left],
+                                demand.ground.download};
   for (int k = 0; k < kMovedCount; ++k) to[kFirstMoved + k] = moved[k];
 }
 
@@ -119,8 +129,8 @@ struct ExpandedAirframe {
       for (int i = 0; i < kRows; ++i) found[i] += about.slope(i, j) * away;
     }
     unflatten(found, answer.rates);
-    const Loads<T> more = {minus_fixed(demand.outside.force, about.outside.force),
-                           minus_fixed(demand.outside.moment, about.outside.moment)};
+    const Loads<T> more = {minus_fixed(demand.gear.total.force, about.outside.force),
+                           minus_fixed(demand.gear.total.moment, about.outside.moment)};
     add_load(c, more, answer.rates);
     for (const Side side : {right, left}) answer.torque[side] = found[kTorqueRow[side]];
   }
@@ -134,6 +144,7 @@ template <class R, class Policy = DefaultDifferentiation>
 struct VehicleModelWorkspace {
   using T = Dual<R, kVehicleDirections>;
   struct Systems {
+    Configuration<T> configuration;  // where ground counts
     State<T> x;
     SystemState<T> s, rates;
     Commands<T> commands;
@@ -180,10 +191,12 @@ void mark_used(const Vehicle<R>& v, const VehicleShape& shape, Expansion<R>& abo
   if (v.on.augmentation && !v.on.actuators)
     for (const int j : {at.long_stick, at.lat_stick, at.pedal}) use(j);
   for (int k = 0; k < kMovedCount; ++k) {
-    const bool conversion = k < 4, speed = kMoved[k] == ConfigurationParameter::rotor_speed;
-    about.used[kFirstMoved + k] = conversion ? v.on.conversion
-                                  : speed    ? v.on.governor == Governor::pi
-                                             : v.air_follows;
+    const ConfigurationParameter moved = kMoved[k];
+    using P = ConfigurationParameter;
+    about.used[kFirstMoved + k] = moved == P::rotor_speed ? v.on.governor == Governor::pi
+                                  : moved == P::altitude  ? v.air_follows
+                                  : moved >= P::ground_wash_right && moved <= P::download ? v.on.ground_effect
+                                                                                          : v.on.conversion;
   }
 }
 
@@ -209,8 +222,8 @@ void add_configuration_slopes(const Configuration<R>& c, const State<R>& x, cons
     T by[kParameterDirections];
     for (int k = 0; k < count; ++k) by[k] = T::variable(R(0), k);
     moved_configuration(c, set.parameter + first, by, count, at.configuration);
-    at.configuration.outside.force = plus_fixed(at.configuration.outside.force, demand.outside.force);
-    at.configuration.outside.moment = plus_fixed(at.configuration.outside.moment, demand.outside.moment);
+    at.configuration.outside.force = plus_fixed(at.configuration.outside.force, demand.gear.total.force);
+    at.configuration.outside.moment = plus_fixed(at.configuration.outside.moment, demand.gear.total.moment);
     evaluate_aircraft(at.configuration, at.x, at.u, at.derivative, at.evaluation, azimuth);
     T found[kRows];
     flatten(at.evaluation.rates, found);
@@ -261,13 +274,13 @@ Status linearize_vehicle(const Vehicle<R>& v, Configuration<R>& c, const State<R
   // The point.
   const ConfigurationSetting<R> base = c.setup;
   VehicleFlows<R> flows;
-  vehicle_rates(v, c, base, x, s, v.commands, u, VehicleAirframe<R>{c, x, work.steps, azimuth}, work.demand,
-                work.answer, flows, sdot);
+  vehicle_rates(v, c, base, c, x, s, v.commands, u, VehicleAirframe<R>{c, x, work.steps, azimuth},
+                work.demand, work.answer, flows, sdot);
   xdot = work.answer.rates;
-  SystemState<R> governed = s;
-  if (v.on.governor == Governor::ideal) governed.governor = flows.governed;
+  SystemState<R> point_state = s;
+  if (v.on.governor == Governor::ideal) point_state.governor = flows.governed;
   d::list_inputs(x, work.demand, about.input);
-  about.outside = work.demand.outside;
+  about.outside = work.demand.gear.total;
   d::mark_used(v, shape, about);
   set_zero(about.slope);
 
@@ -302,12 +315,15 @@ Status linearize_vehicle(const Vehicle<R>& v, Configuration<R>& c, const State<R
   using T = typename VehicleModelWorkspace<R, Policy>::T;
   using Systems = typename VehicleModelWorkspace<R, Policy>::Systems;
   Systems& systems = *::new (static_cast<void*>(&work.stage)) Systems;
+  static_cast<FixedSetup<R>&>(systems.configuration) = c;
+  systems.configuration.setup.options = c.setup.options;
+  systems.configuration.around = c.around;
   bool finite = true;
   const int all = shape.states + shape.inputs;
   for (int first = 0; first < all; first += kVehicleDirections) {
     const int last = first + kVehicleDirections < all ? first + kVehicleDirections : all;
-    d::seed(x, governed, v.commands, u, shape, first, last, systems);
-    vehicle_rates<T>(v, c, base, systems.x, systems.s, systems.commands, systems.u,
+    d::seed(x, point_state, v.commands, u, shape, first, last, systems);
+    vehicle_rates<T>(v, c, base, systems.configuration, systems.x, systems.s, systems.commands, systems.u,
                      d::ExpandedAirframe<T>{about, c, systems.x}, systems.demand, systems.answer,
                      systems.flows, systems.rates);
     T found[vehicle_state_count];

@@ -8,6 +8,8 @@
 
 #include "tiltrotor/model/aircraft/airframe_tables.hpp"
 #include "tiltrotor/model/aircraft/control_tables.hpp"
+#include "tiltrotor/model/aircraft/ground_tables.hpp"
+#include "tiltrotor/model/aircraft/gust_tables.hpp"
 #include "tiltrotor/model/aircraft/mass_tables.hpp"
 #include "tiltrotor/model/aircraft/rotor_tables.hpp"
 #include "tiltrotor/model/aircraft/smoothing_widths.hpp"
@@ -41,8 +43,11 @@ struct Aircraft {
   LimitTables<R> limits;
   DefaultTables<R> defaults;
   TrimGuessTables<R> guess;
+  GearTables<R> gear;
+  GroundTables<R> ground;
   SmoothingWidths<R> smooth;
   SystemTables<R> systems;
+  GustTables<R> gust;
 };
 
 }  // namespace tiltrotor

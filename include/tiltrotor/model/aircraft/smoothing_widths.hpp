@@ -37,6 +37,12 @@ struct SmoothingWidths {
   R stall_delay_fade;     // deg: angle of attack from which it fades out
   R stall_delay_end;      // deg: over which it fades out
   R rear_flow_start;      // rad: |alpha| from which laws without a rear side go over to their mean there
+  R gear_contact;         // m: compression over which a wheel begins to carry
+  R gear_stop;            // m: stroke over which an oleo meets its stop
+  R gear_force;           // N: force below which a strut that rebounds lets go
+  R gear_cosine;          // - : limit of the tilt of a strut
+  R ground_height;        // /R: floor under the height of a hub
+  R ground_wash;          // m/s: induced speed under the advance ratio in ground effect
 };
 
 }  // namespace tiltrotor

@@ -32,7 +32,7 @@ void wing_in_wake(const Configuration<C>& c, const AirframeInput<T>& in, const F
   const T alpha = angle_of_attack(out.velocity, e);
   const T beta = sideslip_angle(out.velocity, e.lateral_plane_speed);
   const WingCoefficients<T> k = wing_coefficients(c, alpha, stream.mach);
-  const T scale = c.wing.wake_load_factor * (out.pressure * out.immersed.area);
+  const T scale = c.download * c.wing.wake_load_factor * (out.pressure * out.immersed.area);
   const Vec3<T> force = wind_force(T(scale * k.lift), T(scale * k.drag), T(R(0)), alpha, beta);
   const T sa = sin(alpha);
   arm.x = arm.x - (wing.chord / R(4)) * sa * sa;

@@ -45,9 +45,9 @@ class BladeGroup {
  public:
   static constexpr int kBlades = kBatchLanes<R>;
 
-  void set_input(const RotorInput<T>& in, const T& shaped) {
+  void set_input(const RotorInput<T>& in, const MeanInflow<T>& inflow) {
     in_ = blade_group_detail::in_every_lane(in);
-    shaped_ = Batch<R>(value(shaped));
+    inflow_ = {Batch<R>(value(inflow.even)), Batch<R>(value(inflow.shaped))};
   }
 
   // Blades at the azimuths from `first`, where the configuration is plain.
@@ -57,7 +57,7 @@ class BladeGroup {
     const Batch<R> cosine = blade_group_detail::load_batch(azimuth.cosine + first);
     const Batch<R> sine = blade_group_detail::load_batch(azimuth.sine + first);
     const Batch<R> flap = flap_angle(in_, cosine, sine);
-    const BladeFlow<Batch<R>> flow = blade_flow(c, in_, shaped_, sin(flap), cos(flap), cosine, sine);
+    const BladeFlow<Batch<R>> flow = blade_flow(c, in_, inflow_, sin(flap), cos(flap), cosine, sine);
     if constexpr (kTakesSlopes) {
       loads_ = blade_loads_and_slopes(c, flow);
     } else {
@@ -90,7 +90,7 @@ class BladeGroup {
   }
 
   RotorInput<Batch<R>> in_;
-  Batch<R> shaped_;
+  MeanInflow<Batch<R>> inflow_;
   BladeLoads<Lanes> loads_;
 };
 
@@ -101,7 +101,7 @@ class BladeGroup<std::complex<R>> {
 
  public:
   static constexpr int kBlades = 1;
-  void set_input(const RotorInput<T>&, const T&) {}
+  void set_input(const RotorInput<T>&, const MeanInflow<T>&) {}
   template <class C>
   void compute_blades(const Configuration<C>&, const AzimuthStations<R>&, int) {}
   template <class C>

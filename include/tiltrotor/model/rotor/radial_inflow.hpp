@@ -16,11 +16,11 @@
 
 namespace tiltrotor {
 
-// Mean inflow that follows the shape, m/s: Omega R lambda_0 c, with c = lambda_+ / V_T of the inflow law. In descent it
-// fades out from the end of momentum theory to the descent at which no air passes the disk. Choosing there is safe: the
-// fade begins and ends with two zero derivatives.
+// Part of the mean inflow that follows the shape: c = lambda_+ / V_T of the inflow law. In descent it fades out from the
+// end of momentum theory to the descent at which no air passes the disk. Choosing there is safe: the fade begins and
+// ends with two zero derivatives. `even`: mean inflow, m/s.
 template <class T, class C>
-T radial_inflow(const Configuration<C>& c, const RotorInput<T>& in) {
+T radial_inflow(const Configuration<C>& c, const RotorInput<T>& in, const T& even) {
   using R = Real<T>;
   const SmoothingWidths<R>& e = c.aircraft->smooth;
   const C inverse_tip = R(1) / c.tip_speed;
@@ -29,12 +29,20 @@ T radial_inflow(const Configuration<C>& c, const RotorInput<T>& in) {
   const T mu_z = in.velocity_a.z * inverse_tip;
   const T through = mu_z + in.state.lambda_0;
   const T vt = sqrt(T(mu_x * mu_x + mu_y * mu_y + through * through + square(e.inflow_speed)));
-  T shaped = c.tip_speed * in.state.lambda_0 * (smooth_positive(through, e.through_flow) / vt);
+  T shaped = even * (smooth_positive(through, e.through_flow) / vt);
   if (value(mu_z) >= R(0)) return shaped;
   if (value(through) <= R(0)) return T(R(0) * shaped);
   const R start = c.aircraft->inflow.shape_descent;
   const T descent = -mu_z / in.state.lambda_0;  // below 1, since air passes down
   return T(shaped * (R(1) - smooth_step(T((descent - start) * (R(1) / (R(1) - start))))));
+}
+
+// `ground_wash`: part of it that the ground leaves to the blades.
+template <class T, class C>
+MeanInflow<T> mean_inflow(const Configuration<C>& c, const RotorInput<T>& in,
+                          const C& ground_wash = C(Real<C>(1))) {
+  const T even = (c.tip_speed * ground_wash) * in.state.lambda_0;
+  return {even, radial_inflow(c, in, even)};
 }
 
 // A blade in hover, each ring in balance with its own momentum.

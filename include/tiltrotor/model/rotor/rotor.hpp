@@ -69,31 +69,33 @@ InflowForcing<T> inflow_forcing(const Configuration<C>& c, const RotorInput<T>& 
 template <class T, class C>
 void quasi_static_rotor(const Configuration<C>& c, const RotorInput<T>& in,
                         const AzimuthStations<Real<T>>& azimuth, RotorWorkspace<T>& work,
-                        RotorResponse<T>& out) {
+                        RotorResponse<T>& out, const C& ground_wash) {
   using R = Real<T>;
   RotorInput<T>& at = work.input_at_rest;
   at = in;
   at.state.b1c_rate = T(R(0));
   at.state.b1s_rate = T(R(0));
-  rotor_loads(c, at, azimuth, work.blades, work.loads_at_rest);
+  rotor_loads(c, at, azimuth, work.blades, work.loads_at_rest, ground_wash);
   const RotorLoads<T>& at_rest = work.loads_at_rest;
   out_of_line(
       [&] { out.flapping = quasi_static_flap_rates(c, in.state, in.rates_a, at_rest.mc, at_rest.ms); });
   at.state.b1c_rate = out.flapping.b1c_rate;
   at.state.b1s_rate = out.flapping.b1s_rate;
-  rotor_loads(c, at, azimuth, work.blades, out.loads);
+  rotor_loads(c, at, azimuth, work.blades, out.loads, ground_wash);
 }
 
 // The complete rotor. `azimuth` holds the stations to sum over: the configuration's averaged set, or the
-// blades. Cost: one derivative is two of these and little more.
+// blades. `ground_wash`: part of the mean inflow that the ground leaves to the blades; momentum balances all of it.
+// Cost: one derivative is two of these and little more.
 template <class T, class C>
 void rotor_response(const Configuration<C>& c, const RotorInput<T>& in,
-                    const AzimuthStations<Real<T>>& azimuth, RotorWorkspace<T>& work, RotorResponse<T>& out) {
+                    const AzimuthStations<Real<T>>& azimuth, RotorWorkspace<T>& work, RotorResponse<T>& out,
+                    const C& ground_wash = C(Real<C>(1))) {
   const bool second_order = c.setup.options.flapping == FlapOrder::second;
   if (second_order) {
-    rotor_loads(c, in, azimuth, work.blades, out.loads);
+    rotor_loads(c, in, azimuth, work.blades, out.loads, ground_wash);
   } else {
-    quasi_static_rotor(c, in, azimuth, work, out);
+    quasi_static_rotor(c, in, azimuth, work, out, ground_wash);
   }
   out_of_line([&] {
     if (second_order) out.flapping = flap_rates(c, in.state, in.rates_a, out.loads.mc, out.loads.ms);

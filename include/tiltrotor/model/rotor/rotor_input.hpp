@@ -44,12 +44,19 @@ T flap_angle(const RotorInput<T>& in, const Plain& cosine, const Plain& sine) {
   return in.coning.angle + in.state.b1c * cosine + in.state.b1s * sine;
 }
 
+// Mean inflow as the blades feel it, m/s: mean_inflow().
+template <class T>
+struct MeanInflow {
+  T even;    // over the disk
+  T shaped;  // part of it that follows the radial shape
+};
+
 // Flow seen by the blade at one azimuth, no small angles. Derived here: velocity of a point at radius r of a
 // blade at flap angle b, less that of the induced air, along the direction of rotation and the blade normal;
 // cyclic pitch and signs as in NASA CR-166536, theta = theta75 - A1 cos psi - B1 sin psi.
-// `shaped`: radial_inflow(); `cosine`, `sine`: of the azimuth, a plain number or a batch of blades.
+// `cosine`, `sine`: of the azimuth, a plain number or a batch of blades.
 template <class T, class C, class Plain>
-BladeFlow<T> blade_flow(const Configuration<C>& c, const RotorInput<T>& in, const T& shaped,
+BladeFlow<T> blade_flow(const Configuration<C>& c, const RotorInput<T>& in, const MeanInflow<T>& inflow,
                         const T& sin_flap, const T& cos_flap, const Plain& cosine, const Plain& sine) {
   const C omega = c.setup.rotor_speed;
   const RotorState<T>& x = in.state;
@@ -60,11 +67,11 @@ BladeFlow<T> blade_flow(const Configuration<C>& c, const RotorInput<T>& in, cons
   flow.tangential_0 = in.velocity_a.y * cosine - in.velocity_a.x * sine;
   flow.tangential_r =
       cos_flap * (omega + in.rates_a.z) - sin_flap * (in.rates_a.x * cosine + in.rates_a.y * sine);
-  flow.normal_0 = cos_flap * (in.velocity_a.z + c.tip_speed * x.lambda_0) -
+  flow.normal_0 = cos_flap * (in.velocity_a.z + inflow.even) -
                   sin_flap * (in.velocity_a.x * cosine + in.velocity_a.y * sine);
   flow.normal_r = flap_rate + in.rates_a.x * sine - in.rates_a.y * cosine +
                   cos_flap * (omega * (x.lambda_c * cosine + x.lambda_s * sine));
-  flow.shaped = cos_flap * shaped;
+  flow.shaped = cos_flap * inflow.shaped;
   flow.pitch = in.collective - in.lateral_cyclic * cosine - in.long_cyclic * sine - c.pitch_flap * gimbal;
   return flow;
 }

@@ -25,15 +25,15 @@ struct RotorLoads {
 
 // Adds the loads of the blade at one azimuth, number `lane` of its group. Derived here: forces along the
 // blade normal (-sin b cos psi, -sin b sin psi, cos b) and the direction of rotation (-sin psi, cos psi, 0),
-// and their moments about the hub centre. `shaped`: radial_inflow().
+// and their moments about the hub centre.
 template <class T, class C>
-void add_blade(const Configuration<C>& c, const RotorInput<T>& in, const T& shaped, Real<T> cosine,
-               Real<T> sine, const BladeGroup<T>& group, int lane, RotorLoads<T>& sum) {
+void add_blade(const Configuration<C>& c, const RotorInput<T>& in, const MeanInflow<T>& inflow,
+               Real<T> cosine, Real<T> sine, const BladeGroup<T>& group, int lane, RotorLoads<T>& sum) {
   const T flap = flap_angle(in, cosine, sine);
   const T sin_flap = sin(flap);
   const T cos_flap = cos(flap);
   const BladeLoads<T> blade =
-      group.loads(c, lane, blade_flow(c, in, shaped, sin_flap, cos_flap, cosine, sine));
+      group.loads(c, lane, blade_flow(c, in, inflow, sin_flap, cos_flap, cosine, sine));
   const T radial = sin_flap * blade.normal;  // inward along the blade's projection on the disk
   sum.force_a.x -= cosine * radial + sine * blade.tangential;
   sum.force_a.y += cosine * blade.tangential - sine * radial;
@@ -44,18 +44,18 @@ void add_blade(const Configuration<C>& c, const RotorInput<T>& in, const T& shap
   sum.m0 += blade.normal_moment;
 }
 
-// Blade-element loads of the rotor.
+// Blade-element loads of the rotor. `ground_wash`: part of the mean inflow that the ground leaves to the blades.
 template <class T, class C>
 void rotor_loads(const Configuration<C>& c, const RotorInput<T>& in, const AzimuthStations<Real<T>>& azimuth,
-                 BladeGroup<T>& blades, RotorLoads<T>& sum) {
+                 BladeGroup<T>& blades, RotorLoads<T>& sum, const C& ground_wash = C(Real<C>(1))) {
   using R = Real<T>;
   RotorLoads<T>::each(sum, [](T& x) { x = T(R(0)); });
-  const T shaped = radial_inflow(c, in);
-  blades.set_input(in, shaped);
+  const MeanInflow<T> inflow = mean_inflow(c, in, ground_wash);
+  blades.set_input(in, inflow);
   for (int k = 0; k < azimuth.count; ++k) {
     const int lane = k % BladeGroup<T>::kBlades;
     if (lane == 0) blades.compute_blades(c, azimuth, k);
-    add_blade(c, in, shaped, azimuth.cosine[k], azimuth.sine[k], blades, lane, sum);
+    add_blade(c, in, inflow, azimuth.cosine[k], azimuth.sine[k], blades, lane, sum);
   }
   RotorLoads<T>::each(sum, [&azimuth](T& x) { x = azimuth.weight * x; });
 }

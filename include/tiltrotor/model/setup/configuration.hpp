@@ -70,6 +70,9 @@ struct Configuration : FixedSetup<Real<C>> {
   C hub_spring;      // N m/rad
   WingConstants<C> wing;
   Gearing<C> gearing;
+  // What the ground leaves of the mean inflow that the blades of each rotor feel, and of the loads of the wing in the
+  // wakes: systems/ground_effect.hpp. 1 without ground: so prepare() sets them, and configure() leaves them alone.
+  C ground_wash[2], download;
   GridPoint<C> pedal_mast[1];  // places on the mast and flap axes of the tables
   GridPoint<C> downwash_mast_flap[2];
   GridPoint<C> tail_wash_mast[1];

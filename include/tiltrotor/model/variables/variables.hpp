@@ -42,7 +42,9 @@ enum class VariableKind : unsigned char {
   series_actuator,
   washout,
   held_angle,
+  held_stick,
   flag,
+  gust_filter,
   throttle,
   count
 };
@@ -88,7 +90,9 @@ inline constexpr KindFacts kKindFacts[] = {
     {VariableKind::series_actuator, "in", 1, 100},
     {VariableKind::washout, "rad/s", 1, 20},
     {VariableKind::held_angle, "rad", 1, 1000, true},
+    {VariableKind::held_stick, "in", 1, 100, true},
     {VariableKind::flag, "-", 1, 1, true},
+    {VariableKind::gust_filter, "-", 1, 1000, true},
     {VariableKind::throttle, "-", 1, kUnbounded},
 };
 

@@ -1,0 +1,91 @@
+/* tiltrotor: the systems around the airframe: conversion drive and flaps, engines, drive train and governor, hydraulic
+ * actuators, stability augmentation. Part of tiltrotor.h, which includes it; the same rules hold. Laws and numbers,
+ * and which of them are substitutes: include/tiltrotor/systems/README.md. */
+#ifndef TILTROTOR_SYSTEMS_H
+#define TILTROTOR_SYSTEMS_H
+
+#include "tiltrotor/tiltrotor.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+#ifdef __GNUC__
+#pragma GCC visibility push(default)
+#endif
+
+typedef enum tr_governor {
+  TR_GOVERNOR_OFF = 0, /* rotor speed and collective are as set; the power is what they take */
+  TR_GOVERNOR_IDEAL =
+      1,             /* rotor speed as set; the collective takes the power of the engines, at every moment */
+  TR_GOVERNOR_PI = 2 /* rotor speed is a state; the governor adds collective to hold rotor_command_radps */
+} tr_governor;
+
+/* Switches, and commands that may change at any time. With every switch off the aircraft flies as without systems, bit
+ * for bit. */
+typedef struct tr_systems {
+  int32_t governor;   /* tr_governor */
+  int32_t conversion; /* 1: masts and flaps follow their commands at the rates of their drives; 0: as set */
+  int32_t engines;    /* 1: power follows the throttles with lag and rate limit and burns fuel; 0: at once */
+  int32_t actuators;  /* 1: blades and surfaces follow with lag, rate limit and stops; 0: at once */
+  int32_t scas;       /* 1: rate damping and attitude hold, limited authority; switched off it fades */
+  int32_t gear;       /* not in this version: 0 */
+  int32_t ground_effect;       /* not in this version: 0 */
+  int32_t turbulence;          /* not in this version: 0 */
+  tr_real mast_command_deg;    /* 0..90 */
+  tr_real flap_command_deg;    /* 0..75 */
+  tr_real rotor_command_radps; /* of the governor, 20..80 */
+  tr_real throttle[2]; /* power of an engine, right and left, over its take-off power here, 0..1.2; held at
+                                  the contingency power, 1.16 */
+  int32_t gear_down;   /* kept, without effect in this version */
+  int32_t engine_failed[2];   /* 1: it gives no power, and its turbine is off the shaft */
+  uint64_t turbulence_seed;   /* kept, without effect in this version */
+  tr_real turbulence_w20_mps; /* likewise, 0..50 */
+} tr_systems;
+
+/* Places of their states in tr_state.x; all 0 while their system is off, and not read by tr_set_state then. */
+enum {
+  TR_MAST_RATE = TR_MAST + 1, /* rad, rad/s */
+  TR_FLAP,                    /* rad */
+  TR_ROTOR_SPEED,             /* rad/s */
+  TR_POWER_RIGHT,
+  TR_POWER_LEFT, /* of the engines at their shafts, W */
+  TR_GOVERNOR,   /* collective it adds, rad */
+  TR_FUEL,       /* burnt, kg: the mass of tr_configuration falls with it */
+  TR_ACTUATORS,  /* collective right, left; long. cyclic right, left; elevator, aileron, rudder; rad */
+  TR_SERIES_ACTUATORS = TR_ACTUATORS + 7, /* of the augmentation: longitudinal, lateral, yaw, in */
+  TR_WASHOUT = TR_SERIES_ACTUATORS + 3,   /* yaw rate it has become used to, rad/s */
+  TR_HELD_PITCH,
+  TR_HELD_ROLL, /* rad */
+  TR_HOLDS_PITCH,
+  TR_HOLDS_ROLL, /* 1: the attitude is held */
+  TR_REST_LONG,
+  TR_REST_LAT /* where the stick rests, in */
+};
+
+/* Everything off, engines sound; commands of helicopter mode. TR_BAD_ARGUMENT. */
+tr_status tr_default_systems(tr_systems* systems);
+
+/* As they are; after tr_init off, with commands that are the setup's. TR_BAD_ARGUMENT. Cost: a copy. */
+tr_status tr_get_systems(const tr_sim* sim, tr_systems* systems);
+
+/* In force from the next step. A system that is switched on begins where the aircraft is: masts, flaps and rotor speed
+ * as set, actuators at what is asked of them, engines at the power that is demanded, augmentation at neutral with the
+ * sticks where they are. While the conversion drive is on, rates of tr_configuration are its own; while the rotor speed
+ * is a state, its acceleration is. tr_trim sets states, commands of masts, flaps and rotor speed, and throttles so that
+ * all stand still where the flight does; engines share the power.
+ * TR_NOT_FINITE, TR_OUT_OF_RANGE, TR_BAD_ARGUMENT (an unknown choice): nothing is changed. Cost: 1 derivative.
+ *
+ * With systems on: a step takes 3 or 4 derivatives a part as before and a twentieth of one more for each, with an ideal
+ * governor some three times as many. tr_linearize covers their states, with a Jacobian for each further pass that
+ * moving masts, rotor speed or air ask for; tr_directional and tr_linearize_outputs are TR_BAD_ARGUMENT, as is
+ * tr_linearize where TR_LINEAR_SYSTEMS is 0. Modes of systems are named after the state that takes part most. */
+tr_status tr_set_systems(tr_sim* sim, const tr_systems* systems);
+
+#ifdef __GNUC__
+#pragma GCC visibility pop
+#endif
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,100 @@
+// The C interface: linear model and modes of the aircraft with its systems.
+#include <cstring>
+
+#include "library/c_linear.hpp"
+#include "library/c_systems.hpp"
+#include "library/c_words.hpp"
+
+#if TR_LINEAR_SYSTEMS
+
+#include "tiltrotor/analysis/linear/vehicle_modes.hpp"
+
+namespace tiltrotor::c_interface {
+
+namespace {
+
+static_assert(int{TR_MAX_LINEAR_STATES} == kMaxVehicleStates);
+
+struct VehicleCallWorkspace {
+  Configuration<R> configuration;
+  VehicleModelWorkspace<R> model;
+};
+struct VehicleModesCallWorkspace {
+  VehicleModesWorkspace<R> modes;
+  VehicleModes<R> found;
+};
+static_assert(largest<VehicleCallWorkspace, VehicleModesCallWorkspace>() + kWorkAlignment -
+                  alignof(tr_work) <=
+              sizeof(tr_work));
+
+}  // namespace
+
+tr_status linearize_systems(const Sim& s, tr_work* work, std::int32_t columns, tr_linear_shape* shape,
+                            const LinearArrays& to, R* xdot) {
+  VehicleCallWorkspace& call = workspace_in<VehicleCallWorkspace>(work);
+  const Vehicle<R>& v = s.systems.vehicle;
+  VehicleShape of;
+  vehicle_states(v, s.configuration.setup.options, of);
+  of.inputs = columns == TR_ALL_INPUTS ? int{TR_INPUTS} : control_set(columns)->count;
+  for (int j = 0; j < of.inputs; ++j)
+    of.input[j] = columns == TR_ALL_INPUTS ? j : control_set(columns)->index[j];
+  put_shape(of.states, of.state, of.inputs, of.input, *shape);
+  const tr_status fits = check_arrays(of.states, of.inputs, to);
+  if (fits != TR_OK) return fits;
+
+  const auto at = [](int row, int column, int width) {
+    return static_cast<std::size_t>(row) * static_cast<std::size_t>(width) + static_cast<std::size_t>(column);
+  };
+  const bool wants_b = to.b != nullptr;
+  State<R> rates;
+  SystemState<R> system_rates;
+  equipped(s, call.configuration);
+  const Status status = linearize_vehicle(
+      v, call.configuration, evaluated_state(s), s.systems.state, s.u, of, call.model, rates, system_rates,
+      [&](int i, int j, R slope) { to.a[at(i, j, of.states)] = slope; },
+      [&](int i, int j, R slope) {
+        if (wants_b) to.b[at(i, j, of.inputs)] = slope;
+      });
+  flatten(rates, xdot);
+  flatten(system_rates, xdot + state_count);
+  return translated(status);
+}
+
+tr_status modes_of_systems(tr_work* work, const tr_linear_shape& shape, const R* a, tr_mode* modes,
+                           std::size_t capacity, std::size_t* count) {
+  VehicleModesCallWorkspace& call = workspace_in<VehicleModesCallWorkspace>(work);
+  VehicleShape of{};
+  of.states = shape.states;
+  set_zero(call.modes.a);
+  for (int i = 0; i < of.states; ++i) {
+    of.state[i] = shape.state[i];
+    for (int j = 0; j < of.states; ++j) call.modes.a(i, j) = *a++;
+  }
+  const Status status = vehicle_modes(of, call.modes, call.found);
+  if (status != Status::ok) return translated(status);
+  *count = static_cast<std::size_t>(call.found.count);
+  if (capacity < *count) return TR_SHORT_BUFFER;
+  for (int i = 0; i < call.found.count; ++i) {
+    const VehicleMode<R>& mode = call.found.mode[i];
+    modes[i] = {mode.real, mode.imag, mode.frequency, mode.damping_ratio, mode.time_to_half, {}};
+    std::memcpy(modes[i].name, mode.name, sizeof mode.name);
+  }
+  return TR_OK;
+}
+
+}  // namespace tiltrotor::c_interface
+
+#else
+
+namespace tiltrotor::c_interface {
+
+tr_status linearize_systems(const Sim&, tr_work*, std::int32_t, tr_linear_shape*, const LinearArrays&, R*) {
+  return TR_BAD_ARGUMENT;
+}
+tr_status modes_of_systems(tr_work*, const tr_linear_shape&, const R*, tr_mode*, std::size_t, std::size_t*) {
+  return TR_BAD_ARGUMENT;
+}
+
+}  // namespace tiltrotor::c_interface
+
+#endif

@@ -1,0 +1,277 @@
+// The C interface: systems around the airframe.
+#include "library/c_systems.hpp"
+
+#include "library/c_state.hpp"
+#include "library/c_words.hpp"
+
+namespace tiltrotor::c_interface {
+
+namespace {
+
+static_assert(TR_STATES == vehicle_state_count && TR_INPUTS == vehicle_input_count);
+static_assert(TR_MAST == state_count + kSystemIndex.mast && TR_FUEL == state_count + kSystemIndex.fuel);
+static_assert(TR_ACTUATORS == state_count + kSystemIndex.collective[right]);
+static_assert(TR_WASHOUT == state_count + kSystemIndex.washout && TR_REST_LAT == TR_STATES - 1);
+static_assert(TR_GOVERNOR_PI == static_cast<int>(Governor::pi));
+
+constexpr R kMostThrottle = R(1.2);
+constexpr R kMostTurbulence = R(50);  // m/s
+
+bool is_switch(std::int32_t value) { return value == 0 || value == 1; }
+
+// States of the systems that are on, from the aircraft as it is: the others are zero.
+void begin_systems(const SystemSwitches& before, Sim& s) {
+  Configuration<R> c;
+  equipped(s, c);
+  Vehicle<R>& v = s.systems.vehicle;
+  SystemState<R>& x = s.systems.state;
+  const SystemSwitches on = v.on;
+  const FlightSetup<R>& setup = c.setup;
+  if (on.conversion && !before.conversion) {
+    x.mast = c.mast;
+    x.mast_rate = setup.mast_rate;
+    x.flap = setup.flap_deg * kRadPerDeg<R>;
+  }
+  if (on.governor == Governor::pi && before.governor != Governor::pi) x.rotor_speed = setup.rotor_speed;
+  if (on.governor != before.governor) x.governor = R(0);
+  if (on.engines && !before.engines) {
+    v.loaded_mass = setup.mass;
+    for (const Side side : {right, left})
+      x.power[side] =
+          v.engine_failed[side] ? R(0) : demanded_power(*c.aircraft, c.air, v.commands.throttle[side]);
+  }
+  if (on.augmentation && !before.augmentation) {
+    const State<R> now = evaluated_state(s);
+    const R airspeed = total_speed(now.velocity - s.u.gust, c.aircraft->smooth.airspeed);
+    x.washout = now.rates.z - turn_rate_wanted(c.aircraft->systems.augmentation, airspeed, now.roll);
+    x.rest_long = s.u.long_stick;
+    x.rest_lat = s.u.lat_stick;
+  }
+  if (on.actuators && !before.actuators) {
+    Controls<R> asked = s.u;
+    asked.long_stick += x.series[0];
+    asked.lat_stick += x.series[1];
+    asked.pedal += x.series[2];
+    asked.collective += on.governor == Governor::pi ? x.governor : R(0);
+    const Vec3<R> velocity = evaluated_state(s).velocity - s.u.gust;
+    put_actuators(vehicle_detail::wanted_angles(*c.aircraft, setup.options, setup.mast_deg, asked, velocity),
+                  x);
+  }
+}
+
+void hold_masts(Sim& s) {
+  Configuration<R> c;
+  equipped(s, c);
+  c.setup.mast_rate = c.setup.mast_acceleration = R(0);
+  configure(c);
+  keep(c, s);
+}
+
+// Nothing of a system that is off is left.
+void clear_unused(Sim& s) {
+  const SystemSwitches& on = s.systems.vehicle.on;
+  SystemState<R>& x = s.systems.state;
+  if (!on.conversion) x.mast = x.mast_rate = x.flap = R(0);
+  if (on.governor != Governor::pi) x.rotor_speed = R(0);
+  if (on.governor == Governor::off) x.governor = R(0);
+  if (!on.engines) x.power[right] = x.power[left] = x.fuel = R(0);
+  if (!on.actuators) put_actuators(BladeControls<R>{}, x);
+  if (!on.augmentation) {
+    for (R& way : x.series) way = R(0);
+    x.washout = x.held_pitch = x.held_roll = x.holds_pitch = x.holds_roll = x.rest_long = x.rest_lat = R(0);
+  }
+}
+
+}  // namespace
+
+void evaluate(const Sim& s, Configuration<R>& c, Found& found) {
+  equipped(s, c);
+  const State<R> x = evaluated_state(s);
+  found.system_rates = SystemState<R>{};
+  if (!has_systems(s)) return derivative(c, x, s.u, found.steps, found.rates);
+  AirframeDemand<R> demand;
+  AirframeAnswer<R> answer;
+  VehicleFlows<R> flows;
+  const ConfigurationSetting<R> base = c.setup;
+  const Vehicle<R>& v = s.systems.vehicle;
+  vehicle_rates(v, c, base, x, s.systems.state, v.commands, s.u, VehicleAirframe<R>{c, x, found.steps, R(0)},
+                demand, answer, flows, found.system_rates);
+  found.rates = answer.rates;
+  // What the masts carry includes what speeds the rotors up.
+  if (v.on.governor == Governor::pi)
+    c.spin_up = static_cast<R>(c.aircraft->rotor.blades) * c.aircraft->rotor.flap_inertia *
+                found.system_rates.rotor_speed;
+}
+
+void flatten_rates(const Found& found, R* rates) {
+  flatten(found.rates, rates);
+  flatten(found.system_rates, rates + state_count);
+}
+
+void follow_configuration(Sim& s) {
+  const SystemSwitches& on = s.systems.vehicle.on;
+  const FlightSetup<R>& setup = s.configuration.setup;
+  SystemState<R>& x = s.systems.state;
+  if (on.conversion) {
+    x.mast = s.configuration.mast;
+    x.mast_rate = setup.mast_rate;
+    x.flap = setup.flap_deg * kRadPerDeg<R>;
+  }
+  if (on.governor == Governor::pi) x.rotor_speed = setup.rotor_speed;
+  if (on.engines) s.systems.vehicle.loaded_mass = setup.mass + x.fuel;
+}
+
+tr_status follow_systems(Sim& s) {
+  const SystemSwitches& on = s.systems.vehicle.on;
+  if (!on.conversion && on.governor != Governor::pi && !on.engines) return TR_OK;
+  Configuration<R> c;
+  equipped(s, c);
+  ConfigurationSetting<R> setting = c.setup;
+  const SystemState<R>& x = s.systems.state;
+  if (on.conversion) {
+    if (x.mast != c.mast) setting.mast_deg = x.mast * kDegPerRad<R>;
+    setting.mast_rate = x.mast_rate;
+    setting.mast_acceleration =
+        mast_motion(c.aircraft->systems, s.systems.vehicle.commands.mast, x.mast, x.mast_rate).acceleration;
+    if (x.flap != setting.flap_deg * kRadPerDeg<R>) setting.flap_deg = x.flap * kDegPerRad<R>;
+  }
+  if (on.engines) setting.mass = s.systems.vehicle.loaded_mass - x.fuel;
+  if (on.governor == Governor::pi) {
+    setting.rotor_speed = x.rotor_speed;
+    setting.rotor_acceleration = R(0);
+  }
+  const Status status = reconfigure(setting, c);
+  if (status != Status::ok) return translated(status);
+  keep(c, s);
+  return TR_OK;
+}
+
+void put_system_states(const R* states, Sim& s) {
+  unflatten(states, s.systems.state);
+  clear_unused(s);
+}
+
+void reset_systems(Sim& s) {
+  s.systems = SystemFlight<R>{};
+  s.turbulence_seed = 0;
+  s.turbulence_w20 = R(0);
+  const FlightSetup<R>& setup = s.configuration.setup;
+  Vehicle<R>& v = s.systems.vehicle;
+  v.commands = {s.configuration.mast, setup.flap_deg * kRadPerDeg<R>, setup.rotor_speed, {R(0), R(0)}};
+  v.gear_down = true;
+}
+
+void settle_systems(Sim& s) {
+  if (!has_systems(s)) return;
+  Configuration<R> c;
+  equipped(s, c);
+  const State<R> x = evaluated_state(s);
+  DerivativeSteps<R> steps;
+  State<R> rates;
+  derivative(c, x, s.u, steps, rates);
+  settle(c, x, R(steps.rotor[right].loads.torque + steps.rotor[left].loads.torque), s.systems.vehicle,
+         s.systems.state, s.u);
+  clear_unused(s);
+}
+
+tr_status check_systems(const tr_systems& systems) {
+  const LimitTables<R>& limits = aircraft_data<R>().limits;
+  if (systems.governor < TR_GOVERNOR_OFF || systems.governor > TR_GOVERNOR_PI) return TR_BAD_ARGUMENT;
+  for (const std::int32_t on : {systems.conversion, systems.engines, systems.actuators, systems.scas,
+                                systems.gear_down, systems.engine_failed[0], systems.engine_failed[1]})
+    if (!is_switch(on)) return TR_BAD_ARGUMENT;
+  if (systems.gear != 0 || systems.ground_effect != 0 || systems.turbulence != 0) return TR_BAD_ARGUMENT;
+  const R numbers[] = {systems.mast_command_deg, systems.flap_command_deg, systems.rotor_command_radps,
+                       systems.throttle[0],      systems.throttle[1],      systems.turbulence_w20_mps};
+  if (!all_finite(numbers, sizeof numbers / sizeof numbers[0])) return TR_NOT_FINITE;
+  const auto within = [](R x, const Bounds<R>& bounds) { return is_within(x, bounds.low, bounds.high); };
+  const bool inside = within(systems.mast_command_deg, limits.mast_deg) &&
+                      within(systems.flap_command_deg, limits.flap_deg) &&
+                      within(systems.rotor_command_radps, limits.rotor_speed) &&
+                      is_within(systems.throttle[0], R(0), kMostThrottle) &&
+                      is_within(systems.throttle[1], R(0), kMostThrottle) &&
+                      is_within(systems.turbulence_w20_mps, R(0), kMostTurbulence);
+  return inside ? TR_OK : TR_OUT_OF_RANGE;
+}
+
+void get_systems(const Sim& s, tr_systems& systems) {
+  const Vehicle<R>& v = s.systems.vehicle;
+  systems = tr_systems{};
+  systems.governor = static_cast<std::int32_t>(v.on.governor);
+  systems.conversion = v.on.conversion;
+  systems.engines = v.on.engines;
+  systems.actuators = v.on.actuators;
+  systems.scas = v.on.augmentation && !v.disengages;
+  systems.mast_command_deg = v.commands.mast * kDegPerRad<R>;
+  systems.flap_command_deg = v.commands.flap * kDegPerRad<R>;
+  systems.rotor_command_radps = v.commands.rotor_speed;
+  systems.gear_down = v.gear_down;
+  for (const Side side : {right, left}) {
+    systems.throttle[side] = v.commands.throttle[side];
+    systems.engine_failed[side] = v.engine_failed[side];
+  }
+  systems.turbulence_seed = s.turbulence_seed;
+  systems.turbulence_w20_mps = s.turbulence_w20;
+}
+
+void put_switches(const tr_systems& systems, Sim& s) {
+  Vehicle<R>& v = s.systems.vehicle;
+  v.on.governor = static_cast<Governor>(systems.governor);
+  v.on.conversion = systems.conversion == 1;
+  v.on.engines = systems.engines == 1;
+  v.on.actuators = systems.actuators == 1;
+  // Switched off it stays until its actuators have returned.
+  v.disengages = v.on.augmentation && systems.scas == 0 && !has_returned(s.systems.state);
+  v.on.augmentation = v.disengages || systems.scas == 1;
+  v.commands.mast = systems.mast_command_deg * kRadPerDeg<R>;
+  v.commands.flap = systems.flap_command_deg * kRadPerDeg<R>;
+  v.commands.rotor_speed = systems.rotor_command_radps;
+  v.gear_down = systems.gear_down == 1;
+  for (const Side side : {right, left}) {
+    v.commands.throttle[side] = systems.throttle[side];
+    v.engine_failed[side] = systems.engine_failed[side] == 1;
+  }
+  s.turbulence_seed = systems.turbulence_seed;
+  s.turbulence_w20 = systems.turbulence_w20_mps;
+}
+
+}  // namespace tiltrotor::c_interface
+
+namespace tiltrotor::c_interface::checked {
+
+tr_status tr_default_systems(tr_systems* systems) {
+  if (systems == nullptr) return TR_BAD_ARGUMENT;
+  *systems = tr_systems{};
+  systems->rotor_command_radps = aircraft_data<R>().rotor.speed_helicopter;
+  systems->flap_command_deg = aircraft_data<R>().defaults.flap_helicopter;
+  systems->gear_down = 1;
+  return TR_OK;
+}
+
+tr_status tr_get_systems(const tr_sim* sim, tr_systems* systems) {
+  const tr_status ready = check(sim);
+  if (ready != TR_OK) return ready;
+  if (systems == nullptr) return TR_BAD_ARGUMENT;
+  get_systems(*opened(sim), *systems);
+  return TR_OK;
+}
+
+tr_status tr_set_systems(tr_sim* sim, const tr_systems* systems) {
+  const tr_status ready = check(sim);
+  if (ready != TR_OK) return ready;
+  if (systems == nullptr) return TR_BAD_ARGUMENT;
+  const tr_status possible = check_systems(*systems);
+  if (possible != TR_OK) return possible;
+  Sim& s = *opened(sim);
+  const SystemFlight<R> all_before = s.systems;
+  put_switches(*systems, s);
+  begin_systems(all_before.vehicle.on, s);
+  clear_unused(s);
+  // A drive that is switched off holds the masts.
+  if (all_before.vehicle.on.conversion && !s.systems.vehicle.on.conversion) hold_masts(s);
+  const tr_status status = follow_systems(s);
+  if (status != TR_OK) s.systems = all_before;
+  return status;
+}
+
+}  // namespace tiltrotor::c_interface::checked

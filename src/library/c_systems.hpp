@@ -1,0 +1,43 @@
+// Systems of an aircraft of the C interface, and the aircraft as they have put it.
+#pragma once
+
+#include "library/c_memory.hpp"
+
+namespace tiltrotor::c_interface {
+
+inline bool has_systems(const Sim& s) { return any_system(s.systems.vehicle.on); }
+
+// What an evaluation at the present state finds. `c` is equipped, and put into what the systems ask for.
+struct Found {
+  DerivativeSteps<R> steps;
+  State<R> rates;
+  SystemState<R> system_rates;
+};
+void evaluate(const Sim& s, Configuration<R>& c, Found& found);
+// As one array, of TR_STATES.
+void flatten_rates(const Found& found, R* rates);
+
+// Commands and states after the configuration was set by hand, or a state was.
+void follow_configuration(Sim& s);
+// The configuration after system states were set. Unless TR_OK nothing is changed.
+tr_status follow_systems(Sim& s);
+// Of a tr_state; those of systems that are off stay zero.
+void put_system_states(const R* states, Sim& s);
+// Everything off, commands those of the configuration.
+void reset_systems(Sim& s);
+// All standing still in the steady flight that has been found.
+void settle_systems(Sim& s);
+
+tr_status check_systems(const tr_systems& systems);
+void get_systems(const Sim& s, tr_systems& systems);
+// Switches and commands alone; states as they are.
+void put_switches(const tr_systems& systems, Sim& s);
+
+// A and B of the whole, as tr_linearize. Where the library has none: TR_BAD_ARGUMENT.
+struct LinearArrays;
+tr_status linearize_systems(const Sim& s, tr_work* work, std::int32_t columns, tr_linear_shape* shape,
+                            const LinearArrays& to, R* xdot);
+tr_status modes_of_systems(tr_work* work, const tr_linear_shape& shape, const R* a, tr_mode* modes,
+                           std::size_t capacity, std::size_t* count);
+
+}  // namespace tiltrotor::c_interface
