@@ -54,8 +54,9 @@ typedef struct tr_environment {
   tr_real altitude_origin_m; /* altitude = altitude_origin_m - x[TR_DOWN], -500..11000: density follows it */
   tr_real temperature_offset_k; /* from the standard atmosphere at that altitude, within 60 */
   tr_real pressure_ratio;       /* to it, 0.8..1.2 */
-  tr_real ground_down_m; /* x[TR_DOWN] of the ground; infinity: none. Kept, and without effect: this version
-                                     has neither gear nor ground effect */
+  tr_real
+      ground_down_m; /* x[TR_DOWN] of the level ground that gear and ground effect of systems.h feel; infinity:
+                                     none */
 } tr_environment;
 
 /* Air at rest and standard over all altitudes, origin at sea level, no ground. TR_BAD_ARGUMENT. */

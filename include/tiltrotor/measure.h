@@ -52,7 +52,7 @@ enum {
   TR_OVER_TORQUE = 8,    /* a mast carries more than its largest steady torque */
   TR_TABLE_EDGE = 16,    /* see above */
   TR_VORTEX_RING = 32,   /* a rotor descends in its own wake: the mean of an unsteady flow */
-  TR_ON_GROUND = 64      /* never set: this version has no ground */
+  TR_ON_GROUND = 64      /* a wheel carries something: systems.h */
 };
 
 /* A sum of the above. TR_NOT_FINITE. Cost: 1 derivative. */

@@ -1,5 +1,5 @@
 /* tiltrotor: the systems around the airframe: conversion drive and flaps, engines, drive train and governor, hydraulic
- * actuators, stability augmentation. Part of tiltrotor.h, which includes it; the same rules hold. Laws and numbers,
+ * actuators, stability augmentation; gear and ground; turbulence. Part of tiltrotor.h, which includes it; the same rules hold. Laws and numbers,
  * and which of them are substitutes: include/tiltrotor/systems/README.md. */
 #ifndef TILTROTOR_SYSTEMS_H
 #define TILTROTOR_SYSTEMS_H
@@ -28,18 +28,21 @@ typedef struct tr_systems {
   int32_t engines;    /* 1: power follows the throttles with lag and rate limit and burns fuel; 0: at once */
   int32_t actuators;  /* 1: blades and surfaces follow with lag, rate limit and stops; 0: at once */
   int32_t scas;       /* 1: rate damping and attitude hold, limited authority; switched off it fades */
-  int32_t gear;       /* not in this version: 0 */
-  int32_t ground_effect;       /* not in this version: 0 */
-  int32_t turbulence;          /* not in this version: 0 */
-  tr_real mast_command_deg;    /* 0..90 */
-  tr_real flap_command_deg;    /* 0..75 */
+  int32_t gear;       /* 1: wheels on the ground of tr_environment, and the drag of a gear that is down */
+  int32_t ground_effect;    /* 1: of the ground of tr_environment on rotors and download */
+  int32_t turbulence;       /* 1: Dryden turbulence at rotors, wing and tail, a function of seed and steps */
+  tr_real mast_command_deg; /* 0..90 */
+  tr_real flap_command_deg; /* 0..75 */
   tr_real rotor_command_radps; /* of the governor, 20..80 */
   tr_real throttle[2]; /* power of an engine, right and left, over its take-off power here, 0..1.2; held at
                                   the contingency power, 1.16 */
-  int32_t gear_down;   /* kept, without effect in this version */
-  int32_t engine_failed[2];   /* 1: it gives no power, and its turbine is off the shaft */
-  uint64_t turbulence_seed;   /* kept, without effect in this version */
-  tr_real turbulence_w20_mps; /* likewise, 0..50 */
+  int32_t gear_down;   /* 1: extended */
+  int32_t engine_failed[2]; /* 1: it gives no power, and its turbine is off the shaft */
+  uint64_t turbulence_seed;
+  tr_real
+      turbulence_w20_mps; /* wind 20 ft above the ground, which says how strong it is, 0..50: 7.7 light, 15.4
+                                  moderate, 23.1 severe */
+  tr_real brake[2];       /* of the main wheels, right and left, 0..1 */
 } tr_systems;
 
 /* Places of their states in tr_state.x; all 0 while their system is off, and not read by tr_set_state then. */
@@ -59,7 +62,8 @@ enum {
   TR_HOLDS_PITCH,
   TR_HOLDS_ROLL, /* 1: the attitude is held */
   TR_REST_LONG,
-  TR_REST_LAT /* where the stick rests, in */
+  TR_REST_LAT,    /* where the stick rests, in */
+  TR_GUST_FILTERS /* 16 of the turbulence */
 };
 
 /* Everything off, engines sound; commands of helicopter mode. TR_BAD_ARGUMENT. */
@@ -72,7 +76,8 @@ tr_status tr_get_systems(const tr_sim* sim, tr_systems* systems);
  * as set, actuators at what is asked of them, engines at the power that is demanded, augmentation at neutral with the
  * sticks where they are. While the conversion drive is on, rates of tr_configuration are its own; while the rotor speed
  * is a state, its acceleration is. tr_trim sets states, commands of masts, flaps and rotor speed, and throttles so that
- * all stand still where the flight does; engines share the power.
+ * all stand still where the flight does; engines share the power. Drag of the gear and ground effect belong to a trim,
+ * wheels on the ground do not.
  * TR_NOT_FINITE, TR_OUT_OF_RANGE, TR_BAD_ARGUMENT (an unknown choice): nothing is changed. Cost: 1 derivative.
  *
  * With systems on: a step takes 3 or 4 derivatives a part as before and a twentieth of one more for each, with an ideal

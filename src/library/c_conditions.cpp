@@ -51,6 +51,7 @@ tr_status put_around(const Surroundings<R>& around, const AirOrigin& air, Sim& s
   s.air = air;
   s.systems.vehicle.air_follows = air.follows;
   s.systems.vehicle.altitude_origin = air.altitude;
+  s.systems.vehicle.ground = {air.ground_down, R(0), R(0)};
   return TR_OK;
 }
 

@@ -1,4 +1,7 @@
 // The C interface: trim and steps of time.
+#include <cmath>
+#include <limits>
+
 #include "library/c_fault.hpp"
 #include "library/c_linear.hpp"
 #include "library/c_outputs.hpp"
@@ -19,6 +22,20 @@ tr_status check_step(Sim& s, const tr_work* work, R dt) {
   return dt > R(0) && dt <= kLongestFrame ? TR_OK : noted(s, TR_OUT_OF_RANGE);
 }
 
+constexpr int kGroundRounds = 6;
+
+// To the tolerance of a trim.
+bool is_near(const State<R>& a, const State<R>& b) {
+  R one[state_count], other[state_count];
+  flatten(a, one);
+  flatten(b, other);
+  for (int i = 0; i < state_count; ++i)
+    if (!(std::fabs(one[i] - other[i]) <
+          R(64) * std::numeric_limits<R>::epsilon() * (R(1) + std::fabs(one[i]))))
+      return false;
+  return true;
+}
+
 // One step; `xdot`: the rates at its beginning, or nullptr.
 tr_status step(Sim& s, tr_work* work, R dt, const R* xdot) {
   StepCallWorkspace& call = workspace_in<StepCallWorkspace>(work);
@@ -34,6 +51,7 @@ tr_status step(Sim& s, tr_work* work, R dt, const R* xdot) {
   if (started != Status::ok) return noted(s, translated(started));
   call.simulation.travel = s.travel;
   SystemFlight<R> flight = s.systems;
+  flight.steps = s.steps;
   const Status advanced =
       systems ? advance_vehicle(call.configuration, flight, call.workspace, call.simulation, xdot)
               : advance_moving(moving, call.workspace, call.simulation, xdot);
@@ -67,7 +85,15 @@ tr_status tr_trim(tr_sim* sim, tr_work* work, const tr_flight* flight, tr_trim_r
     call.configuration.setup.mast_rate = call.configuration.setup.mast_acceleration = R(0);
     configure(call.configuration);
   }
-  const TrimStatus status = trim(call.configuration, wanted, call.workspace, call.result);
+  TrimStatus status = trim(call.configuration, wanted, call.workspace, call.result);
+  // Gear and ground depend on what is found: a few rounds, each a trim from its beginning.
+  for (int round = 0; round < kGroundRounds && is_trimmed(status); ++round) {
+    const State<R> before = call.result.state;
+    const Controls<R> controls = call.result.controls;
+    if (!meet_ground_in_flight(s, before, controls, call.configuration)) break;
+    status = trim(call.configuration, wanted, call.workspace, call.result);
+    if (is_near(before, call.result.state)) break;
+  }
   if (result != nullptr) {
     result->iterations = call.result.iterations;
     result->attempts = call.result.attempts;

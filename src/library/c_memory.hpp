@@ -8,9 +8,9 @@
 #include <type_traits>
 
 #include "library/c_analyses.hpp"
+#include "tiltrotor/analysis/flight/response.hpp"
 #include "tiltrotor/analysis/instances.hpp"
 #include "tiltrotor/analysis/linear/output_model.hpp"
-#include "tiltrotor/analysis/flight/response.hpp"
 #include "tiltrotor/model/aircraft/aircraft_data.hpp"
 #include "tiltrotor/tiltrotor.h"
 
@@ -36,8 +36,6 @@ struct Sim {
   std::uint64_t steps;
   AirOrigin air;
   SystemFlight<R> systems;
-  std::uint64_t turbulence_seed;
-  R turbulence_w20;
   tr_fault fault;
 };
 static_assert(sizeof(Sim) <= sizeof(tr_sim) && alignof(Sim) <= alignof(tr_sim));

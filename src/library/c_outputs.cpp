@@ -122,6 +122,7 @@ tr_status tr_get_flags(const tr_sim* sim, uint32_t* flags) {
   std::uint32_t set = at_a_stop(*c.aircraft, s.u) ? std::uint32_t{TR_SATURATED} : 0;
   for (int k = 0; k < check.count; ++k) set |= flag_of(check.exceeded[k].limit);
   if (is_beyond_tables(c, x, found.velocity_b, found.controls)) set |= TR_TABLE_EDGE;
+  if (all.weight_on_wheels > R(0)) set |= TR_ON_GROUND;
   *flags = set;
   return TR_OK;
 }

@@ -127,6 +127,7 @@ constexpr void each_of_conditions(Saved& saved, Visit&& visit) {
   for (auto& throttle : y.throttle) visit(throttle);
   visit(y.gear_down);
   for (auto& failed : y.engine_failed) visit(failed);
+  for (auto& brake : y.brake) visit(brake);
   visit(y.turbulence_seed);
   visit(y.turbulence_w20_mps);
   visit(saved.scas_fades);

@@ -49,6 +49,8 @@ tr_status linearize_systems(const Sim& s, tr_work* work, std::int32_t columns, t
   State<R> rates;
   SystemState<R> system_rates;
   equipped(s, call.configuration);
+  call.configuration.around =
+      with_turbulence(call.configuration, evaluated_state(s), s.u, v, s.systems.state);
   const Status status = linearize_vehicle(
       v, call.configuration, evaluated_state(s), s.systems.state, s.u, of, call.model, rates, system_rates,
       [&](int i, int j, R slope) { to.a[at(i, j, of.states)] = slope; },

@@ -11,7 +11,7 @@ namespace {
 static_assert(TR_STATES == vehicle_state_count && TR_INPUTS == vehicle_input_count);
 static_assert(TR_MAST == state_count + kSystemIndex.mast && TR_FUEL == state_count + kSystemIndex.fuel);
 static_assert(TR_ACTUATORS == state_count + kSystemIndex.collective[right]);
-static_assert(TR_WASHOUT == state_count + kSystemIndex.washout && TR_REST_LAT == TR_STATES - 1);
+static_assert(TR_WASHOUT == state_count + kSystemIndex.washout && TR_REST_LAT + 17 == TR_STATES);
 static_assert(TR_GOVERNOR_PI == static_cast<int>(Governor::pi));
 
 constexpr R kMostThrottle = R(1.2);
@@ -59,6 +59,14 @@ void begin_systems(const SystemSwitches& before, Sim& s) {
   }
 }
 
+void leave_ground(Sim& s) {
+  Configuration<R> c;
+  equipped(s, c);
+  set_outside(c);
+  c.ground_wash[right] = c.ground_wash[left] = c.download = R(1);
+  keep(c, s);
+}
+
 void hold_masts(Sim& s) {
   Configuration<R> c;
   equipped(s, c);
@@ -76,6 +84,7 @@ void clear_unused(Sim& s) {
   if (on.governor == Governor::off) x.governor = R(0);
   if (!on.engines) x.power[right] = x.power[left] = x.fuel = R(0);
   if (!on.actuators) put_actuators(BladeControls<R>{}, x);
+  if (!on.turbulence) x.gusts = TurbulenceState<R>{};
   if (!on.augmentation) {
     for (R& way : x.series) way = R(0);
     x.washout = x.held_pitch = x.held_roll = x.holds_pitch = x.holds_roll = x.rest_long = x.rest_lat = R(0);
@@ -88,15 +97,18 @@ void evaluate(const Sim& s, Configuration<R>& c, Found& found) {
   equipped(s, c);
   const State<R> x = evaluated_state(s);
   found.system_rates = SystemState<R>{};
+  found.weight_on_wheels = R(0);
   if (!has_systems(s)) return derivative(c, x, s.u, found.steps, found.rates);
   AirframeDemand<R> demand;
   AirframeAnswer<R> answer;
   VehicleFlows<R> flows;
   const ConfigurationSetting<R> base = c.setup;
   const Vehicle<R>& v = s.systems.vehicle;
-  vehicle_rates(v, c, base, x, s.systems.state, v.commands, s.u, VehicleAirframe<R>{c, x, found.steps, R(0)},
-                demand, answer, flows, found.system_rates);
+  c.around = with_turbulence(c, x, s.u, v, s.systems.state);
+  vehicle_rates(v, c, base, c, x, s.systems.state, v.commands, s.u,
+                VehicleAirframe<R>{c, x, found.steps, R(0)}, demand, answer, flows, found.system_rates);
   found.rates = answer.rates;
+  found.weight_on_wheels = demand.gear.weight_on_wheels;
   // What the masts carry includes what speeds the rotors up.
   if (v.on.governor == Governor::pi)
     c.spin_up = static_cast<R>(c.aircraft->rotor.blades) * c.aircraft->rotor.flap_inertia *
@@ -153,12 +165,27 @@ void put_system_states(const R* states, Sim& s) {
 
 void reset_systems(Sim& s) {
   s.systems = SystemFlight<R>{};
-  s.turbulence_seed = 0;
-  s.turbulence_w20 = R(0);
   const FlightSetup<R>& setup = s.configuration.setup;
   Vehicle<R>& v = s.systems.vehicle;
   v.commands = {s.configuration.mast, setup.flap_deg * kRadPerDeg<R>, setup.rotor_speed, {R(0), R(0)}};
   v.gear_down = true;
+  v.ground = {s.air.ground_down, R(0), R(0)};
+}
+
+bool meet_ground_in_flight(const Sim& s, State<R> x, const Controls<R>& u, Configuration<R>& c) {
+  const Vehicle<R>& v = s.systems.vehicle;
+  const bool gear = v.on.gear && v.gear_down;
+  if (!gear && !v.on.ground_effect) return false;
+  x.position = s.x.position;
+  AirframeDemand<R> demand;
+  demand.controls = u;
+  demand.setting = c.setup;
+  vehicle_detail::meet_ground(v, c, c, x, demand);
+  demand.gear.total = Loads<R>{};
+  if (gear)
+    demand.gear.total = gear_drag(c, R(1), airframe_velocity(x.velocity - u.gust, c.mass.nacelles), x.rates);
+  put_into(demand, c);
+  return true;
 }
 
 void settle_systems(Sim& s) {
@@ -178,11 +205,12 @@ tr_status check_systems(const tr_systems& systems) {
   const LimitTables<R>& limits = aircraft_data<R>().limits;
   if (systems.governor < TR_GOVERNOR_OFF || systems.governor > TR_GOVERNOR_PI) return TR_BAD_ARGUMENT;
   for (const std::int32_t on : {systems.conversion, systems.engines, systems.actuators, systems.scas,
-                                systems.gear_down, systems.engine_failed[0], systems.engine_failed[1]})
+                                systems.gear, systems.ground_effect, systems.turbulence, systems.gear_down,
+                                systems.engine_failed[0], systems.engine_failed[1]})
     if (!is_switch(on)) return TR_BAD_ARGUMENT;
-  if (systems.gear != 0 || systems.ground_effect != 0 || systems.turbulence != 0) return TR_BAD_ARGUMENT;
   const R numbers[] = {systems.mast_command_deg, systems.flap_command_deg, systems.rotor_command_radps,
-                       systems.throttle[0],      systems.throttle[1],      systems.turbulence_w20_mps};
+                       systems.throttle[0],      systems.throttle[1],      systems.turbulence_w20_mps,
+                       systems.brake[0],         systems.brake[1]};
   if (!all_finite(numbers, sizeof numbers / sizeof numbers[0])) return TR_NOT_FINITE;
   const auto within = [](R x, const Bounds<R>& bounds) { return is_within(x, bounds.low, bounds.high); };
   const bool inside = within(systems.mast_command_deg, limits.mast_deg) &&
@@ -190,7 +218,8 @@ tr_status check_systems(const tr_systems& systems) {
                       within(systems.rotor_command_radps, limits.rotor_speed) &&
                       is_within(systems.throttle[0], R(0), kMostThrottle) &&
                       is_within(systems.throttle[1], R(0), kMostThrottle) &&
-                      is_within(systems.turbulence_w20_mps, R(0), kMostTurbulence);
+                      is_within(systems.turbulence_w20_mps, R(0), kMostTurbulence) &&
+                      is_within(systems.brake[0], R(0), R(1)) && is_within(systems.brake[1], R(0), R(1));
   return inside ? TR_OK : TR_OUT_OF_RANGE;
 }
 
@@ -202,16 +231,20 @@ void get_systems(const Sim& s, tr_systems& systems) {
   systems.engines = v.on.engines;
   systems.actuators = v.on.actuators;
   systems.scas = v.on.augmentation && !v.disengages;
+  systems.gear = v.on.gear;
+  systems.ground_effect = v.on.ground_effect;
+  systems.turbulence = v.on.turbulence;
   systems.mast_command_deg = v.commands.mast * kDegPerRad<R>;
   systems.flap_command_deg = v.commands.flap * kDegPerRad<R>;
   systems.rotor_command_radps = v.commands.rotor_speed;
   systems.gear_down = v.gear_down;
   for (const Side side : {right, left}) {
     systems.throttle[side] = v.commands.throttle[side];
+    systems.brake[side] = v.brake[side];
     systems.engine_failed[side] = v.engine_failed[side];
   }
-  systems.turbulence_seed = s.turbulence_seed;
-  systems.turbulence_w20_mps = s.turbulence_w20;
+  systems.turbulence_seed = v.turbulence_seed;
+  systems.turbulence_w20_mps = v.wind_20_ft;
 }
 
 void put_switches(const tr_systems& systems, Sim& s) {
@@ -220,6 +253,9 @@ void put_switches(const tr_systems& systems, Sim& s) {
   v.on.conversion = systems.conversion == 1;
   v.on.engines = systems.engines == 1;
   v.on.actuators = systems.actuators == 1;
+  v.on.gear = systems.gear == 1;
+  v.on.ground_effect = systems.ground_effect == 1;
+  v.on.turbulence = systems.turbulence == 1;
   // Switched off it stays until its actuators have returned.
   v.disengages = v.on.augmentation && systems.scas == 0 && !has_returned(s.systems.state);
   v.on.augmentation = v.disengages || systems.scas == 1;
@@ -229,10 +265,11 @@ void put_switches(const tr_systems& systems, Sim& s) {
   v.gear_down = systems.gear_down == 1;
   for (const Side side : {right, left}) {
     v.commands.throttle[side] = systems.throttle[side];
+    v.brake[side] = systems.brake[side];
     v.engine_failed[side] = systems.engine_failed[side] == 1;
   }
-  s.turbulence_seed = systems.turbulence_seed;
-  s.turbulence_w20 = systems.turbulence_w20_mps;
+  v.turbulence_seed = systems.turbulence_seed;
+  v.wind_20_ft = systems.turbulence_w20_mps;
 }
 
 }  // namespace tiltrotor::c_interface
@@ -270,6 +307,8 @@ tr_status tr_set_systems(tr_sim* sim, const tr_systems* systems) {
   // A drive that is switched off holds the masts.
   if (all_before.vehicle.on.conversion && !s.systems.vehicle.on.conversion) hold_masts(s);
   const tr_status status = follow_systems(s);
+  // Loads of a gear belong to the moment.
+  if (status == TR_OK) leave_ground(s);
   if (status != TR_OK) s.systems = all_before;
   return status;
 }

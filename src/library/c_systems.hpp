@@ -12,6 +12,7 @@ struct Found {
   DerivativeSteps<R> steps;
   State<R> rates;
   SystemState<R> system_rates;
+  R weight_on_wheels;  // normal forces over weight
 };
 void evaluate(const Sim& s, Configuration<R>& c, Found& found);
 // As one array, of TR_STATES.
@@ -25,6 +26,9 @@ tr_status follow_systems(Sim& s);
 void put_system_states(const R* states, Sim& s);
 // Everything off, commands those of the configuration.
 void reset_systems(Sim& s);
+// What ground and a gear that is down do to a flight at (x, u), its wheels off the ground, put into `c`; whether they do
+// anything.
+bool meet_ground_in_flight(const Sim& s, State<R> x, const Controls<R>& u, Configuration<R>& c);
 // All standing still in the steady flight that has been found.
 void settle_systems(Sim& s);
 

@@ -7,6 +7,8 @@
 
 #include <cstdint>
 
+#include "tiltrotor/math/arithmetic.hpp"
+
 namespace tiltrotor {
 
 // SplitMix64: Steele, Lea, Flood, OOPSLA 2014, with the constants of Stafford's mixing function 13. Word k of a

@@ -1,6 +1,8 @@
 // Gusts of the air the aircraft flies through: numbers of the law of turbulence.
 #pragma once
 
+#include "tiltrotor/math/arithmetic.hpp"
+
 namespace tiltrotor {
 
 // Dryden turbulence of MIL-F-8785C. Heights are those above the ground.
