@@ -105,6 +105,27 @@ TEST(governor_ideal_takes_the_power_of_the_engines) {
   CHECK_LT(worst, 1e-9);
 }
 
+// Throttles that close in hover at once: rotors that thrust take power at any collective. That is told, and nothing
+// moves; in fast flight the air drives the rotors, and there is a collective.
+TEST(governor_ideal_tells_that_there_is_no_collective) {
+  for (const bool hovers : {true, false}) {
+    Flight f = begun(hovers ? 0 : 90, level(hovers ? 0 : 100), only(Governor::ideal));
+    for (double& throttle : f.vehicle().commands.throttle) throttle = 0;
+    const Flight before = f;
+    const Status status = fly(f, 20);
+    if (!hovers) {
+      CHECK(status == Status::ok);
+      CHECK(matrices(f).status == Status::ok);
+      continue;
+    }
+    CHECK(status == Status::out_of_range);
+    CHECK_EQ(f.s.fault_state, state_count + kSystemIndex.governor);
+    CHECK_LT(f.s.fault_time, 0.1);
+    CHECK(matrices(before).status == Status::not_converged);
+    CHECK(std::fabs(f.state().governor) < 1);
+  }
+}
+
 // A - b_c (dP/dx)/(dP/dc) by hand: A and B of the airframe, slopes of the rotors' power by central differences.
 TEST(governor_ideal_is_the_reduced_linear_model) {
   for (const double mast : {0.0, 45.0, 90.0}) {

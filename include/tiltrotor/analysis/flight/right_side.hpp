@@ -192,6 +192,10 @@ struct RightSide {
         return Status::not_finite;
       }
     }
+    if (systems != nullptr && !work.flows.held) {
+      fault_state = state_count + kSystemIndex.governor;
+      return Status::out_of_range;
+    }
     return Status::ok;
   }
 };

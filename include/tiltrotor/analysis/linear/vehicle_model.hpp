@@ -260,7 +260,8 @@ void seed(const State<R>& x, const SystemState<R>& s, const Commands<R>& command
 
 // put_a(i, j, df_i/dx_j) and put_b(i, j, df_i/du_j) at (x, s, u), rows and columns as `shape` says; `xdot` and `sdot`:
 // the rates there. `c`: as the systems have put it at this state (put_into()), and put there again.
-// Status: ok; not_finite (a rate or an entry is not finite); bad_argument (c is not prepared).
+// Status: ok; not_finite (a rate or an entry is not finite); bad_argument (c is not prepared); not_converged (an
+// ideal governor finds no collective for the power of the engines).
 // Cost: 2 derivatives (7 with an ideal governor), a Jacobian (2 beyond 32 directions), a pass of configuration_sensitivity() where
 // masts, rotor speed or air move.
 template <class R, class Policy, class PutA, class PutB>
@@ -277,6 +278,7 @@ Status linearize_vehicle(const Vehicle<R>& v, Configuration<R>& c, const State<R
   vehicle_rates(v, c, base, c, x, s, v.commands, u, VehicleAirframe<R>{c, x, work.steps, azimuth},
                 work.demand, work.answer, flows, sdot);
   xdot = work.answer.rates;
+  if (!flows.held) return Status::not_converged;
   SystemState<R> point_state = s;
   if (v.on.governor == Governor::ideal) point_state.governor = flows.governed;
   d::list_inputs(x, work.demand, about.input);
