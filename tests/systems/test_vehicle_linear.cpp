@@ -249,7 +249,7 @@ void compare_with_complex_step(unsigned seed, int count) {
   CHECK_LT(worst[static_cast<int>(Governor::off)].error, 1e-11);
   CHECK_LT(worst[static_cast<int>(Governor::ideal)].error, 1e-9);
   CHECK_LT(worst[static_cast<int>(Governor::pi)].error, 1e-11);
-  CHECK_LT(0.8 * count, compared);
+  CHECK_LT(0.75 * count, compared);
 }
 
 }  // namespace
