@@ -89,6 +89,7 @@ template <class T>
 struct VehicleFlows {
   T power;     // of all engines at their shafts, W
   T governed;  // collective that an ideal governor has added, rad
+  bool held;   // whether it has found one at which the rotors take the power
 };
 
 namespace vehicle_detail {
@@ -205,8 +206,8 @@ void airframe_demand(const Vehicle<Real<T>>& v, const Configuration<Real<T>>& c,
   const Air<T> air = surrounding_air(setting.altitude, c.around.warmer, c.around.pressure_above);
   flows.power = T(R(0));
   for (const Side side : {right, left}) {
-    const T throttle = v.engine_failed[side] ? T(R(0)) : commands.throttle[side];
-    const T demanded = demanded_power(aircraft, air, throttle);
+    const T demanded =
+        v.engine_failed[side] ? T(R(0)) : demanded_power(aircraft, air, commands.throttle[side]);
     if (v.on.engines) {
       rates.power[side] = power_rate(t, demanded, s.power[side]);
       rates.fuel = rates.fuel + fuel_flow(t, s.power[side]);
@@ -241,9 +242,10 @@ void airframe_demand(const Vehicle<Real<T>>& v, const Configuration<Real<T>>& c,
 
 // The ideal governor: the collective at which the rotors take the power of the engines, by the secant method, its slope
 // kept where two points lie too near to give one. Dual numbers, whose value is the solution already, need one round,
-// and gain the derivative of the implicit function.
+// and gain the derivative of the implicit function. False where there is none: rotors that hover take some power at any
+// collective. A search that ends within a thousandth of an engine's power counts, its next one begins there.
 template <class T, class Airframe>
-void hold_power(const Configuration<Real<T>>& c, const T& guess, const T& power, Airframe&& airframe,
+bool hold_power(const Configuration<Real<T>>& c, const T& guess, const T& power, Airframe&& airframe,
                 AirframeDemand<T>& demand, AirframeAnswer<T>& answer, T& governed) {
   using R = Real<T>;
   constexpr int rounds = 6;
@@ -268,6 +270,8 @@ void hold_power(const Configuration<Real<T>>& c, const T& guess, const T& power,
     if (way > apart || way < -apart) slope = (rest - before) / way;
     if (kIsPlain<T> && rest < near && rest > -near) break;
   }
+  const R most = R(1e-3) * c.aircraft->controls.engine_power, rest = value(left_over);
+  return rest < most && rest > -most;
 }
 
 // Rates of all states. `airframe(demand, answer)`: rates of the airframe, and torque of its rotors.
@@ -280,8 +284,9 @@ void vehicle_rates(const Vehicle<Real<T>>& v, const Configuration<Real<T>>& c,
   using R = Real<T>;
   airframe_demand(v, c, base, at, x, s, commands, u, demand, flows, rates);
   flows.governed = T(R(0));
+  flows.held = true;
   if (v.on.governor == Governor::ideal) {
-    hold_power(c, s.governor, flows.power, airframe, demand, answer, flows.governed);
+    flows.held = hold_power(c, s.governor, flows.power, airframe, demand, answer, flows.governed);
   } else {
     airframe(demand, answer);
   }

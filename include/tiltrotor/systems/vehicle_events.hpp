@@ -17,7 +17,8 @@ bool has_returned(const SystemState<R>& s) {
 }
 
 // Events of a step, at its beginning: an attitude is held or given up, an augmentation that was switched off is gone
-// when its actuators have returned, engines stop without fuel. Whether anything happened.
+// when its actuators have returned, engines stop without fuel; masts are sent no further than their stops, where else
+// their drive would push on. Whether anything happened.
 template <class R>
 bool begin_step(const Aircraft<R>& aircraft, const State<R>& x, const Controls<R>& u, Vehicle<R>& v,
                 SystemState<R>& s) {
@@ -27,6 +28,12 @@ bool begin_step(const Aircraft<R>& aircraft, const State<R>& x, const Controls<R
   if (v.on.augmentation) {
     latch(t, u.long_stick - s.rest_long, x.rates.y, x.pitch, s.holds_pitch, s.held_pitch);
     latch(t, u.lat_stick - s.rest_lat, x.rates.x, x.roll, s.holds_roll, s.held_roll);
+  }
+  const Bounds<R>& stops = aircraft.limits.mast_deg;
+  if (v.on.conversion) {
+    const R told = v.commands.mast;
+    v.commands.mast = smaller_of(larger_of(told, stops.low * kRadPerDeg<R>), stops.high * kRadPerDeg<R>);
+    happened = v.commands.mast != told;
   }
   if (v.on.augmentation && v.disengages) {
     if (has_returned(s)) {

@@ -311,7 +311,8 @@ Status advance_moving(MovingConfiguration<R>& moving, SimulationWorkspace<R, Pol
 
 // The same with systems: `c` is put into what they ask for, and they move on with the flight. Events of the step come
 // first: begin_step(). Of the integrators rk3 and rk4; rodas3 is a bad_argument. `xdot`[vehicle_state_count]: those
-// of vehicle_rates(). Unless ok, configuration and systems are as they were; fault_state counts as vehicle_variable().
+// of vehicle_rates(). Unless ok, configuration and systems are as they were; fault_state counts as vehicle_variable();
+// out_of_range with the governor's: an ideal one finds no collective for the power of the engines.
 // Cost: that of advance(), and a twentieth of a derivative more an evaluation where masts, rotor speed or air move;
 // with an ideal governor some three times as many derivatives.
 template <class R, class Policy>

@@ -87,6 +87,7 @@ struct RightSide {
 
   R azimuth(R time) const {
     if (moving == nullptr) return azimuth_at_0 + c.setup.rotor_speed * time;
+    if (moving->from.rotor_acceleration == R(0)) return azimuth_at_0 + moving->from.rotor_speed * time;
     return azimuth_at_0 + moving->from.rotor_speed * moving->begin +
            turned(moving->from, time - moving->begin);
   }
@@ -190,6 +191,10 @@ struct RightSide {
         fault_state = work.place(k);
         return Status::not_finite;
       }
+    }
+    if (systems != nullptr && !work.flows.held) {
+      fault_state = state_count + kSystemIndex.governor;
+      return Status::out_of_range;
     }
     return Status::ok;
   }

@@ -91,23 +91,31 @@ struct Expansion {
   bool used[kColumns];
 };
 
-// Rates that a load causes beside those that are there: rigid_body.hpp.
+// Rates that a load causes beside those that are there: rigid_body.hpp, and of flapping state_rates.hpp.
 template <class T, class C>
-void add_load(const MassProperties<C>& mass, const Loads<T>& load, State<T>& rates) {
+void add_load(const Configuration<C>& c, const Loads<T>& load, State<T>& rates) {
   using R = Real<T>;
-  const Inertia<C>& i = mass.inertia;
-  const C inverse_mass = R(1) / mass.mass;
+  const Options& o = c.setup.options;
+  const Inertia<C>& i = c.mass.inertia;
+  const C inverse_mass = R(1) / c.mass.mass;
   const C inverse = R(1) / (i.xx * i.zz - i.xz * i.xz);
+  const Vec3<T> acceleration = {inverse * (i.zz * load.moment.x + i.xz * load.moment.z),
+                                (R(1) / i.yy) * load.moment.y,
+                                inverse * (i.xz * load.moment.x + i.xx * load.moment.z)};
   rates.velocity = rates.velocity + inverse_mass * load.force;
-  rates.rates.x = rates.rates.x + inverse * (i.zz * load.moment.x + i.xz * load.moment.z);
-  rates.rates.y = rates.rates.y + (R(1) / i.yy) * load.moment.y;
-  rates.rates.z = rates.rates.z + inverse * (i.xz * load.moment.x + i.xx * load.moment.z);
+  rates.rates = rates.rates + acceleration;
+  if (!o.flap_angular_acceleration || o.flapping != FlapOrder::second) return;
+  for (const Side side : {right, left}) {
+    const Vec3<T> acceleration_a = mirror_axial(c.hub[side].from_body.apply(acceleration), side);
+    rates.rotor[side].b1c_rate += acceleration_a.y;
+    rates.rotor[side].b1s_rate -= acceleration_a.x;
+  }
 }
 
 template <class T>
 struct ExpandedAirframe {
   const Expansion<Real<T>>& about;
-  const MassProperties<Real<T>>& mass;
+  const Configuration<Real<T>>& c;
   const State<T>& x;
 
   void operator()(const AirframeDemand<T>& demand, AirframeAnswer<T>& answer) const {
@@ -123,7 +131,7 @@ struct ExpandedAirframe {
     unflatten(found, answer.rates);
     const Loads<T> more = {minus_fixed(demand.gear.total.force, about.outside.force),
                            minus_fixed(demand.gear.total.moment, about.outside.moment)};
-    add_load(mass, more, answer.rates);
+    add_load(c, more, answer.rates);
     for (const Side side : {right, left}) answer.torque[side] = found[kTorqueRow[side]];
   }
 };
@@ -252,7 +260,8 @@ void seed(const State<R>& x, const SystemState<R>& s, const Commands<R>& command
 
 // put_a(i, j, df_i/dx_j) and put_b(i, j, df_i/du_j) at (x, s, u), rows and columns as `shape` says; `xdot` and `sdot`:
 // the rates there. `c`: as the systems have put it at this state (put_into()), and put there again.
-// Status: ok; not_finite (a rate or an entry is not finite); bad_argument (c is not prepared).
+// Status: ok; not_finite (a rate or an entry is not finite); bad_argument (c is not prepared); not_converged (an
+// ideal governor finds no collective for the power of the engines).
 // Cost: 2 derivatives (7 with an ideal governor), a Jacobian (2 beyond 32 directions), a pass of configuration_sensitivity() where
 // masts, rotor speed or air move.
 template <class R, class Policy, class PutA, class PutB>
@@ -269,6 +278,7 @@ Status linearize_vehicle(const Vehicle<R>& v, Configuration<R>& c, const State<R
   vehicle_rates(v, c, base, c, x, s, v.commands, u, VehicleAirframe<R>{c, x, work.steps, azimuth},
                 work.demand, work.answer, flows, sdot);
   xdot = work.answer.rates;
+  if (!flows.held) return Status::not_converged;
   SystemState<R> point_state = s;
   if (v.on.governor == Governor::ideal) point_state.governor = flows.governed;
   d::list_inputs(x, work.demand, about.input);
@@ -316,7 +326,7 @@ Status linearize_vehicle(const Vehicle<R>& v, Configuration<R>& c, const State<R
     const int last = first + kVehicleDirections < all ? first + kVehicleDirections : all;
     d::seed(x, point_state, v.commands, u, shape, first, last, systems);
     vehicle_rates<T>(v, c, base, systems.configuration, systems.x, systems.s, systems.commands, systems.u,
-                     d::ExpandedAirframe<T>{about, c.mass, systems.x}, systems.demand, systems.answer,
+                     d::ExpandedAirframe<T>{about, c, systems.x}, systems.demand, systems.answer,
                      systems.flows, systems.rates);
     T found[vehicle_state_count];
     flatten(systems.answer.rates, found);

@@ -1,0 +1,367 @@
+// A and B of the whole vehicle: against a complex step through the same text, which shares nothing with dual numbers
+// nor with the expansion of the airframe; against central differences of the rates; against the airframe's own where
+// nothing is switched on.
+#include <complex>
+#include <random>
+
+#include "tiltrotor/math/differentiation/complex_step.hpp"
+#include "vehicle_case.hpp"
+
+using namespace vehicle_case;
+using Complex = std::complex<double>;
+
+namespace vehicle_case {
+
+const Matrices& matrices(const Vehicle<double>& v, const Configuration<double>& c, const State<double>& x,
+                         const SystemState<double>& s, const Controls<double>& u) {
+  static VehicleModelWorkspace<double> work;
+  static Matrices m;
+  m = Matrices{};
+  Configuration<double> at = c;
+  vehicle_states(v, c.setup.options, m.shape);
+  m.shape.inputs = vehicle_input_count;
+  for (int j = 0; j < vehicle_input_count; ++j) m.shape.input[j] = j;
+  m.status = linearize_vehicle(
+      v, at, x, s, u, m.shape, work, m.xdot, m.sdot, [](int i, int j, double slope) { m.a[i][j] = slope; },
+      [](int i, int j, double slope) { m.b[i][j] = slope; });
+  return m;
+}
+
+}  // namespace vehicle_case
+
+namespace {
+
+// A point somewhere in the envelope: not trimmed, not symmetric, its systems under way.
+struct Somewhere {
+  Configuration<double> c;
+  Vehicle<double> v;
+  State<double> x;
+  SystemState<double> s;
+  Controls<double> u;
+};
+
+class Dice {
+ public:
+  explicit Dice(unsigned seed) : random_(seed) {}
+  double between(double low, double high) {
+    return low + (high - low) * static_cast<double>(random_()) / 4294967296.0;
+  }
+  bool flip() { return random_() % 2 == 0; }
+
+ private:
+  std::mt19937 random_;
+};
+
+Somewhere somewhere(Dice& dice, Governor governor) {
+  const Aircraft<double>& aircraft = aircraft_data<double>();
+  const double size = this_aircraft::speed();
+  Somewhere at{};
+  // Not at a knot of a table.
+  const double mast = dice.between(0.3, 89.7), forward = dice.between(3, 30 + mast) * size;
+  FlightSetup<double> setup = flight_setup(aircraft, mast);
+  setup.options = realtime();
+  setup.altitude = this_aircraft::altitude();
+  setup.options.coning_states = dice.flip();
+  CHECK(prepare(aircraft, setup, at.c) == Status::ok);
+
+  const double tilt = mast * kDeg;
+  at.x.velocity = {forward, dice.between(-4, 4) * size, dice.between(-4, 4) * size};
+  at.x.rates = {dice.between(-0.3, 0.3), dice.between(-0.3, 0.3), dice.between(-0.3, 0.3)};
+  at.x.roll = dice.between(-0.6, 0.6);
+  at.x.pitch = dice.between(-0.3, 0.3);
+  at.x.downwash = dice.between(0, 0.1);
+  at.x.position.z = -dice.between(10, 500);
+  for (const Side side : {right, left}) {
+    RotorState<double>& rotor = at.x.rotor[side];
+    rotor = {dice.between(-0.05, 0.05), dice.between(-0.05, 0.05), dice.between(-0.5, 0.5),
+             dice.between(-0.5, 0.5),   dice.between(0.01, 0.06),  dice.between(-0.01, 0.01),
+             dice.between(-0.01, 0.01)};
+    at.x.coning[side] = {dice.between(0.02, 0.06), dice.between(-0.5, 0.5)};
+  }
+  // Blades at four degrees to the air that comes.
+  const double axial = forward * std::sin(tilt) / (0.75 * at.c.tip_speed);
+  at.u.collective = std::atan(axial) + dice.between(4, 10) * kDeg;
+  at.u.long_stick = dice.between(-2, 2);
+  at.u.lat_stick = dice.between(-2, 2);
+  at.u.pedal = dice.between(-1, 1);
+  at.u.gust = {dice.between(-2, 2), dice.between(-2, 2), dice.between(-2, 2)};
+
+  Vehicle<double>& v = at.v;
+  v.on = {governor, dice.flip(), dice.flip(), dice.flip(), dice.flip(), dice.flip(), dice.flip(), false};
+  v.loaded_mass = at.c.setup.mass;
+  v.gear_down = dice.flip();
+  // Wheels a foot in the ground, or some metres above it.
+  v.ground = {at.x.position.z + (dice.flip() ? 1.5 : 6) * this_aircraft::length(), 0.03, -0.02};
+  v.brake[right] = 0.3;
+  v.air_follows = dice.flip();
+  v.altitude_origin = this_aircraft::altitude() + 100;
+  v.engine_failed[left] = dice.between(0, 1) < 0.2;
+  SystemState<double>& s = at.s;
+  s.mast = tilt;
+  s.mast_rate = dice.between(-0.1, 0.1);
+  s.flap = at.c.setup.flap_deg * kDeg + dice.between(-0.2, -0.05);
+  s.rotor_speed = at.c.setup.rotor_speed * dice.between(0.95, 1.05);
+  s.governor = governor == Governor::pi ? dice.between(-0.1, 0.1) : 0;
+  const Rates at_first = rates(v, at.c, at.x, s, at.u);  // for the engines to give about what the rotors take
+  const double power = std::max(
+      2e5, (at_first.airframe.torque[right] + at_first.airframe.torque[left]) * at.c.setup.rotor_speed);
+  const double engines = v.engine_failed[left] && !v.on.engines ? 1 : 2;
+  for (const Side side : {right, left}) {
+    const double full = demanded_power(aircraft, at.c.air, 1.0);
+    s.power[side] = std::min(power / engines, full) * dice.between(0.9, 1.1);
+    v.commands.throttle[side] = s.power[side] / full;
+  }
+  for (double& way : s.series) way = dice.between(-0.8, 0.8);
+  s.washout = dice.between(-0.1, 0.1);
+  // Actuators as they follow, within their largest rate or beyond it.
+  Controls<double> asked = at.u;
+  asked.collective += s.governor;
+  if (v.on.augmentation) {
+    asked.long_stick += s.series[0];
+    asked.lat_stick += s.series[1];
+    asked.pedal += s.series[2];
+  }
+  const BladeControls<double> angles = vehicle_detail::wanted_angles(
+      aircraft, at.c.setup.options, mast, asked, Vec3<double>(at.x.velocity - at.u.gust));
+  const double away = dice.flip() ? 0.05 : 0.003;
+  for (const Side side : {right, left}) {
+    s.collective[side] = angles.collective[side] + dice.between(-away, away);
+    s.long_cyclic[side] = angles.long_cyclic[side] + dice.between(-away, away);
+  }
+  s.elevator = angles.elevator + dice.between(-away, away);
+  s.aileron = angles.aileron + dice.between(-away, away);
+  s.rudder = angles.rudder + dice.between(-away, away);
+  s.held_pitch = at.x.pitch + dice.between(-0.05, 0.05);
+  s.held_roll = at.x.roll + dice.between(-0.05, 0.05);
+  s.holds_pitch = dice.flip() ? 1 : 0;
+  s.holds_roll = dice.flip() ? 1 : 0;
+  v.commands.mast = tilt + dice.between(-0.2, 0.2);
+  v.commands.flap = s.flap + dice.between(-0.1, 0.1);
+  v.commands.rotor_speed = at.c.setup.rotor_speed;
+  // The search for its collective begins where it will end.
+  for (int k = 0; k < 3 && governor == Governor::ideal; ++k)
+    s.governor = rates(v, at.c, at.x, s, at.u).flows.governed;
+  return at;
+}
+
+// Whether an ideal governor has found its collective there, and the power depends on it enough: a fifth of a rad for
+// the power of an engine. Far from it no derivative has a meaning.
+bool is_governed(const Somewhere& at) {
+  const double engine = at.c.aircraft->controls.engine_power;
+  const double efficiency = at.c.aircraft->controls.transmission_efficiency;
+  const Rates r = rates(at.v, at.c, at.x, at.s, at.u);
+  const auto excess = [&](double more) {
+    Evaluation<double> e;
+    Controls<double> u = r.demand.controls;
+    u.collective += more;
+    Configuration<double> c = at.c;
+    put_into(r.demand, c);
+    evaluate_aircraft(c, at.x, u, e);
+    return (e.rotor[right].loads.torque + e.rotor[left].loads.torque) * c.setup.rotor_speed -
+           efficiency * r.flows.power;
+  };
+  const double step = 1e-4;
+  return std::fabs(r.flows.governed) < 0.3 && std::fabs(excess(0)) < 1e-9 * engine &&
+         excess(step) - excess(0) > step * engine / 0.2;
+}
+
+// The column of a variable by a step along the imaginary axis.
+void complex_column(const Somewhere& at, const VehicleShape& shape, int j, double* column) {
+  static Configuration<Complex> c;
+  static DerivativeSteps<Complex> steps;
+  double flat[vehicle_state_count], inputs[vehicle_input_count];
+  Complex states[vehicle_state_count], moved[vehicle_input_count];
+  flatten(at.x, flat);
+  flatten(at.s, flat + state_count);
+  flatten(at.u, inputs);
+  flatten(at.v.commands, inputs + control_count);
+  std::copy(flat, flat + vehicle_state_count, states);
+  std::copy(inputs, inputs + vehicle_input_count, moved);
+  (j < shape.states ? states[shape.state[j]] : moved[shape.input[j - shape.states]]) += Complex(0, 1e-30);
+
+  State<Complex> x;
+  SystemState<Complex> systems, of_systems;
+  Controls<Complex> u;
+  Commands<Complex> commands;
+  unflatten(states, x);
+  unflatten(states + state_count, systems);
+  unflatten(moved, u);
+  unflatten(moved + control_count, commands);
+  moved_configuration<Complex>(at.c, nullptr, nullptr, 0, c);
+  AirframeDemand<Complex> demand;
+  AirframeAnswer<Complex> answer;
+  VehicleFlows<Complex> flows;
+  vehicle_rates<Complex>(at.v, at.c, at.c.setup, c, x, systems, commands, u,
+                         VehicleAirframe<Complex>{c, x, steps, 0.0}, demand, answer, flows, of_systems);
+  Complex found[vehicle_state_count];
+  flatten(answer.rates, found);
+  flatten(of_systems, found + state_count);
+  for (int i = 0; i < shape.states; ++i) column[i] = found[shape.state[i]].imag() * 1e30;
+}
+
+// Largest error of a column of A and B over the largest entry of that column.
+struct Worst {
+  double error = 0;
+  const char* row = "";
+  const char* column = "";
+};
+template <class Column>
+void compare(const Matrices& m, bool governed, Column&& column_of, Worst& worst) {
+  for (int j = 0; j < m.shape.states + m.shape.inputs; ++j) {
+    double column[kMaxVehicleStates];
+    column_of(j, column);
+    // An ideal governor takes back what the lever gives: rounding of open-loop entries of some thousands is left.
+    const bool taken_back = governed && j == m.shape.states + kControlIndex.collective;
+    double size = taken_back ? 1000 : 0.01;
+    for (int i = 0; i < m.shape.states; ++i) size = std::max(size, std::fabs(column[i]));
+    for (int i = 0; i < m.shape.states; ++i) {
+      const double found = j < m.shape.states ? m.a[i][j] : m.b[i][j - m.shape.states];
+      const double error = std::fabs(found - column[i]) / size;
+      if (error <= worst.error) continue;
+      worst.error = error;
+      worst.row = vehicle_variable(m.shape.state[i]).name;
+      worst.column = j < m.shape.states ? vehicle_variable(m.shape.state[j]).name
+                                        : vehicle_input(m.shape.input[j - m.shape.states]).name;
+    }
+  }
+}
+
+// An ideal governor's search ends within 1e-12 of an engine's power, at which of two neighbouring collectives is left
+// to roundings: its matrices agree to that over the slope of the power.
+void compare_with_complex_step(unsigned seed, int count) {
+  Dice dice(seed);
+  Worst worst[3];
+  int compared = 0;
+  for (int k = 0; k < count; ++k) {
+    const Governor governor = static_cast<Governor>(k % 3);
+    const Somewhere at = somewhere(dice, governor);
+    if (governor == Governor::ideal && !is_governed(at)) continue;
+    const Matrices& m = matrices(at.v, at.c, at.x, at.s, at.u);
+    if (!CHECK(m.status == Status::ok)) return;
+    ++compared;
+    compare(
+        m, governor == Governor::ideal,
+        [&](int j, double* column) { complex_column(at, m.shape, j, column); }, worst[k % 3]);
+  }
+  for (const Worst& w : worst)
+    NOTE("worst of " << compared << " points, governor off, ideal, pi: " << w.error << " of the column, row "
+                     << w.row << " column " << w.column);
+  CHECK_LT(worst[static_cast<int>(Governor::off)].error, 1e-11);
+  CHECK_LT(worst[static_cast<int>(Governor::ideal)].error, 1e-9);
+  CHECK_LT(worst[static_cast<int>(Governor::pi)].error, 1e-11);
+  CHECK_LT(0.75 * count, compared);
+}
+
+}  // namespace
+
+TEST(vehicle_linear_model_equals_complex_step) { compare_with_complex_step(1, 60); }
+TEST(slow_vehicle_linear_model_equals_complex_step) { compare_with_complex_step(2, 1000); }
+
+TEST(vehicle_linear_model_equals_central_differences) {
+  Dice dice(3);
+  Worst worst;
+  for (int k = 0; k < 9; ++k) {
+    const Governor governor = static_cast<Governor>(k % 3);
+    const Somewhere at = somewhere(dice, governor);
+    if (governor == Governor::ideal && !is_governed(at)) continue;
+    const Matrices& m = matrices(at.v, at.c, at.x, at.s, at.u);
+    double flat[vehicle_state_count], inputs[vehicle_input_count];
+    flatten(at.x, flat);
+    flatten(at.s, flat + state_count);
+    flatten(at.u, inputs);
+    flatten(at.v.commands, inputs + control_count);
+    const auto difference = [&](int j, double* column) {
+      const bool is_state = j < m.shape.states;
+      double& moved = is_state ? flat[m.shape.state[j]] : inputs[m.shape.input[j - m.shape.states]];
+      const KindFacts& facts = is_state ? vehicle_variable(m.shape.state[j]).facts()
+                                        : vehicle_input(m.shape.input[j - m.shape.states]).facts();
+      const double middle = moved, step = 2e-6 * facts.bend;
+      Rates side[2];
+      for (const int sign : {0, 1}) {
+        moved = middle + (sign == 0 ? -step : step);
+        Somewhere near = at;
+        unflatten(flat, near.x);
+        unflatten(flat + state_count, near.s);
+        unflatten(inputs, near.u);
+        unflatten(inputs + control_count, near.v.commands);
+        side[sign] = rates(near.v, near.c, near.x, near.s, near.u);
+      }
+      moved = middle;
+      for (int i = 0; i < m.shape.states; ++i) {
+        const int place = m.shape.state[i];
+        column[i] = (side[1].of[place] - side[0].of[place]) / (2 * step);
+      }
+    };
+    compare(m, governor == Governor::ideal, difference, worst);
+  }
+  NOTE("worst " << worst.error << " of the column, row " << worst.row << " column " << worst.column);
+  CHECK_LT(worst.error, 2e-4);
+}
+
+// Rates of the model are those of vehicle_rates(), to the bit.
+TEST(vehicle_linear_model_tells_the_rates) {
+  Dice dice(4);
+  for (const Governor governor : {Governor::off, Governor::ideal, Governor::pi}) {
+    const Somewhere at = somewhere(dice, governor);
+    const Rates r = rates(at.v, at.c, at.x, at.s, at.u);
+    const Matrices& m = matrices(at.v, at.c, at.x, at.s, at.u);
+    double found[vehicle_state_count];
+    flatten(m.xdot, found);
+    flatten(m.sdot, found + state_count);
+    for (int i = 0; i < vehicle_state_count; ++i) CHECK_EQ(found[i], r.of[i]);
+  }
+}
+
+// Nothing on: A and B are the airframe's.
+TEST(vehicle_without_systems_has_the_airframes_linear_model) {
+  Dice dice(5);
+  for (int k = 0; k < 4; ++k) {
+    Somewhere at = somewhere(dice, Governor::off);
+    at.v.on = kNone;
+    at.v.air_follows = false;
+    const Matrices& m = matrices(at.v, at.c, at.x, at.s, at.u);
+    static LinearModel<double> model;
+    linear_model(at.c, at.x, at.u, kAllControls, model);
+    CHECK(m.status == Status::ok);
+    CHECK_EQ(m.shape.states, model.states);
+    double worst = 0;
+    for (int i = 0; i < model.states; ++i) {
+      CHECK_EQ(m.shape.state[i], model.state[i]);
+      for (int j = 0; j < model.states; ++j) {
+        const double size = std::max(1.0, std::fabs(model.a(i, j)));
+        worst = std::max(worst, std::fabs(m.a[i][j] - model.a(i, j)) / size);
+      }
+      for (int j = 0; j < control_count; ++j) {
+        const double size = std::max(1.0, std::fabs(model.b(i, j)));
+        worst = std::max(worst, std::fabs(m.b[i][j] - model.b(i, j)) / size);
+      }
+      for (int j = control_count; j < vehicle_input_count; ++j) CHECK_EQ(m.b[i][j], 0.0);
+    }
+    NOTE("worst " << worst);
+    CHECK_LE(worst, 1e-13);
+  }
+}
+
+// A load of the systems acts as one of the surroundings does, flapping included where it feels the hub's acceleration.
+TEST(vehicle_expansion_takes_a_load_as_the_airframe_does) {
+  for (const bool felt : {false, true}) {
+    Options options = realtime();
+    options.flap_angular_acceleration = felt;
+    const Configuration<double> c = flown_configuration(30, 0, options);
+    const Point p = slanted_point();
+    const double weight = c.setup.mass * kGravity<double>;
+    const Loads<double> load = {{0.3 * weight, -0.2 * weight, 0.1 * weight},
+                                {0.2 * weight, -0.3 * weight, 0.4 * weight}};
+    Configuration<double> loaded = c;
+    loaded.outside = loaded.outside + load;
+    State<double> without, with_load, added{};
+    derivative(c, p.x, p.u, without);
+    derivative(loaded, p.x, p.u, with_load);
+    vehicle_model_detail::add_load(c, load, added);
+    double a[state_count], b[state_count], d[state_count];
+    flatten(without, a);
+    flatten(with_load, b);
+    flatten(added, d);
+    for (int i = 0; i < state_count; ++i) CHECK_NEAR(d[i], b[i] - a[i], 1e-10 * (1 + std::fabs(a[i])));
+  }
+}
