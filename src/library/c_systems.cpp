@@ -54,7 +54,7 @@ void begin_systems(const SystemSwitches& before, Sim& s) {
     asked.pedal += x.series[2];
     asked.collective += on.governor == Governor::pi ? x.governor : R(0);
     const Vec3<R> velocity = evaluated_state(s).velocity - s.u.gust;
-    put_actuators(vehicle_detail::wanted_angles(*c.aircraft, setup.options, setup.mast_deg, asked, velocity),
+    put_actuators(vehicle_parts::wanted_angles(*c.aircraft, setup.options, setup.mast_deg, asked, velocity),
                   x);
   }
 }
@@ -180,7 +180,7 @@ bool meet_ground_in_flight(const Sim& s, State<R> x, const Controls<R>& u, Confi
   AirframeDemand<R> demand;
   demand.controls = u;
   demand.setting = c.setup;
-  vehicle_detail::meet_ground(v, c, c, x, demand);
+  vehicle_parts::meet_ground(v, c, c, x, demand);
   demand.gear.total = Loads<R>{};
   if (gear)
     demand.gear.total = gear_drag(c, R(1), airframe_velocity(x.velocity - u.gust, c.mass.nacelles), x.rates);

@@ -14,7 +14,7 @@ using namespace tiltrotor;
 namespace {
 
 using Shares = ModeShares<double>;
-namespace d = mode_search_detail;
+namespace d = mode_search;
 
 Mode<double> root(double real, double imag, const Shares& shares) {
   Mode<double> m{};

@@ -134,7 +134,7 @@ TEST_OF_XV15(response_parts_of_usual_steps) {
     const FastestRates<double> fastest = fastest_rates(c, r.state, r.controls);
     const double frames[] = {0.005, 0.01, 0.02};
     for (int k = 0; k < 3; ++k)
-      most[k] = std::max(most[k], response_detail::parts(kMethods[k / 2], frames[k], fastest));
+      most[k] = std::max(most[k], flight_step::parts(kMethods[k / 2], frames[k], fastest));
   });
   CHECK_LT(150, trims);
   CHECK_EQ(most[0], 1);
@@ -205,7 +205,7 @@ TEST(response_longest_step_is_stable_out_of_trim) {
 TEST_OF_XV15(response_parts_are_few_in_any_state) {
   const auto parts_at = [](const Configuration<double>& c, const State<double>& x, const Controls<double>& u,
                            Integrator integrator, double dt) {
-    return response_detail::parts(integrator, dt, fastest_rates(c, x, u));
+    return flight_step::parts(integrator, dt, fastest_rates(c, x, u));
   };
   Configuration<double> c;
   if (!prepared({90, 80, 0, true}, c)) return;
@@ -224,7 +224,7 @@ TEST_OF_XV15(response_parts_are_few_in_any_state) {
   CHECK_LT(20, parts_at(c, x, u, Integrator::rk4, 0.02));
   // What no flight reaches ends too.
   x.velocity = {1e300, 0, 0};
-  CHECK_EQ(parts_at(c, x, u, Integrator::rk4, 0.02), response_detail::kMaxParts);
+  CHECK_EQ(parts_at(c, x, u, Integrator::rk4, 0.02), flight_step::kMaxParts);
 }
 
 // Long steps, begun off trim, end where short ones do.

@@ -92,15 +92,7 @@ struct VehicleFlows {
   bool held;   // whether it has found one at which the rotors take the power
 };
 
-namespace vehicle_detail {
-
-template <class T>
-ConfigurationSetting<T> setting_of(const ConfigurationSetting<Real<T>>& s) {
-  return {T(s.mast_deg), T(s.mast_rate),   T(s.mast_acceleration),
-          T(s.flap_deg), T(s.rotor_speed), T(s.rotor_acceleration),
-          T(s.altitude), T(s.mass),        T(s.sl_cg),
-          T(s.wl_cg)};
-}
+namespace vehicle_parts {
 
 template <class R>
 inline constexpr R kFarGround = R(1e8);  // m down: none
@@ -168,7 +160,7 @@ void meet_ground(const Vehicle<Real<T>>& v, const Configuration<Real<T>>& c, Con
   if (gear) demand.gear.total = demand.gear.total + gear_drag(at, T(R(1)), in_air, x.rates);
 }
 
-}  // namespace vehicle_detail
+}  // namespace vehicle_parts
 
 // `c`: what no system moves, `base`: the setting of what they may, `at`: with the fixed part of `c`, put into the setting
 // that is asked for where ground counts. Rates of the systems, but for those that follow the rotors' torque, go to
@@ -182,7 +174,7 @@ void airframe_demand(const Vehicle<Real<T>>& v, const Configuration<Real<T>>& c,
   const Aircraft<R>& aircraft = *c.aircraft;
   const SystemTables<R>& t = aircraft.systems;
   ConfigurationSetting<T>& setting = demand.setting;
-  setting = vehicle_detail::setting_of<T>(base);
+  setting = in_scalar<T>(base);
   SystemState<T>::each(rates, [](T& rate) { rate = T(R(0)); });
 
   if (v.on.conversion) {
@@ -232,12 +224,12 @@ void airframe_demand(const Vehicle<Real<T>>& v, const Configuration<Real<T>>& c,
   if (v.on.governor == Governor::pi) moved.collective = moved.collective + s.governor;
   if (v.on.actuators) {
     const BladeControls<T> wanted =
-        vehicle_detail::wanted_angles(aircraft, c.setup.options, setting.mast_deg, moved, velocity);
+        vehicle_parts::wanted_angles(aircraft, c.setup.options, setting.mast_deg, moved, velocity);
     actuator_rates(aircraft, wanted, s, rates);
     moved = actuated_controls(s, u);
   }
   demand.controls = moved;
-  vehicle_detail::meet_ground(v, c, at, x, demand);
+  vehicle_parts::meet_ground(v, c, at, x, demand);
 }
 
 // The ideal governor: the collective at which the rotors take the power of the engines, by the secant method, its slope
@@ -292,7 +284,7 @@ void vehicle_rates(const Vehicle<Real<T>>& v, const Configuration<Real<T>>& c,
   }
   if (v.on.governor != Governor::pi) return;
   const T torque = answer.torque[right] + answer.torque[left];
-  const T acceleration = rotor_acceleration(*c.aircraft, vehicle_detail::engines_running(v.engine_failed),
+  const T acceleration = rotor_acceleration(*c.aircraft, vehicle_parts::engines_running(v.engine_failed),
                                             flows.power, torque, s.rotor_speed);
   rates.rotor_speed = acceleration;
   const T mast = demand.setting.mast_deg * kRadPerDeg<R>;

@@ -10,7 +10,7 @@ namespace tiltrotor {
 // again.
 template <class T>
 void put_into(const AirframeDemand<T>& demand, Configuration<T>& c) {
-  vehicle_detail::put_setting(demand.setting, c);
+  vehicle_parts::put_setting(demand.setting, c);
   set_outside(c);
   c.outside = c.outside + demand.gear.total;
   for (const Side side : {right, left}) c.ground_wash[side] = demand.ground.wash[side];

@@ -67,7 +67,7 @@ void settle(const Configuration<R>& c, const State<R>& x, R torque, Vehicle<R>& 
   v.loaded_mass = c.setup.mass + s.fuel;
 
   const R needed = torque * c.setup.rotor_speed / aircraft.controls.transmission_efficiency;
-  const int running = vehicle_detail::engines_running(v.engine_failed);
+  const int running = vehicle_parts::engines_running(v.engine_failed);
   const R full = demanded_power(aircraft, c.air, R(1));
   for (const Side side : {right, left}) {
     const bool works = !v.engine_failed[side] && needed > R(0);
@@ -76,7 +76,7 @@ void settle(const Configuration<R>& c, const State<R>& x, R torque, Vehicle<R>& 
   }
 
   const Vec3<R> velocity = x.velocity - u.gust;
-  put_actuators(vehicle_detail::wanted_angles(aircraft, c.setup.options, c.setup.mast_deg, u, velocity), s);
+  put_actuators(vehicle_parts::wanted_angles(aircraft, c.setup.options, c.setup.mast_deg, u, velocity), s);
 
   const AugmentationTables<R>& t = aircraft.systems.augmentation;
   for (R& way : s.series) way = R(0);
@@ -100,7 +100,7 @@ void settle(const Configuration<R>& c, const State<R>& x, R torque, Vehicle<R>& 
 template <class R>
 TurbulentAir<R> turbulent_air(const Configuration<R>& c, const State<R>& x, const Controls<R>& u,
                               const Vehicle<R>& v) {
-  const bool near = v.ground.down < vehicle_detail::kFarGround<R>;
+  const bool near = v.ground.down < vehicle_parts::kFarGround<R>;
   const R height = near ? v.ground.down - x.position.z : c.setup.altitude;
   return {height, length(x.velocity - u.gust), v.wind_20_ft};
 }

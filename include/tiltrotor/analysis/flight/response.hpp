@@ -22,7 +22,7 @@
 
 namespace tiltrotor {
 
-namespace response_detail {
+namespace flight_step {
 
 template <class R, class Policy>
 Status rodas3(const RightSide<R, Policy>& f, R time, R dt) {
@@ -272,7 +272,7 @@ Status advance(const Configuration<R>& c, MovingConfiguration<R>* moving, System
   return s.status;
 }
 
-}  // namespace response_detail
+}  // namespace flight_step
 
 // One step of dt, from edge to edge of the inputs inside it, in equal parts where the method would be
 // unstable (stable_step.hpp). Status: ok; not_finite or out_of_range (the flight has diverged: fault_state
@@ -284,8 +284,8 @@ template <class R, class Policy>
 Status advance(const Configuration<R>& c, SimulationWorkspace<R, Policy>& work, Simulation<R>& s,
                const R* xdot = nullptr) {
   if (s.status != Status::ok) return s.status;
-  return response_detail::advance(c, static_cast<MovingConfiguration<R>*>(nullptr),
-                                  static_cast<response_detail::SystemPart<R>*>(nullptr), work, s, xdot);
+  return flight_step::advance(c, static_cast<MovingConfiguration<R>*>(nullptr),
+                              static_cast<flight_step::SystemPart<R>*>(nullptr), work, s, xdot);
 }
 
 // The same, while masts and rotors move as the rates and accelerations of the setting carry them, every evaluation
@@ -300,8 +300,8 @@ Status advance_moving(MovingConfiguration<R>& moving, SimulationWorkspace<R, Pol
   Configuration<R>& c = *moving.configuration;
   if (!is_moving<R>(c.setup) && !moving.air_follows_altitude) return advance(c, work, s, xdot);
   const ConfigurationSetting<R> before = c.setup;
-  const Status status = response_detail::advance(
-      c, &moving, static_cast<response_detail::SystemPart<R>*>(nullptr), work, s, xdot);
+  const Status status =
+      flight_step::advance(c, &moving, static_cast<flight_step::SystemPart<R>*>(nullptr), work, s, xdot);
   if (status != Status::ok) {
     static_cast<ConfigurationSetting<R>&>(c.setup) = before;
     configure(c);
@@ -325,12 +325,14 @@ Status advance_vehicle(Configuration<R>& c, SystemFlight<R>& flight, SimulationW
   const bool happened = begin_step(*c.aircraft, s.state, current_controls(s), flight.vehicle, flight.state);
   if (happened || flight.vehicle.on.governor == Governor::ideal) xdot = nullptr;
   const Surroundings<R> around = c.around;
+  const Loads<R> outside = c.outside;
+  const R ground[] = {c.ground_wash[right], c.ground_wash[left], c.download};
   const State<R> now = current_state(s);
   const TurbulentAir<R> air = turbulent_air(c, now, current_controls(s), flight.vehicle);
   c.around = with_turbulence(c, now, current_controls(s), flight.vehicle, flight.state);
   MovingConfiguration<R> moving{&c, false, R(0), {}, R(0)};
-  response_detail::SystemPart<R> part{&flight, &c, c.setup};
-  const Status status = response_detail::advance(c, &moving, &part, work, s, xdot);
+  flight_step::SystemPart<R> part{&flight, &c, c.setup};
+  const Status status = flight_step::advance(c, &moving, &part, work, s, xdot);
   c.around = around;
   if (status == Status::ok) {
     if (flight.vehicle.on.turbulence) {
@@ -342,6 +344,10 @@ Status advance_vehicle(Configuration<R>& c, SystemFlight<R>& flight, SimulationW
     flight = before;
     static_cast<ConfigurationSetting<R>&>(c.setup) = setting;
     configure(c);
+    c.outside = outside;
+    c.ground_wash[right] = ground[0];
+    c.ground_wash[left] = ground[1];
+    c.download = ground[2];
   }
   return status;
 }

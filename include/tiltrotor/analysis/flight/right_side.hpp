@@ -50,7 +50,7 @@ struct SystemFlight {
   std::uint64_t steps;  // done so far: the number of a step's noise
 };
 
-namespace response_detail {
+namespace flight_step {
 
 // Places of the attitude and of the body rates among the active states: the first nine are alive always.
 inline constexpr int kRoll = kStateIndex.roll, kPitch = kStateIndex.pitch, kYaw = kStateIndex.yaw;
@@ -200,6 +200,6 @@ struct RightSide {
   }
 };
 
-}  // namespace response_detail
+}  // namespace flight_step
 
 }  // namespace tiltrotor

@@ -118,24 +118,16 @@ void move_consequence(ConfigurationParameter parameter, const C& by, Configurati
   if (parameter == P::download) c.download += by;
 }
 
-template <class T>
-ConfigurationSetting<T> converted(const ConfigurationSetting<Real<T>>& s) {
-  return {T(s.mast_deg), T(s.mast_rate),   T(s.mast_acceleration),
-          T(s.flap_deg), T(s.rotor_speed), T(s.rotor_acceleration),
-          T(s.altitude), T(s.mass),        T(s.sl_cg),
-          T(s.wl_cg)};
-}
+}  // namespace sensitivity_detail
 
 // The same numbers in the scalar T.
 template <class T, template <class> class Shape>
-void convert(const Shape<Real<T>>& from, Shape<T>& to) {
+void in_scalar(const Shape<Real<T>>& from, Shape<T>& to) {
   Real<T> flat[sizeof from / sizeof(Real<T>)];
   flatten(from, flat);
   const Real<T>* next = flat;
   Shape<T>::each(to, [&next](T& x) { x = T(*next++); });
 }
-
-}  // namespace sensitivity_detail
 
 // `c` in the scalar T, with parameter[k] moved by by[k], k < count: partials, a complex step, or a number. `c`
 // is as prepare() or reconfigure() left it.
@@ -143,7 +135,7 @@ template <class T>
 void moved_configuration(const Configuration<Real<T>>& c, const ConfigurationParameter* parameter,
                          const T* by, int count, Configuration<T>& moved) {
   static_cast<FixedSetup<Real<T>>&>(moved) = c;
-  static_cast<ConfigurationSetting<T>&>(moved.setup) = sensitivity_detail::converted<T>(c.setup);
+  static_cast<ConfigurationSetting<T>&>(moved.setup) = in_scalar<T>(c.setup);
   moved.setup.options = c.setup.options;
   moved.around = c.around;
   for (const Side side : {right, left}) moved.ground_wash[side] = T(c.ground_wash[side]);
@@ -246,8 +238,8 @@ Status configuration_sensitivity(const Configuration<R>& c, const State<R>& x, c
     T by[kParameterDirections];
     for (int k = 0; k < count; ++k) by[k] = T::variable(R(0), k);
     moved_configuration(c, columns.parameter + first, by, count, work.configuration);
-    sensitivity_detail::convert(x, work.x);
-    sensitivity_detail::convert(u, work.u);
+    in_scalar(x, work.x);
+    in_scalar(u, work.u);
     evaluate_aircraft(work.configuration, work.x, work.u, work.derivative, work.evaluation, azimuth);
     finite = sensitivity_detail::put_columns(work.evaluation, first, first + count, out) && finite;
   }

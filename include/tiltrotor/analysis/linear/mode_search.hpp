@@ -13,7 +13,7 @@
 
 namespace tiltrotor {
 
-namespace mode_search_detail {
+namespace mode_search {
 
 template <class R>
 constexpr bool is_pair(const Mode<R>& m) {
@@ -301,11 +301,11 @@ void name_set(ModeSet<R>& set, bool downwash_state) {
   number_names(set);
 }
 
-}  // namespace mode_search_detail
+}  // namespace mode_search
 
 template <class R>
 Status modes(const LinearModel<R>& model, ModesWorkspace<R>& work, ModeSet<R>& set) {
-  namespace d = mode_search_detail;
+  namespace d = mode_search;
   set.count = set.branches = 0;
   set.states = model.states;
   if (model.states < kRigidStates || model.states > kMaxLinearStates) return Status::bad_argument;
@@ -367,8 +367,7 @@ Status follow(const ModeSet<R>& previous, ModeSet<R>& current) {
     for (int i = 0; i < previous.count; ++i) {
       if (used[i]) continue;
       for (int j = 0; j < current.count; ++j) {
-        if (fixed[j] ||
-            mode_search_detail::is_pair(previous.mode[i]) != mode_search_detail::is_pair(current.mode[j]))
+        if (fixed[j] || mode_search::is_pair(previous.mode[i]) != mode_search::is_pair(current.mode[j]))
           continue;
         const R likeness = overlap(previous, i, current, j);
         if (likeness > best) {

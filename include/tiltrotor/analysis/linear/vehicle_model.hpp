@@ -215,8 +215,8 @@ void add_configuration_slopes(const Configuration<R>& c, const State<R>& x, cons
   }
   if (set.count == 0) return;
   Moved& at = *::new (static_cast<void*>(&work.stage)) Moved;
-  sensitivity_detail::convert(x, at.x);
-  sensitivity_detail::convert(demand.controls, at.u);
+  in_scalar(x, at.x);
+  in_scalar(demand.controls, at.u);
   for (int first = 0; first < set.count; first += kParameterDirections) {
     const int count = set.count - first < kParameterDirections ? set.count - first : kParameterDirections;
     T by[kParameterDirections];

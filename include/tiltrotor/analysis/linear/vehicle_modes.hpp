@@ -73,7 +73,7 @@ template <class R>
 RootShares<R> root_shares(const VehicleShape& shape, const Symmetry (&symmetry)[kMaxVehicleStates],
                           const Eigensystem<R, kMaxVehicleStates>& system, int k) {
   RootShares<R> out{};
-  mode_search_detail::describe_value(system.values.real[k], system.values.imag[k], out.mode);
+  mode_search::describe_value(system.values.real[k], system.values.imag[k], out.mode);
   out.mode.eigenvalue = k;
   R total = R(0);
   for (int i = 0; i < shape.states; ++i) total += participation(system, i, k);
@@ -123,7 +123,7 @@ VehicleMode<R> shown(const Mode<R>& m, R system_share) {
 template <class R>
 Status vehicle_modes(const VehicleShape& shape, VehicleModesWorkspace<R>& work, VehicleModes<R>& out) {
   namespace d = vehicle_modes_detail;
-  namespace names = mode_search_detail;
+  namespace names = mode_search;
   out.count = 0;
   const int n = shape.states;
   if (n < kRigidStates || n > kMaxVehicleStates) return Status::bad_argument;

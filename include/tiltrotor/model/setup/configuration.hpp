@@ -36,6 +36,15 @@ struct ConfigurationSetting {
   C sl_cg, wl_cg;        // CG at mast 0, m
 };
 
+// The same in the scalar T.
+template <class T>
+ConfigurationSetting<T> in_scalar(const ConfigurationSetting<Real<T>>& s) {
+  return {T(s.mast_deg), T(s.mast_rate),   T(s.mast_acceleration),
+          T(s.flap_deg), T(s.rotor_speed), T(s.rotor_acceleration),
+          T(s.altitude), T(s.mass),        T(s.sl_cg),
+          T(s.wl_cg)};
+}
+
 // What the user chooses. Defaults by mast angle: flight_setup().
 template <class C>
 struct FlightSetup : ConfigurationSetting<C> {
