@@ -48,7 +48,7 @@ extern "C" {
 #pragma GCC visibility push(default)
 #endif
 
-/* Vectors of other processors are padded: less is enough on a microcontroller. */
+/* Less is enough on a microcontroller. */
 #if defined(__ARM_ARCH_PROFILE) && __ARM_ARCH_PROFILE == 'M'
 #define TR_DOUBLE_WORK_SIZE 100352
 #define TR_SINGLE_WORK_SIZE 53248
@@ -110,8 +110,7 @@ typedef enum tr_status {
 
 /* ---- the aircraft ---- */
 
-/* Opaque. Plain memory without addresses: may be copied, moved and stored as a whole, and read back by
- * another process of the same program. */
+/* Opaque. Plain memory without addresses: may be copied, moved, stored, and read back by the same program. */
 typedef struct tr_sim {
   uint64_t reserved[TR_SIM_SIZE / 8];
 } tr_sim;
@@ -173,7 +172,7 @@ enum {
   TR_STATES = 72
 };
 
-/* Places after TR_ROTOR_RIGHT and TR_ROTOR_LEFT: x[TR_ROTOR_LEFT + TR_MEAN_INFLOW]. */
+/* After TR_ROTOR_RIGHT and TR_ROTOR_LEFT: x[TR_ROTOR_LEFT + TR_MEAN_INFLOW]. */
 enum { TR_B1C, TR_B1S, TR_B1C_RATE, TR_B1S_RATE, TR_MEAN_INFLOW, TR_COSINE_INFLOW, TR_SINE_INFLOW };
 
 /* Controls in the order of tr_state.u, with the ranges tr_set_controls accepts. */
@@ -191,9 +190,9 @@ enum {
   TR_LATERAL_CYCLIC,
   TR_GUST_U,
   TR_GUST_V,
-  TR_GUST_W, /* velocity of the air at the aircraft, body axes, m/s, within 50 */
-  TR_CONTROLS = 14,
-  TR_INPUTS = 19 /* with the commands of systems.h: see tr_control_name */
+  TR_GUST_W,        /* velocity of the air at the aircraft, body axes, m/s, within 50 */
+  TR_CONTROLS = 14, /* the commands of systems.h follow in linear models, up to: */
+  TR_INPUTS = 19
 };
 
 /* The state of a flight: restoring it replays bit for bit, what conditions.h changes being as it was. */
@@ -206,8 +205,7 @@ typedef struct tr_state {
   double roll_rad, yaw_rad, position_m[3];
 } tr_state;
 
-/* Fills `setup` with the defaults for a tr_aircraft and a mast angle, 0..90 deg.
- * TR_WRONG_VERSION, TR_BAD_ARGUMENT, TR_OUT_OF_RANGE. Cost: a few assignments. */
+/* The defaults for a tr_aircraft and a mast angle, 0..90 deg. TR_WRONG_VERSION, TR_BAD_ARGUMENT, TR_OUT_OF_RANGE. */
 tr_status tr_default_setup(tr_setup* setup, uint32_t version, int32_t aircraft, tr_real mast_deg);
 
 /* What tr_init would say of `setup`, and which field it refuses, in one line: "mass 2000 kg lies outside
@@ -218,7 +216,7 @@ tr_status tr_check_setup(const tr_setup* setup, uint32_t version, char* text, si
 
 /* The aircraft in this library: a tr_aircraft for place 0, 1, ..., 0 beyond the last. */
 int32_t tr_aircraft_at(int32_t place);
-/* "XV-15", and a line about it. Never NULL; "unknown" and "" for an aircraft that the library has not. */
+/* "XV-15", and a line about it. Never NULL; "unknown" and "" for others. */
 const char* tr_aircraft_name(int32_t aircraft);
 const char* tr_aircraft_description(int32_t aircraft);
 
@@ -227,7 +225,7 @@ const char* tr_aircraft_description(int32_t aircraft);
  * Cost: some 40 derivatives, once. */
 tr_status tr_init(tr_sim* sim, uint32_t version, const tr_setup* setup);
 
-/* Bytes the library really uses, for tools that place memory: at most TR_SIM_SIZE and TR_WORK_SIZE. */
+/* Bytes really used: at most TR_SIM_SIZE and TR_WORK_SIZE. */
 size_t tr_sim_size(void);
 size_t tr_work_size(void);
 
@@ -367,9 +365,9 @@ typedef struct tr_mode {
   char name[32];          /* short_period, dutch_roll, flap_regressing_sym, ... */
 } tr_mode;
 
-/* Modes of a linear model made by tr_linearize, longitudinal ones first; names depend on `a` alone.
- * `capacity` of shape->states is always enough; *count is the number found, with TR_SHORT_BUFFER the number
- * needed. TR_NOT_CONVERGED, TR_NOT_FINITE, TR_SHORT_BUFFER. Cost: about 25 n^3 multiplications. */
+/* Modes of a linear model made by tr_linearize, longitudinal ones first; names depend on `a` alone. `capacity` of
+ * shape->states is always enough; *count is the number found, with TR_SHORT_BUFFER that needed. TR_NOT_CONVERGED,
+ * TR_NOT_FINITE, TR_SHORT_BUFFER. Cost: about 25 n^3 multiplications. */
 tr_status tr_modes(tr_work* work, const tr_linear_shape* shape, const tr_real* a, size_t a_length,
                    tr_mode* modes, size_t capacity, size_t* count);
 

@@ -5,9 +5,10 @@ static const tr_real frame_s = (tr_real)0.005;
 
 static tr_sim sim;
 static tr_work work;
-static tr_real a[TR_MAX_LINEAR_STATES * TR_MAX_LINEAR_STATES];
-static tr_real b[TR_MAX_LINEAR_STATES * 4];
-static tr_real eigenvalue_real[TR_MAX_LINEAR_STATES], eigenvalue_imag[TR_MAX_LINEAR_STATES];
+enum { states = 23 }; /* of the linear model: coning is constant, systems are off */
+static tr_real a[states * states];
+static tr_real b[states * 4];
+static tr_real eigenvalue_real[states], eigenvalue_imag[states];
 static tr_linear_shape shape;
 
 /* ---- text ---- */

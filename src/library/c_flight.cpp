@@ -1,7 +1,4 @@
-// The C interface: trim and steps of time.
-#include <cmath>
-#include <limits>
-
+// The C interface: steps of time.
 #include "library/c_fault.hpp"
 #include "library/c_linear.hpp"
 #include "library/c_outputs.hpp"
@@ -20,20 +17,6 @@ tr_status check_step(Sim& s, const tr_work* work, R dt) {
   if (work == nullptr) return noted(s, TR_BAD_ARGUMENT);
   if (!is_finite(dt)) return noted(s, TR_NOT_FINITE);
   return dt > R(0) && dt <= kLongestFrame ? TR_OK : noted(s, TR_OUT_OF_RANGE);
-}
-
-constexpr int kGroundRounds = 6;
-
-// To the tolerance of a trim.
-bool is_near(const State<R>& a, const State<R>& b) {
-  R one[state_count], other[state_count];
-  flatten(a, one);
-  flatten(b, other);
-  for (int i = 0; i < state_count; ++i)
-    if (!(std::fabs(one[i] - other[i]) <
-          R(64) * std::numeric_limits<R>::epsilon() * (R(1) + std::fabs(one[i]))))
-      return false;
-  return true;
 }
 
 // One step; `xdot`: the rates at its beginning, or nullptr.
@@ -70,51 +53,6 @@ tr_status step(Sim& s, tr_work* work, R dt, const R* xdot) {
 }  // namespace tiltrotor::c_interface
 
 namespace tiltrotor::c_interface::checked {
-
-tr_status tr_trim(tr_sim* sim, tr_work* work, const tr_flight* flight, tr_trim_result* result) {
-  const tr_status ready = check(sim);
-  if (ready != TR_OK) return ready;
-  if (work == nullptr || flight == nullptr) return TR_BAD_ARGUMENT;
-  Sim& s = *opened(sim);
-  TrimCallWorkspace& call = workspace_in<TrimCallWorkspace>(work);
-  const SteadyFlight<R> wanted = {flight->speed_mps, flight->climb_rad, flight->turn_rate_radps,
-                                  flight->sideslip_rad, s.u.gust};
-  // A driven mast stands while a trim is looked for.
-  equipped(s, call.configuration);
-  if (s.systems.vehicle.on.conversion && is_moving<R>(call.configuration.setup)) {
-    call.configuration.setup.mast_rate = call.configuration.setup.mast_acceleration = R(0);
-    configure(call.configuration);
-  }
-  TrimStatus status = trim(call.configuration, wanted, call.workspace, call.result);
-  // Gear and ground depend on what is found: a few rounds, each a trim from its beginning.
-  for (int round = 0; round < kGroundRounds && is_trimmed(status); ++round) {
-    const State<R> before = call.result.state;
-    const Controls<R> controls = call.result.controls;
-    if (!meet_ground_in_flight(s, before, controls, call.configuration)) break;
-    status = trim(call.configuration, wanted, call.workspace, call.result);
-    if (is_near(before, call.result.state)) break;
-  }
-  if (result != nullptr) {
-    result->iterations = call.result.iterations;
-    result->attempts = call.result.attempts;
-    result->residual = call.result.residual;
-    explain(call.result, result->text, static_cast<int>(sizeof result->text));
-  }
-  if (is_trimmed(status)) {
-    const R heading = s.x.yaw;
-    const Vec3<R> position = s.x.position;
-    keep(call.configuration, s);
-    s.x = call.result.state;
-    s.x.yaw = heading;
-    s.x.position = position;
-    s.u = call.result.controls;
-    follow(s.x, s.travel);
-    settle_systems(s);
-    s.time = 0;
-    s.steps = 0;
-  }
-  return translated(status);
-}
 
 tr_status tr_step(tr_sim* sim, tr_work* work, tr_real dt) {
   const tr_status ready = check(sim);

@@ -51,11 +51,10 @@ inline const Configuration<R>& equipped(const Sim& s, Configuration<R>& copy) {
 // The state as the equations of motion see it: bank and heading within half a turn.
 inline State<R> evaluated_state(const Sim& s) { return without_turns(s.x, s.travel); }
 
-// One group of members at a time. The explicit integrator needs no Jacobian, hence the small workspace of
-// NumDiff.
+// One group of members at a time.
 struct StepCallWorkspace {
   Configuration<R> configuration;
-  SimulationWorkspace<R, NumDiff> workspace;
+  SimulationWorkspace<R, NoDifferentiation> workspace;
   Simulation<R> simulation;
 };
 struct TrimCallWorkspace {

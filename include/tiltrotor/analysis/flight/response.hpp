@@ -61,7 +61,10 @@ Status explicit_or_rodas3(const RightSide<R, Policy>& f, Integrator integrator, 
     case Integrator::rk4:
       return rk4_step(f, {time, dt, work.x, n, known}, work.method.runge_kutta);
     case Integrator::rodas3:
-      return f.systems == nullptr ? rodas3(f, time, dt) : Status::bad_argument;
+      if constexpr (!std::is_same_v<Policy, NoDifferentiation>) {
+        if (f.systems == nullptr) return rodas3(f, time, dt);
+      }
+      return Status::bad_argument;
   }
   return Status::bad_argument;
 }

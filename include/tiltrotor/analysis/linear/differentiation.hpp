@@ -99,6 +99,12 @@ struct NumDiff {
   }
 };
 
+// For a simulation by explicit methods alone, without code and memory for a Jacobian: rodas3 is then a bad argument.
+struct NoDifferentiation : NumDiff {
+  template <class R, int N, int MaxInputs, int MaxOutputs>
+  struct Workspace {};
+};
+
 // Which policy the analyses use unless told otherwise: 1 makes the comparison build with numerical
 // differences.
 #ifndef TILTROTOR_NUMERICAL_DIFFERENCES
