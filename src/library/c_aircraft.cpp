@@ -100,11 +100,13 @@ tr_setup setup_of(const FlightSetup<R>& setup) {
 }
 
 tr_status make(const FlightSetup<R>& setup, tr_sim* sim) {
-  Configuration<R> configuration;
-  const Status status = prepare(aircraft_data<R>(), setup, configuration);
-  if (status != Status::ok) return translated(status);
+  if (first_out_of_range(aircraft_data<R>(), setup).field != SetupField::none) return TR_OUT_OF_RANGE;
+  // In place: a stack may have no room for a second one.
   Sim& s = *::new (static_cast<void*>(sim->reserved)) Sim;
-  keep(configuration, s);
+  s.mark = 0;
+  const Status status = prepare(aircraft_data<R>(), setup, s.configuration);
+  if (status != Status::ok) return translated(status);
+  s.configuration.aircraft = nullptr;
   s.x = State<R>{};
   s.travel = Travel{};
   s.u = Controls<R>{};
@@ -216,12 +218,14 @@ tr_status tr_set_state(tr_sim* sim, const tr_state* state) {
   if (state == nullptr) return noted(s, TR_BAD_ARGUMENT);
   const StateCheck found = check_state(*state);
   if (found.status != TR_OK) return noted(s, found.status, found.state, found.control);
-  const Sim before = s;
+  tr_state before;
+  get_state(s, before);
   put_state(*state, s);
   const tr_status with_systems = follow_systems(s);
   const tr_status in_air = with_systems == TR_OK ? follow_air(s) : with_systems;
   if (in_air == TR_OK) return TR_OK;
-  s = before;
+  put_state(before, s);
+  follow_systems(s);
   return noted(s, in_air, with_systems == TR_OK ? int{TR_DOWN} : int{TR_MAST});
 }
 
