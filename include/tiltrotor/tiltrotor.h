@@ -18,8 +18,7 @@
  * unless the function says otherwise, and the aircraft is as it was but for tr_last_fault. Null pointers,
  * NaN, infinities, short arrays, numbers out of range, a wrong version and an aircraft that is not
  * initialised are all found and reported; so is a processor set to another rounding mode than to nearest or to
- * take the smallest numbers for zero, by every call that computes (TR_BAD_ARITHMETIC). The content of a tr_sim
- * that a call of tr_init has filled must not be written by anything else.
+ * take the smallest numbers for zero, by every call that computes (TR_BAD_ARITHMETIC). Nothing else writes a tr_sim.
  *
  * Units: SI and radians unless the name says otherwise. Body axes x forward, y right, z down; attitude 3-2-1
  * Euler. Right rotor first.
@@ -201,7 +200,7 @@ typedef struct tr_state {
   uint64_t steps; /* done so far */
   tr_real x[TR_STATES];
   tr_real u[TR_CONTROLS];
-  /* What adds up, as it is kept: in double precision whatever tr_real is. x holds the same, rounded. */
+  /* What adds up, in double precision whatever tr_real is. x holds the same, rounded. */
   double roll_rad, yaw_rad, position_m[3];
 } tr_state;
 
@@ -231,9 +230,8 @@ size_t tr_work_size(void);
 
 /* ---- flying ---- */
 
-/* Sets the first `length` controls (1..TR_CONTROLS), in force from the next step; the others keep their
- * value. One bad number and none is set. TR_NOT_FINITE, TR_OUT_OF_RANGE, TR_BAD_ARGUMENT. Cost: a few
- * comparisons. */
+/* Sets the first `length` controls (1..TR_CONTROLS), in force from the next step; the others keep their value. One bad
+ * number and none is set. TR_NOT_FINITE, TR_OUT_OF_RANGE, TR_BAD_ARGUMENT. Cost: a few comparisons. */
 tr_status tr_set_controls(tr_sim* sim, const tr_real* controls, size_t length);
 
 /* One step of 0 < dt <= 0.02 s, controls held, by a Runge-Kutta method: of order 3 up to 0.01 s, of order 4
@@ -303,7 +301,7 @@ typedef struct tr_trim_result {
   int32_t iterations; /* Newton steps */
   int32_t attempts;   /* 1: the cold start converged; more: continuation from an easier flight */
   tr_real residual;   /* largest left over, accelerations over gravity */
-  char text[160];     /* how it ended; counts the longitudinal stick 0..9.6 in, neutral 4.8 */
+  char text[160];     /* how it ended; the longitudinal stick counts 0..9.6 in, neutral 4.8 */
 } tr_trim_result;
 
 /* Puts the aircraft in steady flight: state and inceptors. Heading, position and gust stay; the other
@@ -373,7 +371,7 @@ tr_status tr_modes(tr_work* work, const tr_linear_shape* shape, const tr_real* a
 
 /* ---- words and hashes ---- */
 
-/* Never NULL; "unknown" and "" for a number out of range. */
+/* Never NULL; "unknown" and "" out of range. */
 const char* tr_status_word(int32_t status);
 const char* tr_status_text(int32_t status);
 const char* tr_state_name(int32_t index);
@@ -384,9 +382,8 @@ const char* tr_version(void); /* of the library, "0.2.0" */
 
 #define TR_HASH_START UINT64_C(14695981039346656037)
 
-/* Continues *hash (begin with TR_HASH_START) over the bits of `length` numbers: FNV-1a, least significant
- * byte first on every machine. Equal hashes of two flights: they agree bit for bit. Cost: 8 multiplications a
- * number. */
+/* Continues *hash (begin with TR_HASH_START) over the bits of `length` numbers: FNV-1a, least significant byte first
+ * on every machine. Equal hashes: two flights agree bit for bit. Cost: 8 multiplications a number. */
 tr_status tr_hash(const tr_real* numbers, size_t length, uint64_t* hash);
 
 #ifdef __GNUC__

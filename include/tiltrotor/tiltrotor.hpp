@@ -23,6 +23,8 @@
 #include "tiltrotor/analysis/linear/linear_eigenvalues.hpp"
 #include "tiltrotor/analysis/linear/mode_tracker.hpp"
 #include "tiltrotor/analysis/linear/output_model.hpp"
+#include "tiltrotor/analysis/linear/system_gains.hpp"
+#include "tiltrotor/analysis/linear/vehicle_modes.hpp"
 #include "tiltrotor/math/differentiation/complex_step.hpp"
 #include "tiltrotor/math/tables/table_slopes.hpp"
 #include "tiltrotor/model/aircraft/aircraft_data.hpp"

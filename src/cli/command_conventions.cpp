@@ -7,7 +7,7 @@
 #include "cli/errors.hpp"
 #include "text/sink.hpp"
 #include "tiltrotor/model/variables/controls.hpp"
-#include "tiltrotor/model/variables/state.hpp"
+#include "tiltrotor/systems/system_state.hpp"
 
 namespace tiltrotor::cli {
 
@@ -66,7 +66,8 @@ std::string listed(const char* title, const Table& variables) {
 int run(const Arguments&) {
   Sink sink("-", "");
   sink.write(text);
-  sink.write(listed("States", kStateVariables) + listed("Inputs", kControlVariables));
+  sink.write(listed("States", kStateVariables) + listed("Systems", kSystemVariables) +
+             listed("Inputs", kControlVariables) + listed("Commands", kCommandVariables));
   sink.finish();
   return exit_success;
 }

@@ -144,7 +144,7 @@ TEST(capi_every_state_is_bounded_where_a_step_can_go) {
   int flown = 0;
   for (const tr_sim& sim : {trimmed_sim(30, 50), coning}) {
     const tr_state good = state_of(sim);
-    for (int i = 0; i < TR_STATES; ++i) {
+    for (int i = 0; i < TR_MAST; ++i) {
       for (const tr_real sign : {tr_real(1), tr_real(-1)}) {
         tr_state state = good;
         state.x[i] = sign * bound(i) * (1 - 2 * std::numeric_limits<tr_real>::epsilon());

@@ -110,7 +110,7 @@ Way random_way(std::mt19937& random) {
     return tr_real(size * (2.0 * double(random()) / 4294967295.0 - 1));
   };
   Way way;
-  for (std::size_t i = 0; i < TR_STATES; ++i) way.dx[i] = between(i < TR_P || i >= TR_NORTH ? 1 : 0.05);
+  for (std::size_t i = 0; i < TR_MAST; ++i) way.dx[i] = between(i < TR_P || i >= TR_NORTH ? 1 : 0.05);
   for (std::size_t j = 0; j < TR_CONTROLS; ++j) way.du[j] = between(j >= TR_GUST_U ? 1 : 0.05);
   return way;
 }
@@ -216,7 +216,7 @@ TEST(capi_directions_equal_complex_steps) {
       flatten(rates, rate);
       flatten(read, reading);
       Change expected;
-      for (std::size_t i = 0; i < TR_STATES; ++i) expected.dxdot[i] = rate[i].imag() / step;
+      for (std::size_t i = 0; i < TR_MAST; ++i) expected.dxdot[i] = rate[i].imag() / step;
       for (const Complex& r : reading) expected.outputs.push_back(r.imag() / step);
       const Change found = along(sim, way);
       worst =

@@ -201,7 +201,7 @@ TEST(capi_linear_model_covers_the_systems) {
       return std::any_of(modes.begin(), modes.begin() + long(count),
                          [&](const tr_mode& k) { return name == k.name; });
     };
-    CHECK(has("phugoid") && has("elevator") && has("flap"));
+    CHECK(has("phugoid") && has("elevator_angle") && has("flap"));
   }
 }
 

@@ -27,8 +27,12 @@ TEST(capi_words) {
   CHECK_EQ(std::string(tr_state_unit(TR_DOWN)), "m");
   CHECK_EQ(std::string(tr_control_name(TR_PEDAL)), "pedal");
   CHECK_EQ(std::string(tr_control_unit(TR_GUST_W)), "m/s");
+  CHECK_EQ(std::string(tr_state_name(TR_ROTOR_SPEED)), "rotor_speed");
+  CHECK_EQ(std::string(tr_state_unit(TR_POWER_LEFT)), "W");
+  CHECK_EQ(std::string(tr_control_name(TR_CONTROLS)), "mast_command");
+  CHECK_EQ(std::string(tr_control_unit(TR_INPUTS - 1)), "-");
   for (const int index : {-1, int{TR_STATES}}) CHECK_EQ(std::string(tr_state_name(index)), "unknown");
-  for (const int index : {-1, int{TR_CONTROLS}}) CHECK_EQ(std::string(tr_control_unit(index)), "");
+  for (const int index : {-1, int{TR_INPUTS}}) CHECK_EQ(std::string(tr_control_unit(index)), "");
   CHECK(std::strlen(tr_version()) >= 5);
 }
 

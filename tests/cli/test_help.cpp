@@ -66,8 +66,12 @@ TEST(cli_conventions_name_every_state_and_input) {
   const std::string text = run_tiltrotor("conventions").out;
   std::istringstream words(text.substr(text.find("\nStates ") + 8));
   std::string word;
-  for (int i = 0; i < TR_STATES; ++i) CHECK(words >> word && word == tr_state_name(i));
+  for (int i = 0; i < TR_MAST; ++i) CHECK(words >> word && word == tr_state_name(i));
+  CHECK(words >> word && word == "Systems");
+  for (int i = TR_MAST; i < TR_STATES; ++i) CHECK(words >> word && word == tr_state_name(i));
   CHECK(words >> word && word == "Inputs");
   for (int j = 0; j < TR_CONTROLS; ++j) CHECK(words >> word && word == tr_control_name(j));
+  CHECK(words >> word && word == "Commands");
+  for (int j = TR_CONTROLS; j < TR_INPUTS; ++j) CHECK(words >> word && word == tr_control_name(j));
   CHECK(!(words >> word));
 }

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "capi/same_aircraft.hpp"
+#include "fuzz/change_systems.hpp"
 #include "fuzz/target.hpp"
 #include "tiltrotor/tiltrotor.h"
 
@@ -262,8 +263,9 @@ void find_eigenvalues(Workspace& workspace, fuzz::Bytes& in) {
   for (std::size_t i = 0; i < kSquare; ++i) matrix[i] = i < n * n ? in.number() : 0;
   tr_real real[TR_MAX_LINEAR_STATES];
   tr_real imag[TR_MAX_LINEAR_STATES];
-  const tr_status status =
-      tr_eigenvalues(&workspace.work, matrix, n, real, imag, in.below(4) == 0 ? in.byte() % 28u : 27u);
+  const tr_status status = tr_eigenvalues(
+      &workspace.work, matrix, n, real, imag,
+      in.below(4) == 0 ? in.byte() % (TR_MAX_LINEAR_STATES + 1u) : unsigned{TR_MAX_LINEAR_STATES});
   REQUIRE(known(status));
   if (status == TR_OK) REQUIRE(all_finite(real, n) && all_finite(imag, n));
 }
@@ -290,6 +292,8 @@ void call_with_nothing(Workspace& workspace, fuzz::Bytes& in) {
   REQUIRE(tr_get_configuration(sim, nullptr) != TR_OK && tr_set_configuration(sim, nullptr) != TR_OK);
   REQUIRE(tr_default_environment(nullptr) != TR_OK && tr_set_environment(sim, nullptr) != TR_OK);
   REQUIRE(tr_set_loads(sim, nullptr, 1) != TR_OK);
+  REQUIRE(tr_default_systems(nullptr) != TR_OK && tr_get_systems(sim, nullptr) != TR_OK);
+  REQUIRE(tr_set_systems(sim, nullptr) != TR_OK);
   REQUIRE(tr_linearize_outputs(sim, nullptr, 1, nullptr, 0, nullptr, 0) != TR_OK);
   const auto number = in.raw<std::int32_t>();
   REQUIRE(tr_aircraft_at(number) >= 0 && tr_aircraft_name(number) != nullptr &&
@@ -368,6 +372,7 @@ FUZZ_TARGET(c_interface) {
         break;
       case 12:
         change_conditions(sim, in);
+        change_systems(sim, in);
         break;
       default:
         call_with_nothing(workspace, in);

@@ -220,6 +220,7 @@ TEST(options_of_mass_controls_and_states) {
   check_switch({0}, 0, [](Options& o) { o.cyclic_rigging = false; });
   check_switch({}, tilt, [](Options& o) { o.flap_angular_acceleration = true; });
   check_switch({}, 0, [](Options& o) { o.position_states = true; });
+  check_switch({}, 0, [](Options& o) { o.governor = Governor::pi; });  // of linear models and flights
   check_switch({}, jets | kAcceleration, [](Options& o) { o.engine_jets = true; });
   check_switch({0}, kBladeLoads, [](Options& o) { o.lateral_cyclic = true; });
 }

@@ -102,7 +102,7 @@ inline double bound(int state) { return std::min(state_bound<double>(state), 1e6
 inline tr_state random_state(Generator& random, Corner corner, double hover_wash) {
   tr_state s{};
   const double edges[] = {0, -0.0, 1e-310, -1e-310, 1e-8, -1e-8, 0.25, -0.25, 1, -1};
-  for (int i = 0; i < TR_STATES; ++i) {
+  for (int i = 0; i < TR_MAST; ++i) {
     const double share = corner == at_the_edges ? edges[random.below(10)] : random.between(-1, 1);
     // Most flapping and inflow states of the corners are those of a working rotor.
     const bool rotor = i >= TR_ROTOR_RIGHT && i < TR_NORTH;
@@ -132,7 +132,7 @@ inline tr_state random_state(Generator& random, Corner corner, double hover_wash
       s.x[TR_ROLL] = 3.14159265358979 + random.between(-0.3, 0.3);
       break;
     case beyond: {
-      const int i = random.below(TR_STATES - 3);
+      const int i = random.below(TR_NORTH);
       s.x[i] = (random.chance(0.5) ? 1 : -1) * bound(i) * std::pow(10, random.between(0.001, 300));
       if (i == TR_YAW || std::isinf(s.x[i])) s.x[TR_PITCH] = 1.6;
       if (std::isinf(s.x[i])) s.x[i] = 0;
@@ -141,7 +141,7 @@ inline tr_state random_state(Generator& random, Corner corner, double hover_wash
     case not_a_number: {
       const double bad[] = {std::nan(""), HUGE_VAL, -HUGE_VAL};
       double* const place =
-          random.chance(0.7) ? &s.x[random.below(TR_STATES)] : &s.u[random.below(TR_CONTROLS)];
+          random.chance(0.7) ? &s.x[random.below(TR_MAST)] : &s.u[random.below(TR_CONTROLS)];
       *place = bad[random.below(3)];
       break;
     }

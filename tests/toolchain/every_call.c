@@ -26,6 +26,7 @@ int main(void) {
   tr_configuration configuration;
   tr_environment environment;
   tr_load load;
+  tr_systems systems;
   tr_fault fault;
   tr_mass mass;
   tr_motion motion;
@@ -55,6 +56,9 @@ int main(void) {
   print("default_environment", tr_default_environment(&environment));
   print("set_environment", tr_set_environment(&sim, &environment));
   print("set_loads", tr_set_loads(&sim, &load, 1));
+  print("default_systems", tr_default_systems(&systems));
+  print("get_systems", tr_get_systems(&sim, &systems));
+  print("set_systems", tr_set_systems(&sim, &systems));
   print("save", tr_save(&sim, saved, sizeof saved, &used));
   print("load_saved", tr_load_saved(&sim, TR_API_VERSION, saved, sizeof saved));
   print("derivative", tr_derivative(&sim, rates, TR_STATES));

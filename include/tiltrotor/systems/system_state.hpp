@@ -45,9 +45,9 @@ struct SystemState {
     visit(s.collective[left], Variable{"collective_L", K::actuator, rot, left});
     visit(s.long_cyclic[right], Variable{"cyclic_R", K::actuator, rot, right});
     visit(s.long_cyclic[left], Variable{"cyclic_L", K::actuator, rot, left});
-    visit(s.elevator, Variable{"elevator", K::actuator, lon});
-    visit(s.aileron, Variable{"aileron", K::actuator, lat});
-    visit(s.rudder, Variable{"rudder", K::actuator, lat});
+    visit(s.elevator, Variable{"elevator_angle", K::actuator, lon});
+    visit(s.aileron, Variable{"aileron_angle", K::actuator, lat});
+    visit(s.rudder, Variable{"rudder_angle", K::actuator, lat});
     visit(s.series[0], Variable{"scas_pitch", K::series_actuator, lon});
     visit(s.series[1], Variable{"scas_roll", K::series_actuator, lat});
     visit(s.series[2], Variable{"scas_yaw", K::series_actuator, lat});
