@@ -17,7 +17,7 @@ namespace tiltrotor::cli {
 namespace {
 
 std::vector<Command> all_commands() {
-  return {trim_command(),  linearize_command(), modes_command(),  respond_command(),     derivative_command(),
+  return {trim_command(),  linearize_command(), modes_command(),  respond_command(), fly_command(), derivative_command(),
           loads_command(), rotor_command(),     report_command(), conventions_command(), version_command()};
 }
 
