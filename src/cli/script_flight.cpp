@@ -25,6 +25,8 @@ constexpr double kTouched = 0.02;       // weight on wheels, of the weight
 constexpr double kLanded = 0.3;         // from here on the pilot takes the thrust off
 constexpr double kForceTrim = 2;        // dead bands of the attitude hold
 constexpr double kLiftOffRate = 0.3;    // of the usual rates of the levers, while wheels carry
+const double kAhead = getenv("AHEAD") ? atof(getenv("AHEAD")) : 0.5;
+const double kQuickened = getenv("QU") ? atof(getenv("QU")) : 0.2;
 constexpr double kSettling = 10;        // s on the wheels before the time begins
 
 // Velocity relative to the air in axes along the heading: forward, to the right, down.
@@ -64,6 +66,7 @@ struct ScriptFlight::Parts {
   GroundHandling ground{};
   ScriptInputs inputs;
   bool parked = false, lands = false;
+  double followed = 0;  // by the engines, of the throttle
   double rotor_target = 0;  // rad/s
   std::size_t next = 0;     // event
   FlightMoment moment{};
@@ -112,6 +115,7 @@ struct ScriptFlight::Parts {
     settle(c, x, evaluation.rotor[right].loads.torque + evaluation.rotor[left].loads.torque, flight.vehicle,
            flight.state, u);
     rotor_target = c.setup.rotor_speed;
+    followed = flight.vehicle.commands.throttle[right];
     begin(x, u);
     aims.holds_speed = true;
     aims.speed = levelled(x).x;
@@ -382,7 +386,13 @@ struct ScriptFlight::Parts {
   pilot::PilotGains gains() const {
     const bool holds = memory.has_begun && (aims.holds_speed || aims.holds_position);
     const double speed = holds ? memory.speed : levelled(simulation.state).x;
-    return training.at(c.setup.mast_deg, speed, flight.vehicle.commands.rotor_speed, flight.vehicle.on);
+    const double turning = flight.vehicle.commands.rotor_speed, mast_deg = c.setup.mast_deg;
+    const SystemSwitches& on = flight.vehicle.on;
+    pilot::PilotGains found = training.at(mast_deg, speed, turning, on);
+    // Sticks move at once, the attitude later.
+    const double soon_deg = mast_deg + kAhead * c.setup.mast_rate * kDegPerRad<double>;
+    found.pitch = training.at(soon_deg, speed + kAhead * memory.acceleration, turning, on).pitch;
+    return found;
   }
 
   // Hands and throttles for the next step.
@@ -413,6 +423,13 @@ struct ScriptFlight::Parts {
       c.setup.rotor_speed = commands.rotor_speed;
   }
 
+  // The throttle ahead of the engines' lag, of which kQuickened is left.
+  double lead(double throttle) {
+    if (parked) return followed = throttle;
+    followed += start.dt / kQuickened * (throttle - followed);
+    return throttle + (aircraft.systems.drive.power_lag / kQuickened - 1) * (throttle - followed);
+  }
+
   void act() {
     if (lands && moment.weight_on_wheels > kLanded) {
       lands = false;
@@ -422,12 +439,13 @@ struct ScriptFlight::Parts {
     }
     move_references();
     const pilot::PilotOutput out = hands();
+    const double leading = lead(out.throttle);
     double u[control_count + 2] = {};
     u[kControlIndex.collective] = out.collective;
     u[kControlIndex.long_stick] = out.long_stick;
     u[kControlIndex.lat_stick] = out.lat_stick;
     u[kControlIndex.pedal] = out.pedal;
-    u[kFirstThrottle] = u[kFirstThrottle + 1] = std::clamp(out.throttle * throttle_share(), 0.0, 1.0);
+    u[kFirstThrottle] = u[kFirstThrottle + 1] = std::clamp(leading * throttle_share(), 0.0, 1.0);
     inputs.apply(time(), u);
     for (const Side side : {right, left}) flight.vehicle.commands.throttle[side] = u[kFirstThrottle + side];
     unflatten(u, simulation.controls);
