@@ -26,7 +26,7 @@ constexpr Range kSteps{0.002, 0.02, "s"};
 constexpr Range kHeights{1, 10000, "m"};
 constexpr Range kEvery{0, 3600, "s"};
 constexpr Range kModes{0.02, 3600, "s"};
-constexpr double kUsualModes = 5;    // s
+constexpr double kUsualModes = 5;     // s
 constexpr double kUsualHeight = 300;  // m
 
 bool chooses_grid(const Arguments& arguments) {
@@ -59,7 +59,8 @@ class Companions {
   explicit Companions(const Arguments& arguments) : subject_(arguments.text("--script", "")) {
     every_ = arguments.number("--modes-every", kUsualModes, kModes);
     if (arguments.given("--modes-every") && !arguments.given("--modes") && !arguments.given("--figures"))
-      throw UsageError(arguments.where("--modes-every") + ": of --modes or --figures, neither of which is given");
+      throw UsageError(arguments.where("--modes-every") +
+                       ": of --modes or --figures, neither of which is given");
     if (arguments.given("--modes")) {
       sink_ = std::make_unique<text::Sink>(arguments.text("--modes", ""), arguments.where("--modes"));
       modes_ = std::make_unique<text::Records>(
@@ -114,7 +115,8 @@ class Companions {
 };
 
 int run(const Arguments& arguments) {
-  if (!arguments.given("--script")) throw UsageError(arguments.where("--script") + ": is missing; give a file");
+  if (!arguments.given("--script"))
+    throw UsageError(arguments.where("--script") + ": is missing; give a file");
   const FlightScript script = read_flight_script(arguments.text("--script", ""));
   const FlightStart start = read_start(arguments);
   std::string all;
@@ -122,7 +124,8 @@ int run(const Arguments& arguments) {
   const std::vector<std::size_t> columns =
       chosen_columns(arguments.text("--columns", all), arguments.where("--columns"));
   const double every = arguments.number("--every", 0.1, kEvery);
-  const std::size_t thinned = std::max<std::size_t>(1, static_cast<std::size_t>(std::lround(every / start.dt)));
+  const std::size_t thinned =
+      std::max<std::size_t>(1, static_cast<std::size_t>(std::lround(every / start.dt)));
   Companions companions(arguments);
   Output output(arguments);
   std::vector<std::string> names;
@@ -191,12 +194,13 @@ const std::string& description() {
 }  // namespace
 
 Command fly_command() {
-  return {"fly",
-          "the whole vehicle flown by a script, from the ground to the ground",
-          description().c_str(),
-          "tiltrotor fly --script src/examples/mission.txt --every 1 --columns time_s,height_m,airspeed_mps,mast_deg",
-          options() + SetupOptions::list() + output_list(),
-          run};
+  return {
+      "fly",
+      "the whole vehicle flown by a script, from the ground to the ground",
+      description().c_str(),
+      "tiltrotor fly --script src/examples/mission.txt --every 1 --columns time_s,height_m,airspeed_mps,mast_deg",
+      options() + SetupOptions::list() + output_list(),
+      run};
 }
 
 }  // namespace tiltrotor::cli

@@ -92,8 +92,7 @@ std::vector<std::size_t> chosen_columns(const std::string& list, const std::stri
   while (begin <= list.size()) {
     const std::size_t end = std::min(list.find(',', begin), list.size());
     const std::string name(csv::trimmed(std::string_view(list).substr(begin, end - begin)));
-    const std::size_t place =
-        static_cast<std::size_t>(std::find(all.begin(), all.end(), name) - all.begin());
+    const std::size_t place = static_cast<std::size_t>(std::find(all.begin(), all.end(), name) - all.begin());
     if (place == all.size())
       throw UsageError(where + ": no column " + quoted(name) + did_you_mean(name, all) + "; choose " +
                        one_of(all));

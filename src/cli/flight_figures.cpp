@@ -74,14 +74,14 @@ std::string FlightFigures::motion(const std::string& subject) const {
   constexpr double kilo = 1e3;
   plots[0].series = {line(moments_, "", plot::kBlue, [](const FlightMoment& m) { return m.height; })};
   plots[1].series = {line(moments_, "", plot::kBlue, [](const FlightMoment& m) { return m.airspeed; })};
-  plots[2].series = {line(moments_, "mast", plot::kBlue, [](const FlightMoment& m) { return m.mast_deg; }),
-                     line(moments_, "flaps", plot::kOrange, [](const FlightMoment& m) { return m.flap_deg; })};
+  plots[2].series = {
+      line(moments_, "mast", plot::kBlue, [](const FlightMoment& m) { return m.mast_deg; }),
+      line(moments_, "flaps", plot::kOrange, [](const FlightMoment& m) { return m.flap_deg; })};
   plots[2].series[1].line = plot::Line::dashed;
-  plots[3].series = {
-      line(moments_, "engines", plot::kBlue,
-           [](const FlightMoment& m) { return (m.power[right] + m.power[left]) / kilo; }),
-      line(moments_, "take-off power", plot::kOrange,
-           [](const FlightMoment& m) { return 2 * m.power_allowed / kilo; })};
+  plots[3].series = {line(moments_, "engines", plot::kBlue,
+                          [](const FlightMoment& m) { return (m.power[right] + m.power[left]) / kilo; }),
+                     line(moments_, "take-off power", plot::kOrange,
+                          [](const FlightMoment& m) { return 2 * m.power_allowed / kilo; })};
   plots[3].series[1].line = plot::Line::dashed;
   plots[3].y.low = 0;
   for (std::size_t i = 1; i < plots.size(); ++i) plots[i].y.low = 0;

@@ -25,8 +25,7 @@ Status FlightModes::find(const ScriptFlight& flight) {
   w.found.count = 0;
   const Status status = linearize_vehicle(
       systems.vehicle, w.configuration, now.state, now.systems, now.controls, shape, w.model, rates,
-      system_rates, [&w](int i, int j, double slope) { w.modes.a(i, j) = slope; },
-      [](int, int, double) {});
+      system_rates, [&w](int i, int j, double slope) { w.modes.a(i, j) = slope; }, [](int, int, double) {});
   return status == Status::ok ? vehicle_modes(shape, w.modes, w.found) : status;
 }
 

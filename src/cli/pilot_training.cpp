@@ -5,8 +5,8 @@
 #include <stdexcept>
 
 #include "cli/analyses_workspace.hpp"
-#include "tiltrotor/model/aircraft/aircraft_data.hpp"
 #include "tiltrotor/analysis/linear/vehicle_model.hpp"
+#include "tiltrotor/model/aircraft/aircraft_data.hpp"
 #include "tiltrotor/systems/vehicle_events.hpp"
 
 namespace tiltrotor::cli {
@@ -23,9 +23,7 @@ constexpr double kAirplaneMast = 75;  // from here on gains are sought at the ro
 
 pilot::RateFeedback feedback(const Aircraft<double>& aircraft, double mast_deg) {
   const AugmentationTables<double>& t = aircraft.systems.augmentation;
-  const auto gain = [&](const Table<double, 1>& table) {
-    return lookup(table, Interpolation::c1, mast_deg);
-  };
+  const auto gain = [&](const Table<double, 1>& table) { return lookup(table, Interpolation::c1, mast_deg); };
   return {gain(t.pitch), -gain(t.roll), -gain(t.yaw)};
 }
 
@@ -110,8 +108,7 @@ PilotTraining::PilotTraining(const FlightSetup<double>& setup) {
       if (lead(c, governor, throttle, *at) != Status::ok) continue;
       for (const bool augmented : {false, true}) {
         pilot::PilotGains gains{};
-        const pilot::RateFeedback help =
-            augmented ? feedback(aircraft, mast_deg) : pilot::RateFeedback{};
+        const pilot::RateFeedback help = augmented ? feedback(aircraft, mast_deg) : pilot::RateFeedback{};
         if (pilot_gains(at->model, help, pilot::PilotRule{}, gains) != Status::ok) continue;
         gains.mast_deg = mast_deg;
         gains.throttle = throttle;
@@ -134,7 +131,8 @@ pilot::PilotGains PilotTraining::at(double mast_deg, double speed, double rotor_
                                     const SystemSwitches& on) const {
   const int governed = on.governor != Governor::off;
   const pilot::PilotGains fast = helicopter_.schedule[governed][on.augmentation].at(mast_deg, speed);
-  const double part = std::clamp((helicopter_speed_ - rotor_speed) / (helicopter_speed_ - airplane_speed_), 0.0, 1.0);
+  const double part =
+      std::clamp((helicopter_speed_ - rotor_speed) / (helicopter_speed_ - airplane_speed_), 0.0, 1.0);
   if (part == 0 || mast_deg < kAirplaneMast) return fast;
   return between(fast, airplane_.schedule[governed][on.augmentation].at(mast_deg, speed), part);
 }

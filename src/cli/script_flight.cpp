@@ -20,14 +20,15 @@ namespace {
 using pilot::Lateral;
 using pilot::Vertical;
 
-constexpr double kRotorRate = 1;        // rad/s^2, of the governor's reference
-constexpr double kTouched = 0.02;       // weight on wheels, of the weight
-constexpr double kLanded = 0.3;         // from here on the pilot takes the thrust off
-constexpr double kForceTrim = 2;        // dead bands of the attitude hold
-constexpr double kLiftOffRate = 0.3;    // of the usual rates of the levers, while wheels carry
-const double kAhead = getenv("AHEAD") ? atof(getenv("AHEAD")) : 0.5;
-const double kQuickened = getenv("QU") ? atof(getenv("QU")) : 0.2;
-constexpr double kSettling = 10;        // s on the wheels before the time begins
+constexpr double kRotorRate = 1;      // rad/s^2, of the governor's reference
+constexpr double kTouched = 0.02;     // weight on wheels, of the weight
+constexpr double kLanded = 0.3;       // from here on the pilot takes the thrust off
+constexpr double kForceTrim = 2;      // dead bands of the attitude hold
+constexpr double kLiftOffRate = 0.3;  // of the usual rates of the levers, while wheels carry
+constexpr double kQuickened = 0.15;   // s, left of the lag of the engines where the throttle leads them
+// How far ahead the pilot looks where masts move: further forward, where thrust for the acceleration must build up.
+constexpr double kAheadForward = 2.2, kAheadBack = 0.2;  // s
+constexpr double kSettling = 10;                         // s on the wheels before the time begins
 
 // Velocity relative to the air in axes along the heading: forward, to the right, down.
 Vec3<double> levelled(const State<double>& x) {
@@ -66,7 +67,7 @@ struct ScriptFlight::Parts {
   GroundHandling ground{};
   ScriptInputs inputs;
   bool parked = false, lands = false;
-  double followed = 0;  // by the engines, of the throttle
+  double followed = 0;      // by the engines, of the throttle
   double rotor_target = 0;  // rad/s
   std::size_t next = 0;     // event
   FlightMoment moment{};
@@ -159,7 +160,8 @@ struct ScriptFlight::Parts {
 
   void begin(const State<double>& x, const Controls<double>& u) {
     const Status status = tiltrotor::start(c, x, u, start.dt, Integrator::rk3, simulation);
-    if (status != Status::ok) throw std::runtime_error(std::string("fly: cannot begin: ") + status_text(status));
+    if (status != Status::ok)
+      throw std::runtime_error(std::string("fly: cannot begin: ") + status_text(status));
   }
 
   // ---- commands ----
@@ -388,11 +390,9 @@ struct ScriptFlight::Parts {
     const double speed = holds ? memory.speed : levelled(simulation.state).x;
     const double turning = flight.vehicle.commands.rotor_speed, mast_deg = c.setup.mast_deg;
     const SystemSwitches& on = flight.vehicle.on;
-    pilot::PilotGains found = training.at(mast_deg, speed, turning, on);
-    // Sticks move at once, the attitude later.
-    const double soon_deg = mast_deg + kAhead * c.setup.mast_rate * kDegPerRad<double>;
-    found.pitch = training.at(soon_deg, speed + kAhead * memory.acceleration, turning, on).pitch;
-    return found;
+    const double rate = c.setup.mast_rate * kDegPerRad<double>;
+    const double ahead = rate > 0 ? kAheadForward : kAheadBack;
+    return training.at(mast_deg + ahead * rate, speed + ahead * memory.acceleration, turning, on);
   }
 
   // Hands and throttles for the next step.
@@ -417,8 +417,9 @@ struct ScriptFlight::Parts {
     const double rate = parked ? GroundHandling::kSpoolRate : kRotorRate;
     const double way = rate * start.dt;
     commands.rotor_speed += std::clamp(rotor_target - commands.rotor_speed, -way, way);
-    if (parked) flight.state.governor -= std::clamp(flight.state.governor, -reach.rate.collective * start.dt,
-                                                    reach.rate.collective * start.dt);
+    if (parked)
+      flight.state.governor -= std::clamp(flight.state.governor, -reach.rate.collective * start.dt,
+                                          reach.rate.collective * start.dt);
     if (flight.vehicle.on.governor == Governor::off || flight.vehicle.on.governor == Governor::ideal)
       c.setup.rotor_speed = commands.rotor_speed;
   }
@@ -455,7 +456,8 @@ struct ScriptFlight::Parts {
   void rest_sticks() {
     const double away = kForceTrim * aircraft.systems.augmentation.dead_band;
     SystemState<double>& s = flight.state;
-    const bool flies_pitch = !parked && (aims.holds_speed || aims.holds_position || aims.vertical != Vertical::released);
+    const bool flies_pitch =
+        !parked && (aims.holds_speed || aims.holds_position || aims.vertical != Vertical::released);
     const bool flies_bank = !parked && (aims.holds_position || aims.lateral != Lateral::released);
     if (flies_pitch || parked) s.rest_long = simulation.controls.long_stick - away;
     if (flies_bank || parked) s.rest_lat = simulation.controls.lat_stick - away;
@@ -469,8 +471,8 @@ struct ScriptFlight::Parts {
     VehicleFlows<double> flows;
     SystemState<double> found;
     vehicle_rates(flight.vehicle, here, c.setup, here, x, flight.state, flight.vehicle.commands, u,
-                  VehicleAirframe<double>{here, x, steps, current_azimuth(c, simulation)}, demand, answer, flows,
-                  found);
+                  VehicleAirframe<double>{here, x, steps, current_azimuth(c, simulation)}, demand, answer,
+                  flows, found);
     flatten(answer.rates, rates);
     flatten(found, rates + state_count);
     FlightMoment& m = moment;
@@ -484,8 +486,8 @@ struct ScriptFlight::Parts {
     m.height = -x.position.z - rest_height();
     m.airspeed = length(x.velocity - u.gust);
     const Vec3<double> turning = cross(x.rates, x.velocity);
-    m.load_factor = std::cos(x.pitch) * std::cos(x.roll) -
-                    (answer.rates.velocity.z + turning.z) / kGravity<double>;
+    m.load_factor =
+        std::cos(x.pitch) * std::cos(x.roll) - (answer.rates.velocity.z + turning.z) / kGravity<double>;
     m.mast_deg = c.setup.mast_deg;
     m.rotor_speed = c.setup.rotor_speed;
     m.flap_deg = c.setup.flap_deg;
@@ -511,7 +513,8 @@ struct ScriptFlight::Parts {
     const std::string what = simulation.fault_state < 0
                                  ? std::string()
                                  : std::string(", ") + vehicle_variable(simulation.fault_state).name;
-    return "at " + number_text(simulation.fault_time, 6) + " s" + what + ": " + status_text(simulation.status);
+    return "at " + number_text(simulation.fault_time, 6) + " s" + what + ": " +
+           status_text(simulation.status);
   }
 };
 

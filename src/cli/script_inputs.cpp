@@ -13,11 +13,10 @@ constexpr double kRounding = 1e-9;  // s, of the times of steps
 
 // Signals that are over are forgotten.
 void forget(std::vector<ScriptEvent>& events, double time, std::size_t duration) {
-  events.erase(std::remove_if(events.begin(), events.end(),
-                              [&](const ScriptEvent& e) {
-                                return time > e.time + e.number[duration] - kRounding;
-                              }),
-               events.end());
+  events.erase(
+      std::remove_if(events.begin(), events.end(),
+                     [&](const ScriptEvent& e) { return time > e.time + e.number[duration] - kRounding; }),
+      events.end());
 }
 
 }  // namespace
@@ -42,9 +41,9 @@ void ScriptInputs::apply(double time, double* u) {
   for (int input = 0; input < kInputs; ++input) {
     const Taken& taken = taken_[input];
     if (!taken.is_taken) continue;
-    u[input] = taken.series == nullptr ? taken.place
-                                       : value_at(script_.series[taken.series->series], taken.column,
-                                                  time - taken.series->time);
+    u[input] = taken.series == nullptr
+                   ? taken.place
+                   : value_at(script_.series[taken.series->series], taken.column, time - taken.series->time);
   }
   forget(signals_, time, 1);
   for (const ScriptEvent& e : signals_) {

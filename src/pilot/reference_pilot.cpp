@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 
 #include "tiltrotor/math/smooth.hpp"
 #include "tiltrotor/model/rigid_body.hpp"
@@ -25,11 +24,10 @@ constexpr double kBank = 20 * kDegree, kRolling = 8 * kDegree;  // rad, rad/s
 constexpr double kTurn = 12 * kDegree;                          // rad/s; rad/s^2 as well
 constexpr double kPositionSpeed = 5, kTrackSpeed = 5;           // m/s, on the way to a place
 // How they are followed, rad/s.
-static double E(const char*n,double d){const char*v=getenv(n);return v?atof(v):d;}
-const double kSpeed = E("KS",0.4), kClimbing = E("KC",0.6), kHeight = E("KH",0.2); constexpr double  kHeading = 0.3, kPosition = 0.2;
+constexpr double kSpeed = 0.4, kClimbing = 0.93, kHeight = 0.13, kHeading = 0.3, kPosition = 0.2;
 constexpr double kSideOverGround = 0.5, kSideThroughAir = 0.1;  // in forward flight the fins look after it
 constexpr double kYawOverGround = 1.0, kYawThroughAir = 0.2;    // there a turn is a matter of bank
-const double kIntegral = E("KI",0.1); constexpr double  kLateralIntegral = 0.5;
+constexpr double kIntegral = 0.1, kLateralIntegral = 0.5;
 // Attitudes about those of the trim, rad.
 constexpr double kPitchRange = 15 * kDegree, kBankRange = 30 * kDegree;
 constexpr double kGroundSpeed = 10, kAirSpeed = 30;  // m/s: below, the ground counts, above the air
