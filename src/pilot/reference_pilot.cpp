@@ -24,7 +24,7 @@ constexpr double kBank = 20 * kDegree, kRolling = 8 * kDegree;  // rad, rad/s
 constexpr double kTurn = 12 * kDegree;                          // rad/s; rad/s^2 as well
 constexpr double kPositionSpeed = 5, kTrackSpeed = 5;           // m/s, on the way to a place
 // How they are followed, rad/s.
-constexpr double kSpeed = 0.4, kClimbing = 0.6, kHeight = 0.2, kHeading = 0.3, kPosition = 0.2;
+constexpr double kSpeed = 0.4, kClimbing = 0.93, kHeight = 0.13, kHeading = 0.3, kPosition = 0.2;
 constexpr double kSideOverGround = 0.5, kSideThroughAir = 0.1;  // in forward flight the fins look after it
 constexpr double kYawOverGround = 1.0, kYawThroughAir = 0.2;    // there a turn is a matter of bank
 constexpr double kIntegral = 0.1, kLateralIntegral = 0.5;

@@ -11,7 +11,7 @@ using check::run_tiltrotor;
 
 namespace {
 
-const char* const commands[] = {"trim",  "linearize", "modes",  "respond",     "derivative",
+const char* const commands[] = {"trim",  "linearize", "modes",  "respond",     "fly",    "derivative",
                                 "loads", "rotor",     "report", "conventions", "version"};
 
 bool contains(const std::string& text, const std::string& part) {

@@ -1,0 +1,206 @@
+// `tiltrotor fly`: the whole vehicle flown by a script.
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <memory>
+
+#include "cli/command.hpp"
+#include "cli/errors.hpp"
+#include "cli/flight_columns.hpp"
+#include "cli/flight_figures.hpp"
+#include "cli/flight_modes.hpp"
+#include "cli/flight_options.hpp"
+#include "cli/flight_script.hpp"
+#include "cli/flight_summary.hpp"
+#include "cli/output.hpp"
+#include "cli/script_flight.hpp"
+#include "text/progress.hpp"
+#include "text/sink.hpp"
+
+namespace tiltrotor::cli {
+
+namespace {
+
+constexpr Range kSteps{0.002, 0.02, "s"};
+constexpr Range kHeights{1, 10000, "m"};
+constexpr Range kEvery{0, 3600, "s"};
+constexpr Range kModes{0.02, 3600, "s"};
+constexpr double kUsualModes = 5;     // s
+constexpr double kUsualHeight = 300;  // m
+
+bool chooses_grid(const Arguments& arguments) {
+  const std::vector<std::string> options = arguments.texts("--option");
+  return arguments.given("--grid") || arguments.given("--preset") ||
+         std::any_of(options.begin(), options.end(),
+                     [](const std::string& option) { return option.rfind("grid=", 0) == 0; });
+}
+
+FlightStart read_start(const Arguments& arguments) {
+  const SetupOptions options(arguments);
+  FlightStart start{};
+  start.on_ground = !arguments.given("--speed") && !arguments.given("--mast") && !arguments.given("--height");
+  const double mast_deg = arguments.number("--mast", 0, kMastRange);
+  start.setup = options.flight_setup(mast_deg);
+  if (!chooses_grid(arguments)) start.setup.options.grid = BladeGrid::realtime;
+  start.setup.options.position_states = true;
+  start.speed = arguments.number("--speed", 0, kSpeedRange);
+  start.height = arguments.number("--height", kUsualHeight, kHeights);
+  start.dt = arguments.number("--dt", 0.01, kSteps);
+  if (start.on_ground && arguments.given("--rotor-rpm"))
+    throw UsageError(arguments.where("--rotor-rpm") + ": on the ground the script spools the rotors up");
+  prepared(start.setup, arguments.where("--mast") + ": ");
+  return start;
+}
+
+// What is looked at besides the rows: modes in a file of their own, and figures.
+class Companions {
+ public:
+  explicit Companions(const Arguments& arguments) : subject_(arguments.text("--script", "")) {
+    every_ = arguments.number("--modes-every", kUsualModes, kModes);
+    if (arguments.given("--modes-every") && !arguments.given("--modes") && !arguments.given("--figures"))
+      throw UsageError(arguments.where("--modes-every") +
+                       ": of --modes or --figures, neither of which is given");
+    if (arguments.given("--modes")) {
+      sink_ = std::make_unique<text::Sink>(arguments.text("--modes", ""), arguments.where("--modes"));
+      modes_ = std::make_unique<text::Records>(
+          *sink_, text::Format::csv,
+          std::vector<std::string>{"time_s", "mode", "real", "imag", "frequency_rad_s", "damping_ratio",
+                                   "system_share"},
+          Output::to_read, 0);
+    }
+    if (!arguments.given("--figures")) return;
+    folder_ = arguments.text("--figures", "");
+    text::require_writable_folder(folder_, arguments.where("--figures"));
+  }
+
+  // At a row, and at every step.
+  void add(const FlightMoment& moment) {
+    if (!folder_.empty()) figures_.add(moment);
+  }
+  Status accompany(const ScriptFlight& flight) {
+    constexpr double rounding = 1e-9;
+    const double time = flight.now().time;
+    if ((folder_.empty() && !modes_) || time < next_ - rounding) return Status::ok;
+    next_ += every_;
+    const Status status = finder_.find(flight);
+    if (!folder_.empty()) figures_.add_modes(time, finder_.found());
+    for (int i = 0; modes_ && i < finder_.found().count; ++i) {
+      const VehicleMode<double>& mode = finder_.found().mode[i];
+      modes_->add({time, std::string(mode.name), mode.real, mode.imag, mode.frequency, mode.damping_ratio,
+                   mode.system_share});
+    }
+    return status;
+  }
+  void finish() {
+    if (modes_) modes_->finish();
+    if (folder_.empty()) return;
+    write("flight.svg", figures_.motion(subject_));
+    write("flight_modes.svg", figures_.modes(subject_));
+  }
+
+ private:
+  void write(const char* name, const std::string& svg) const {
+    text::Sink sink(folder_ + "/" + name, "fly: --figures");
+    sink.write(svg);
+    sink.finish();
+  }
+
+  std::string subject_, folder_;
+  double every_, next_ = 0;
+  std::unique_ptr<text::Sink> sink_;
+  std::unique_ptr<text::Records> modes_;
+  FlightModes finder_;
+  FlightFigures figures_;
+};
+
+int run(const Arguments& arguments) {
+  if (!arguments.given("--script"))
+    throw UsageError(arguments.where("--script") + ": is missing; give a file");
+  const FlightScript script = read_flight_script(arguments.text("--script", ""));
+  const FlightStart start = read_start(arguments);
+  std::string all;
+  for (const std::string& name : flight_columns()) all += (all.empty() ? "" : ",") + name;
+  const std::vector<std::size_t> columns =
+      chosen_columns(arguments.text("--columns", all), arguments.where("--columns"));
+  const double every = arguments.number("--every", 0.1, kEvery);
+  const std::size_t thinned =
+      std::max<std::size_t>(1, static_cast<std::size_t>(std::lround(every / start.dt)));
+  Companions companions(arguments);
+  Output output(arguments);
+  std::vector<std::string> names;
+  for (const std::size_t place : columns) names.push_back(flight_columns()[place]);
+  Records records = output.records(names, Output::to_read);
+
+  ScriptFlight flight(script, start);
+  FlightSummary summary;
+  const auto steps = static_cast<std::size_t>(std::ceil(script.duration() / start.dt - 1e-9));
+  Progress progress("fly", steps + 1);
+  bool goes_on = true;
+  int exit_status = exit_success;
+  for (std::size_t step = 0; goes_on; ++step) {
+    summary.add(flight.now());
+    if (step % thinned == 0 || step == steps) {
+      records.add(flight_row(flight.now(), columns));
+      companions.add(flight.now());
+    }
+    const Status modes = companions.accompany(flight);
+    if (modes != Status::ok) {
+      progress.message("fly: modes at " + number_text(flight.now().time, 6) + " s: " + status_text(modes));
+      exit_status = exit_case_failed;
+    }
+    progress.advance();
+    goes_on = flight.step();
+  }
+  records.finish();
+  companions.finish();
+  const bool failed = flight.status() != Status::ok;
+  if (failed) progress.message("fly: the flight cannot be continued: " + flight.fault());
+  std::fputs(summary.text().c_str(), stderr);
+  return failed ? exit_case_failed : exit_status;
+}
+
+OptionList options() {
+  return {
+      {"--script", "FILE", "what happens when, see above; - is standard input"},
+      {"--mast", "DEG", "begin in trim at this mast angle (0), not on the ground"},
+      {"--speed", "MPS", "of the trim (0)"},
+      {"--height", "M", "of the trim above the ground, 1..10000 (300)"},
+      {"--dt", "S", "time step, 0.002..0.02 (0.01)"},
+      {"--columns", "A,B,..", "only these, in this order"},
+      {"--modes", "FILE", "modes of the whole vehicle along the flight, as CSV"},
+      {"--modes-every", "S", "of --modes and --figures, 0.02..3600 (5)"},
+      {"--figures", "DIR", "writes flight.svg (height, speed, masts, power) and flight_modes.svg there"},
+      {"--every", "S", "a row every so many seconds (0.1); 0: every step"},
+  };
+}
+
+OptionList output_list() {
+  OptionList list = Output::list();
+  list.erase(std::remove_if(list.begin(), list.end(),
+                            [](const Option& option) { return option.name == std::string("--shard"); }),
+             list.end());
+  return list;
+}
+
+const std::string& description() {
+  static const std::string text =
+      "Flies the aircraft with all its systems as a script says, with a reference pilot at the controls: from the ground,\n"
+      "or from a trim with the gear up. One row every 0.1 s; a summary goes to standard error.\n\n" +
+      script_help();
+  return text;
+}
+
+}  // namespace
+
+Command fly_command() {
+  return {
+      "fly",
+      "the whole vehicle flown by a script, from the ground to the ground",
+      description().c_str(),
+      "tiltrotor fly --script src/examples/mission.txt --every 1 --columns time_s,height_m,airspeed_mps,mast_deg",
+      options() + SetupOptions::list() + output_list(),
+      run};
+}
+
+}  // namespace tiltrotor::cli

@@ -1,0 +1,35 @@
+// What a flight was like, in a few lines.
+#pragma once
+
+#include <string>
+
+#include "cli/script_flight.hpp"
+
+namespace tiltrotor::cli {
+
+class FlightSummary {
+ public:
+  // Every step.
+  void add(const FlightMoment& moment);
+  // Lines "name: value", each with its end.
+  std::string text() const;
+
+ private:
+  struct Extreme {
+    double value, time;
+  };
+  static void keep_most(double value, double time, Extreme& most) {
+    if (value > most.value) most = {value, time};
+  }
+  double duration_ = 0;
+  Extreme height_error_{0, 0}, power_part_{0, 0}, bank_{0, 0};
+  double power_ = 0;
+  Extreme most_load_{-1e9, 0}, least_load_{-1e9, 0};  // of the second, the negative
+  bool flies_ = false;
+  int touched_ = 0;
+  Extreme touch_down_{0, 0};  // the hardest
+  double fuel_ = 0, least_mast_ = 1e9, most_mast_ = -1e9;
+  double last_climb_ = 0;
+};
+
+}  // namespace tiltrotor::cli

@@ -1,0 +1,37 @@
+// What a script does to single inputs: places they are taken to, steps and doublets on top, series, gusts.
+#pragma once
+
+#include <initializer_list>
+#include <vector>
+
+#include "cli/flight_script.hpp"
+
+namespace tiltrotor::cli {
+
+// Inputs as in input_series.hpp: places in kControlVariables, then the throttles.
+class ScriptInputs {
+ public:
+  explicit ScriptInputs(const FlightScript& script) : script_(script) {}
+
+  void take(int input, double place);
+  void release(std::initializer_list<int> inputs);
+  void add(const ScriptEvent& signal);   // step or doublet
+  void play(const ScriptEvent& series);  // from its time on
+  void blow(const ScriptEvent& gust);
+  // u[control_count + 2] at a time, which never goes back.
+  void apply(double time, double* u);
+
+ private:
+  static constexpr int kInputs = control_count + 2;
+  struct Taken {
+    bool is_taken;
+    double place;
+    const ScriptEvent* series;  // or nullptr
+    std::size_t column;
+  };
+  const FlightScript& script_;
+  Taken taken_[kInputs] = {};
+  std::vector<ScriptEvent> signals_, gusts_;
+};
+
+}  // namespace tiltrotor::cli
