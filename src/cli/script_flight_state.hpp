@@ -1,0 +1,108 @@
+// A flight by a script as it stands: vehicle, pilot, what he aims at and sees.
+#pragma once
+
+#include <cmath>
+
+#include "cli/ground_handling.hpp"
+#include "cli/pilot_training.hpp"
+#include "cli/script_flight.hpp"
+#include "cli/script_inputs.hpp"
+#include "text/number.hpp"
+#include "tiltrotor/model/aircraft/aircraft_data.hpp"
+
+namespace tiltrotor::cli {
+
+inline constexpr double kTouched = 0.02;  // weight on wheels, of the weight
+// How far ahead the pilot looks where masts move: further forward, where thrust for the acceleration must build up.
+inline constexpr double kAheadForward = 2.2, kAheadBack = 0.2;  // s
+
+// Velocity relative to the air in axes along the heading: forward, to the right, down.
+inline Vec3<double> levelled(const State<double>& x) {
+  const Vec3<double>& v = x.velocity;
+  const double across = v.y * std::cos(x.roll) - v.z * std::sin(x.roll);
+  const double below = v.y * std::sin(x.roll) + v.z * std::cos(x.roll);
+  return {v.x * std::cos(x.pitch) + below * std::sin(x.pitch), across,
+          -v.x * std::sin(x.pitch) + below * std::cos(x.pitch)};
+}
+
+inline Vec3<double> over_ground(const State<double>& x, const Vec3<double>& wind_n) {
+  const Vec3<double> v = levelled(x);
+  const double cosine = std::cos(x.yaw), sine = std::sin(x.yaw);
+  return wind_n + Vec3<double>{v.x * cosine - v.y * sine, v.x * sine + v.y * cosine, v.z};
+}
+
+struct ScriptFlightState {
+  const FlightScript& script;
+  const FlightStart start;
+  const Aircraft<double>& aircraft = aircraft_data<double>();
+  PilotTraining training;
+  Configuration<double> c{};
+  SystemFlight<double> flight{};
+  Simulation<double> simulation{};
+  SimulationWorkspace<double> work{};
+  pilot::PilotAims aims{};
+  pilot::PilotMemory memory{};
+  pilot::PilotReach reach = pilot::pilot_reach(aircraft);
+  GroundHandling ground{};
+  ScriptInputs inputs;
+  bool parked = false, lands = false;
+  double followed = 0;      // by the engines, of the throttle
+  double rotor_target = 0;  // rad/s
+  std::size_t next = 0;     // event
+  FlightMoment moment{};
+  double rates[vehicle_state_count] = {};
+  Evaluation<double> evaluation{};
+  DerivativeSteps<double> steps{};
+  AirframeDemand<double> demand{};
+  AirframeAnswer<double> answer{};
+
+  ScriptFlightState(const FlightScript& s, const FlightStart& at)
+      : script(s), start(at), training(at.setup), inputs(s) {}
+
+  double time() const { return current_time(simulation); }
+  double rest_height() const { return c.setup.wl_cg - aircraft.gear.ground_wl; }
+  double full_power() const { return demanded_power(aircraft, c.air, 1.0); }
+  double throttle_share() const {
+    const int running = vehicle_parts::engines_running(flight.vehicle.engine_failed);
+    return running == 0 ? 0 : 2.0 / running;
+  }
+
+  pilot::PilotSees look() const {
+    const State<double> x = current_state(simulation);
+    const Vec3<double> air = levelled(x);
+    pilot::PilotSees sees{};
+    sees.mast_deg = c.setup.mast_deg;
+    sees.airspeed = air.x;
+    sees.side_airspeed = air.y;
+    sees.north = x.position.x;
+    sees.east = x.position.y;
+    sees.height = -x.position.z - rest_height();
+    sees.ground_velocity = over_ground(x, c.around.wind_n);
+    sees.roll = x.roll;
+    sees.pitch = x.pitch;
+    sees.yaw = x.yaw;
+    sees.rates = x.rates;
+    sees.is_on_ground = moment.weight_on_wheels > kTouched;
+    return sees;
+  }
+
+  pilot::PilotGains gains() const {
+    const bool holds = memory.has_begun && (aims.holds_speed || aims.holds_position);
+    const double speed = holds ? memory.speed : levelled(simulation.state).x;
+    const double turning = flight.vehicle.commands.rotor_speed, mast_deg = c.setup.mast_deg;
+    const SystemSwitches& on = flight.vehicle.on;
+    const double rate = c.setup.mast_rate * kDegPerRad<double>;
+    const double ahead = rate > 0 ? kAheadForward : kAheadBack;
+    return training.at(mast_deg + ahead * rate, speed + ahead * memory.acceleration, turning, on);
+  }
+
+  std::string fault() const {
+    const std::string what = simulation.fault_state < 0
+                                 ? std::string()
+                                 : std::string(", ") + vehicle_variable(simulation.fault_state).name;
+    return "at " + number_text(simulation.fault_time, 6) + " s" + what + ": " +
+           status_text(simulation.status);
+  }
+};
+
+}  // namespace tiltrotor::cli
