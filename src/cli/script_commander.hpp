@@ -49,7 +49,7 @@ struct ScriptCommander : ScriptFlightState {
       memory.last.collective += s.governor;
       s.governor = 0;
     }
-    s.rotor_speed = c.setup.rotor_speed;
+    s.rotor_speed = v.commands.rotor_speed = c.setup.rotor_speed;
     c.setup.rotor_acceleration = 0;
     v.on.governor = to;
   }

@@ -31,6 +31,13 @@ inline Vec3<double> over_ground(const State<double>& x, const Vec3<double>& wind
   return wind_n + Vec3<double>{v.x * cosine - v.y * sine, v.x * sine + v.y * cosine, v.z};
 }
 
+// The pilot has learnt where the flight begins.
+inline FlightSetup<double> where_trained(const FlightStart& start) {
+  FlightSetup<double> setup = start.setup;
+  if (!start.on_ground) setup.altitude += start.height;
+  return setup;
+}
+
 struct ScriptFlightState {
   const FlightScript& script;
   const FlightStart start;
@@ -57,7 +64,7 @@ struct ScriptFlightState {
   AirframeAnswer<double> answer{};
 
   ScriptFlightState(const FlightScript& s, const FlightStart& at)
-      : script(s), start(at), training(at.setup), inputs(s) {}
+      : script(s), start(at), training(where_trained(at)), inputs(s) {}
 
   double time() const { return current_time(simulation); }
   double rest_height() const { return c.setup.wl_cg - aircraft.gear.ground_wl; }
