@@ -50,7 +50,8 @@ void check_file_refused(const ScratchFolder& folder, const std::string& text, co
 TEST_OF_XV15(cli_bad_usage_is_one_line_and_status_2) {
   const BadUsage cases[] = {
       {"", "a command is needed; choose trim"},
-      {"fly", "unknown command 'fly'; choose trim"},
+      {"glide", "unknown command 'glide'; choose trim"},
+      {"fly", "--script: is missing; give a file"},
       {"trim --wings 3", "unknown option --wings; options are --mast"},
       {"trim 3", "unexpected argument '3'"},
       {"trim --speed", "--speed: a value MPS must follow"},
