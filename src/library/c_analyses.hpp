@@ -12,8 +12,9 @@
   PREFIX template Status linearize(                                                                      \
       const Configuration<tr_real>&, const State<tr_real>&, const Controls<tr_real>&, const ControlSet&, \
       LinearizationWorkspace<tr_real, DefaultDifferentiation>&, LinearModel<tr_real>&, tr_real);         \
-  PREFIX template Status advance(const Configuration<tr_real>&, SimulationWorkspace<tr_real, NoDifferentiation>&, \
-                                 Simulation<tr_real>&, const tr_real*);                                  \
+  PREFIX template Status advance(const Configuration<tr_real>&,                                          \
+                                 SimulationWorkspace<tr_real, NoDifferentiation>&, Simulation<tr_real>&, \
+                                 const tr_real*);                                                        \
   TILTROTOR_COMMON_INSTANCES(PREFIX, tr_real)
 
 #ifndef TILTROTOR_C_ANALYSES_CPP

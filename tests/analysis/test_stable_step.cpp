@@ -204,9 +204,8 @@ TEST(response_longest_step_is_stable_out_of_trim) {
 
 TEST_OF_XV15(response_parts_are_few_in_any_state) {
   const auto parts_at = [](const Configuration<double>& c, const State<double>& x, const Controls<double>& u,
-                           Integrator integrator, double dt) {
-    return flight_step::parts(integrator, dt, fastest_rates(c, x, u));
-  };
+                           Integrator integrator,
+                           double dt) { return flight_step::parts(integrator, dt, fastest_rates(c, x, u)); };
   Configuration<double> c;
   if (!prepared({90, 80, 0, true}, c)) return;
   State<double> x{};

@@ -177,7 +177,8 @@ TEST_OF_XV15(cli_bad_scripts_are_refused_by_line) {
   check_refused("0 gust 1 2 3" + end, "script.txt:1: gust DURATION: is missing; give 0.01..600 s");
   check_refused("0 engine 3 fail" + end, "script.txt:1: engine NUMBER: '3' is not a whole number in 1..2");
   check_refused("0 engine 1 stop" + end, "script.txt:1: engine EVENT: 'stop' is not one of fail or restart");
-  check_refused("0 scas onn" + end, "script.txt:1: scas STATE: 'onn' (did you mean on?) is not one of on or off");
+  check_refused("0 scas onn" + end,
+                "script.txt:1: scas STATE: 'onn' (did you mean on?) is not one of on or off");
   check_refused(
       "0 hold sped 3" + end,
       "script.txt:1: hold: 'sped' (did you mean speed?) is not speed, height, climb, heading, track or "

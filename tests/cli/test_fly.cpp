@@ -97,34 +97,26 @@ void check_mission(const Flown& f) {
 TEST(slow_fly_mission_goes_from_ground_to_ground) {
   const Flown f = fly(mission(), kMissionColumns);
   check_mission(f);
-  CHECK_LT(summary(f, "height held"), 6);
+  CHECK_LT(summary(f, "height held"), 5);
+  // Masts at 7.5 deg/s in level flight from 33 to 83 m/s.
+  double most_rate = 0, slowest = 1e9, fastest = 0;
+  for (std::size_t k = 1; k < f.count(); ++k) {
+    const double time = f(k, "time_s");
+    if (time < 155 || time > 199) continue;
+    CHECK_LT(std::fabs(f(k, "height_m") - 150), 5);
+    CHECK_LT(0.9, f(k, "load_factor"));
+    CHECK_LT(f(k, "load_factor"), 1.1);
+    slowest = std::min(slowest, f(k, "airspeed_mps"));
+    fastest = std::max(fastest, f(k, "airspeed_mps"));
+    most_rate = std::max(most_rate, (f(k, "mast_deg") - f(k - 1, "mast_deg")) / (time - f(k - 1, "time_s")));
+  }
+  CHECK_NEAR(most_rate, 7.5, 0.05);
+  CHECK_NEAR(slowest, 33, 0.5);
+  CHECK_LT(82.5, fastest);
 }
 
 TEST(slow_fly_mission_goes_through_moderate_turbulence) {
   check_mission(fly("0 turbulence 15.4 1\n" + mission(), kMissionColumns));
-}
-
-// Masts at 7.5 deg/s in level flight from 33 to 83 m/s.
-TEST(slow_fly_converts_in_level_flight) {
-  const Flown f = fly(
-      "0 flap 20\n0 hold height 300\n"
-      "10 hold speed 83 2.8\n10.3 mast 90\n12 hold speed 83 2.7\n14 hold speed 83 1.6\n16 hold speed 83 1.5\n"
-      "18 hold speed 83 3.2\n20 hold speed 83 2.0\n"
-      "60 end\n",
-      "--mast 0 --speed 33 --flap 20 --height 300 --every 0.05");
-  CHECK_EQ(f.result.exit_status, 0);
-  double most_rate = 0;
-  for (std::size_t k = 0; k < f.count(); ++k) {
-    CHECK_LT(std::fabs(f(k, "height_m") - 300), 5);
-    CHECK_LT(0.899, f(k, "load_factor"));
-    CHECK_LT(f(k, "load_factor"), 1.1);
-    CHECK_LE(f(k, "power_1_kw"), f(k, "takeoff_power_kw") * 1.0005);
-    most_rate = std::max(most_rate, f(k, "mast_rate_degps"));
-  }
-  CHECK_NEAR(most_rate, 7.5, 0.05);
-  const std::size_t last = f.count() - 1;
-  CHECK_NEAR(f(last, "mast_deg"), 90, 1e-6);
-  CHECK_NEAR(f(last, "airspeed_mps"), 83, 0.5);
 }
 
 TEST(fly_replays_the_same_bytes) {

@@ -121,8 +121,8 @@ Somewhere somewhere(Dice& dice, Governor governor) {
     asked.lat_stick += s.series[1];
     asked.pedal += s.series[2];
   }
-  const BladeControls<double> angles = vehicle_parts::wanted_angles(
-      aircraft, at.c.setup.options, mast, asked, Vec3<double>(at.x.velocity - at.u.gust));
+  const BladeControls<double> angles = vehicle_parts::wanted_angles(aircraft, at.c.setup.options, mast, asked,
+                                                                    Vec3<double>(at.x.velocity - at.u.gust));
   const double away = dice.flip() ? 0.05 : 0.003;
   for (const Side side : {right, left}) {
     s.collective[side] = angles.collective[side] + dice.between(-away, away);
