@@ -5,6 +5,7 @@
 #pragma once
 
 #include "tiltrotor/math/vector.hpp"
+#include "tiltrotor/model/variables/controls.hpp"
 #include "tiltrotor/model/variables/state.hpp"
 #include "tiltrotor/systems/turbulence.hpp"
 
