@@ -97,7 +97,7 @@ RootShares<R> root_shares(const VehicleShape& shape, const Symmetry (&symmetry)[
 
 inline void write_system_name(const char* word, int ordinal, char (&name)[kModeNameLength]) {
   int length = 0;
-  for (; word[length] != '\0' && length < kModeNameLength - 4; ++length) name[length] = word[length];
+  for (; length < kModeNameLength - 4 && word[length] != '\0'; ++length) name[length] = word[length];
   if (ordinal > 1) {
     name[length++] = '_';
     if (ordinal >= 10) name[length++] = static_cast<char>('0' + ordinal / 10);
@@ -174,10 +174,11 @@ Status vehicle_modes(const VehicleShape& shape, VehicleModesWorkspace<R>& work, 
   for (int i = 0; i < roots; ++i) {
     if (is_airframe[i]) continue;
     int ordinal = 1;
-    for (int k = 0; k < roots; ++k)
-      ordinal += !is_airframe[k] && root[k].largest == root[i].largest &&
-                 (root[k].mode.frequency < root[i].mode.frequency ||
-                  (root[k].mode.frequency == root[i].mode.frequency && k < i));
+    for (int k = 0; k < roots; ++k) {
+      const R other = root[k].mode.frequency, own = root[i].mode.frequency;
+      const bool before = other < own || (k < i && other == own);
+      ordinal += !is_airframe[k] && before && root[k].largest == root[i].largest;
+    }
     VehicleMode<R> moving = d::shown(root[i].mode, root[i].systems);
     moving.is_system = true;
     d::write_system_name(vehicle_variable(root[i].largest).name, ordinal, moving.name);
