@@ -175,14 +175,6 @@ OptionList options() {
   };
 }
 
-OptionList output_list() {
-  OptionList list = Output::list();
-  list.erase(std::remove_if(list.begin(), list.end(),
-                            [](const Option& option) { return option.name == std::string("--shard"); }),
-             list.end());
-  return list;
-}
-
 const std::string& description() {
   static const std::string text =
       "Flies the aircraft with all its systems as a script says, with a reference pilot at the controls: from the ground,\n"
@@ -199,7 +191,7 @@ Command fly_command() {
       "the whole vehicle flown by a script, from the ground to the ground",
       description().c_str(),
       "tiltrotor fly --script src/examples/mission.txt --every 1 --columns time_s,height_m,airspeed_mps,mast_deg",
-      options() + SetupOptions::list() + output_list(),
+      options() + SetupOptions::list() + Output::list_of_one_piece(),
       run};
 }
 

@@ -213,15 +213,6 @@ OptionList options() {
   };
 }
 
-// Everything about the output but shards: a flight is one piece.
-OptionList output_list() {
-  OptionList list = Output::list();
-  list.erase(std::remove_if(list.begin(), list.end(),
-                            [](const Option& option) { return option.name == std::string("--shard"); }),
-             list.end());
-  return list;
-}
-
 const std::string& description() {
   static const std::string text = std::string(
                                       "Flies the nonlinear model from trim. One row a step: the state, and "
@@ -234,12 +225,13 @@ const std::string& description() {
 }  // namespace
 
 Command respond_command() {
-  return {"respond",
-          "time response to control inputs, with linear models along the way",
-          description().c_str(),
-          "tiltrotor respond --mast 0 --speed 40 --input collective=1deg@0 --duration 3 --modes-every 1",
-          options() + control_set_option() + flight_list() + SetupOptions::list() + output_list(),
-          run};
+  return {
+      "respond",
+      "time response to control inputs, with linear models along the way",
+      description().c_str(),
+      "tiltrotor respond --mast 0 --speed 40 --input collective=1deg@0 --duration 3 --modes-every 1",
+      options() + control_set_option() + flight_list() + SetupOptions::list() + Output::list_of_one_piece(),
+      run};
 }
 
 }  // namespace tiltrotor::cli

@@ -30,8 +30,7 @@ Status linearize_governed(const Configuration<double>& c, const State<double>& x
 
 void require_no_governor(const Options& options, const Arguments& arguments, const char* option) {
   if (options.governor == Governor::off || !arguments.given(option)) return;
-  throw UsageError(arguments.where(option) +
-                   ": goes with governor=off; with a governor `tiltrotor fly` does it");
+  throw UsageError(arguments.where(option) + ": goes with governor=off alone");
 }
 
 }  // namespace tiltrotor::cli

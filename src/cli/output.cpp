@@ -1,5 +1,7 @@
 #include "cli/output.hpp"
 
+#include <algorithm>
+
 #include <utility>
 
 #include "cli/errors.hpp"
@@ -28,6 +30,14 @@ OptionList Output::list() {
       output_option(),
       shard_option(),
   };
+}
+
+OptionList Output::list_of_one_piece() {
+  OptionList list = Output::list();
+  list.erase(std::remove_if(list.begin(), list.end(),
+                            [](const Option& option) { return option.name == std::string("--shard"); }),
+             list.end());
+  return list;
 }
 
 Output::Output(const Arguments& arguments)

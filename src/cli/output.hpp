@@ -15,6 +15,8 @@ class Output {
   static constexpr int to_compare = 15;
 
   static OptionList list();
+  // All but shards: of a flight.
+  static OptionList list_of_one_piece();
   explicit Output(const Arguments& arguments);
 
   // Rows of this run. With more than one shard only the first writes the header.
