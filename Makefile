@@ -96,7 +96,7 @@ CORE_FLAGS := -fno-exceptions -fno-rtti
 # equal inline functions, and that of a program that includes the headers may be compiled with any flags.
 # One set of objects for the archive and the shared library.
 LIBRARY_FLAGS = $(CORE_FLAGS) -Dtiltrotor=tiltrotor_library_$(PRECISION) -fvisibility=hidden $(if $(TARGET),,-fPIC)
-# The numbers are made in the library; the program around it need not be fast, but quick to build.
+# The numbers are made in the library; the program and the tests around it need not be fast, but quick to build.
 PROGRAM_FLAGS := $(if $(filter -O3,$(CXXFLAGS)),-O1)
 ND_FLAGS   := -DTILTROTOR_NUMERICAL_DIFFERENCES=1
 EXTERN     := -DTILTROTOR_EXTERN_INSTANCES
@@ -345,7 +345,7 @@ $(BUILD)/program/%.o: src/%.cpp
 	$(call compile,$(PROGRAM_FLAGS) $(EXTERN))
 
 $(BUILD)/tests/%.o: tests/%.cpp
-	$(call compile,$(TEST_FLAGS) $(EXTERN))
+	$(call compile,$(PROGRAM_FLAGS) $(TEST_FLAGS) $(EXTERN))
 
 $(BUILD)/bench/%.o: bench/%.cpp
 	$(call compile,$(BENCH_FLAGS) $(EXTERN))

@@ -82,7 +82,7 @@ tr_status tr_get_systems(const tr_sim* sim, tr_systems* systems);
  *
  * With systems on: a step takes 3 or 4 derivatives a part as before and a twentieth of one more for each, with an ideal
  * governor some three times as many. tr_linearize covers their states; where masts, rotor speed, air or ground move it
- * takes some 40 to 80 derivatives more. tr_trim takes up to 6 of its trims where gear or ground count. tr_directional and
+ * takes 8 to 12 derivatives more. tr_trim takes up to 6 of its trims where gear or ground count. tr_directional and
  * tr_linearize_outputs are TR_BAD_ARGUMENT, as is tr_linearize where TR_LINEAR_SYSTEMS is 0. Modes of systems are named
  * after the state that takes part most. */
 tr_status tr_set_systems(tr_sim* sim, const tr_systems* systems);

@@ -46,8 +46,8 @@ tr_status linearize_systems(const Sim& s, tr_work* work, std::int32_t columns, t
     return static_cast<std::size_t>(row) * static_cast<std::size_t>(width) + static_cast<std::size_t>(column);
   };
   const bool wants_b = to.b != nullptr;
-  State<R> rates;
-  SystemState<R> system_rates;
+  State<R> rates{};
+  SystemState<R> system_rates{};
   equipped(s, call.configuration);
   call.configuration.around =
       with_turbulence(call.configuration, evaluated_state(s), s.u, v, s.systems.state);
