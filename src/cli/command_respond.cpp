@@ -52,7 +52,8 @@ Plan read_plan(const Arguments& arguments) {
   }
   plan.steps = static_cast<std::size_t>(is_whole(steps) ? std::round(steps) : steps);
   plan.rest = is_whole(steps) ? 0 : duration - static_cast<double>(plan.steps) * plan.dt;
-  plan.integrator = static_cast<Integrator>(arguments.choice("--method", "rk4", {"rk3", "rk4", "rodas3"}));
+  plan.integrator =
+      static_cast<Integrator>(arguments.choice("--method", "rk4", {"rk3", "rk4", "rodas3", "exponential"}));
   for (const std::string& text : arguments.texts("--input")) {
     double begins = 0;
     if (is_mast_move(text)) {
@@ -167,7 +168,7 @@ int run(const Arguments& arguments) {
   for (const char* option : {"--modes-every", "--matrices"})
     require_no_governor(setup.switches(), arguments, option);
   if (!plan.masts.is_empty()) require_no_governor(setup.switches(), arguments, "--input");
-  if (plan.integrator == Integrator::rodas3) require_no_governor(setup.switches(), arguments, "--method");
+  if (plan.integrator >= Integrator::rodas3) require_no_governor(setup.switches(), arguments, "--method");
   Companions companions(arguments, plan);
   if (arguments.given("--control-set") && !arguments.given("--matrices"))
     throw UsageError(arguments.where("--control-set") + ": of the columns of --matrices, which is not given");
@@ -205,7 +206,7 @@ OptionList options() {
       {"--duration", "S", "0..3600 (3); the last step is shorter where --dt does not divide it"},
       {"--dt", "S", "time step, 1e-4..0.1 (0.005); inputs act at their times, whatever the step"},
       {"--method", "NAME",
-       "rk3, rk4 (in equal parts of a step that is too long for\neither), or rodas3, for long steps (rk4)"},
+       "rk3, rk4 (in equal parts of a step that is too long for\neither); for long steps rodas3, or exponential, of order 2 (rk4)"},
       {"--modes-every", "S",
        "adds name, real and imaginary part and branch of the body's modes\nto a row every S seconds, a "
        "multiple of --dt"},

@@ -23,6 +23,7 @@ decltype(::tr_set_loads) tr_set_loads;
 decltype(::tr_trim) tr_trim;
 decltype(::tr_linearize) tr_linearize;
 decltype(::tr_linearize_and_step) tr_linearize_and_step;
+decltype(::tr_linearize_and_step_exponential) tr_linearize_and_step_exponential;
 decltype(::tr_eigenvalues) tr_eigenvalues;
 decltype(::tr_modes) tr_modes;
 decltype(::tr_step_with_outputs) tr_step_with_outputs;
@@ -124,6 +125,16 @@ tr_status tr_linearize_and_step(tr_sim* sim, tr_work* work, tr_real dt, int32_t 
   return status == TR_OK
              ? checked::tr_linearize_and_step(sim, work, dt, columns, shape, a, a_length, b, b_length)
              : status;
+}
+
+tr_status tr_linearize_and_step_exponential(tr_sim* sim, tr_work* work, tr_real dt,
+                                            const tr_real* control_rates, int32_t columns,
+                                            tr_linear_shape* shape, tr_real* a, size_t a_length, tr_real* b,
+                                            size_t b_length) {
+  const tr_status status = processor_status();
+  return status == TR_OK ? checked::tr_linearize_and_step_exponential(sim, work, dt, control_rates, columns,
+                                                                      shape, a, a_length, b, b_length)
+                         : status;
 }
 
 tr_status tr_eigenvalues(tr_work* work, const tr_real* a, size_t n, tr_real* real, tr_real* imag,

@@ -114,7 +114,7 @@ TEST_OF_XV15(cli_bad_usage_is_one_line_and_status_2) {
        "--input: at most 8 inputs"},
       {"linearize --speed 10 --shard 1/2 --format json", "parts can be joined with --format csv only"},
       {"trim --option coning_states=maybe", "'maybe' is not one of off or on"},
-      {"respond --method euler", "'euler' is not one of rk3, rk4 or rodas3"},
+      {"respond --method euler", "'euler' is not one of rk3, rk4, rodas3 or exponential"},
       {"respond --modes-every 0.001", "--modes-every: 0.001 lies outside 0.005..3600 s"},
       {"respond --input collective", "not NAME=AMPLITUDE[UNIT]@START[..END][:SHAPE]"},
       {"respond --input collective=1deg", "not NAME=AMPLITUDE[UNIT]@START[..END][:SHAPE]"},

@@ -222,12 +222,17 @@ void linearize(tr_sim& sim, Workspace& workspace, fuzz::Bytes& in) {
   const std::size_t a_length = in.below(3) > 0 ? kSquare : 4 * in.byte();
   const std::size_t b_length = in.below(3) > 0 ? sizeof workspace.b / sizeof *workspace.b - 1 : in.byte();
   workspace.a[kSquare] = workspace.b[sizeof workspace.b / sizeof *workspace.b - 1] = kUntouched;
+  const std::size_t kind = in.below(3);
+  tr_real control_rates[TR_INPUTS];
+  for (tr_real& rate : control_rates) rate = kind == 2 ? in.number() : 0;
   const tr_status status =
-      in.below(2) == 0
-          ? tr_linearize(&sim, &workspace.work, in.below(5), &workspace.shape, workspace.a, a_length,
-                         workspace.b, b_length)
-          : tr_linearize_and_step(&sim, &workspace.work, in.number(), in.below(5), &workspace.shape,
-                                  workspace.a, a_length, workspace.b, b_length);
+      kind == 2
+          ? tr_linearize_and_step_exponential(&sim, &workspace.work, in.number(), control_rates, in.below(5),
+                                              &workspace.shape, workspace.a, a_length, workspace.b, b_length)
+      : kind == 0 ? tr_linearize(&sim, &workspace.work, in.below(5), &workspace.shape, workspace.a, a_length,
+                                 workspace.b, b_length)
+                  : tr_linearize_and_step(&sim, &workspace.work, in.number(), in.below(5), &workspace.shape,
+                                          workspace.a, a_length, workspace.b, b_length);
   REQUIRE(known(status));
   workspace.linear_model = status == TR_OK;
   if (status == TR_OK) {

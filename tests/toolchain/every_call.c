@@ -75,6 +75,9 @@ int main(void) {
   print("linearize", tr_linearize(&sim, &work, TR_INCEPTORS, &shape, matrix, length, NULL, 0));
   print("linearize_and_step",
         tr_linearize_and_step(&sim, &work, (tr_real)0.005, TR_INCEPTORS, &shape, matrix, length, NULL, 0));
+  print("linearize_and_step_exponential",
+        tr_linearize_and_step_exponential(&sim, &work, (tr_real)0.02, NULL, TR_INCEPTORS, &shape, matrix,
+                                          length, NULL, 0));
   print("eigenvalues", tr_eigenvalues(&work, &one, 1, &real, &imag, 1));
   print("modes", tr_modes(&work, &shape, matrix, length, modes, TR_MAX_LINEAR_STATES, &used));
   return 0;
