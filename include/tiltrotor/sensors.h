@@ -35,7 +35,8 @@ tr_status tr_geodetic_at(const tr_geodetic* origin, const double position_m[3], 
 /* Vertical height of a station (aft, right, up, as tr_motion_at takes it) over the ground of tr_environment, + above:
  * what a radio altimeter reads whose beam is wider than bank and pitch, since the nearest ground is below. `station_m`
  * NULL: the least of the three wheels, extended and not loaded, so that it is negative by what oleos and tyres give on
- * the ground. Infinite without ground. TR_NOT_FINITE, TR_OUT_OF_RANGE, TR_BAD_ARGUMENT. Cost: some 100 operations. */
+ * the ground. Infinite without ground. TR_NOT_FINITE, TR_OUT_OF_RANGE, TR_BAD_ARGUMENT. Cost: some 100 operations, three
+ * times that for the wheels. */
 tr_status tr_radio_height_at(const tr_sim* sim, const tr_real station_m[3], tr_real* height_m);
 
 /* ---- lag ---- */

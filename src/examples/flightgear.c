@@ -129,8 +129,9 @@ static tr_status fill(packet* p) {
   if (p->used != PACKET) return TR_SHORT_BUFFER;
   printf("%.9f %.9f %.4f %.4f %.6f %.6f %.6f %.4f %.4f %.2f %u\n", place.longitude_rad, place.latitude_rad,
          place.height_m, single(height), single(s.x[TR_ROLL]), single(s.x[TR_PITCH]), single(s.x[TR_YAW]),
-         single(motion.velocity_ned_mps[0] / foot), single(motion.specific_force_mps2[2] / foot),
-         single(now.rotor_radps / (6 * degree)), (unsigned)((flags & TR_ON_GROUND) != 0));
+         single((double)motion.velocity_ned_mps[0] / foot),
+         single((double)motion.specific_force_mps2[2] / foot), single((double)now.rotor_radps / (6 * degree)),
+         (unsigned)((flags & TR_ON_GROUND) != 0));
   return TR_OK;
 }
 

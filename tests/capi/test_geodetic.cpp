@@ -23,6 +23,8 @@ class Generator {
 using L = long double;
 constexpr L kA = 6378137.0L, kF = 1 / 298.257223563L, kE2 = kF * (2 - kF);
 
+L exactly(double number) { return static_cast<L>(number); }
+
 struct Point {
   L x, y, z;
 };
@@ -44,16 +46,18 @@ double degrees(double d, double m, double s) { return (d + m / 60 + s / 3600) * 
 
 // How far a place lies from where the axes of the plane lead, m.
 double error_of(const tr_geodetic& origin, const double (&position)[3], const tr_geodetic& place) {
-  const L f = origin.latitude_rad, l = origin.longitude_rad;
+  const L f = exactly(origin.latitude_rad), l = exactly(origin.longitude_rad);
   const L north[3] = {-std::sin(f) * std::cos(l), -std::sin(f) * std::sin(l), std::cos(f)};
   const L east[3] = {-std::sin(l), std::cos(l), 0};
   const L down[3] = {-std::cos(f) * std::cos(l), -std::cos(f) * std::sin(l), -std::sin(f)};
-  const Point o = earth_centred(f, l, origin.height_m);
-  const Point p = earth_centred(place.latitude_rad, place.longitude_rad, place.height_m);
+  const Point o = earth_centred(f, l, exactly(origin.height_m));
+  const Point p =
+      earth_centred(exactly(place.latitude_rad), exactly(place.longitude_rad), exactly(place.height_m));
   const L from[3] = {o.x, o.y, o.z}, to[3] = {p.x, p.y, p.z};
   L square = 0;
   for (int k = 0; k < 3; ++k) {
-    const L off = from[k] + north[k] * position[0] + east[k] * position[1] + down[k] * position[2] - to[k];
+    const L off = from[k] + north[k] * exactly(position[0]) + east[k] * exactly(position[1]) +
+                  down[k] * exactly(position[2]) - to[k];
     square += off * off;
   }
   return double(std::sqrt(square));
