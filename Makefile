@@ -324,7 +324,7 @@ $(sort $(LIBRARY_OBJECTS) $(LIBRARY_ND_OBJECTS) $(ANALYSES_OBJECTS)) $(PROGRAM_O
 $(TEST_OBJECTS): $(BUILD)/tests.stamp
 $(BENCH_OBJECTS): $(BUILD)/bench.stamp
 # Ask what the processor can do: must themselves run on every one.
-$(addprefix %/,c_processor.o c_entry.o c_words.o c_plain_names.o processor_check.o): ARCH_FLAGS := $(TARGET_$(TARGET))
+$(addprefix %/,c_processor.o c_entry.o c_entry_sensors.o c_words.o c_plain_names.o processor_check.o): ARCH_FLAGS := $(TARGET_$(TARGET))
 
 # On a target, code that no step runs through is made small: its operations and their order stay.
 SMALL := $(if $(TARGET),aircraft conditions outputs saved system_model systems trim)

@@ -46,5 +46,10 @@
 #define tr_default_systems tr_default_systems_single
 #define tr_get_systems tr_get_systems_single
 #define tr_set_systems tr_set_systems_single
+#define tr_geodetic_at tr_geodetic_at_single
+#define tr_radio_height_at tr_radio_height_at_single
+#define tr_step_lag tr_step_lag_single
+#define tr_read_imu tr_read_imu_single
+#define tr_read_air_probe tr_read_air_probe_single
 
 #endif

@@ -14,7 +14,9 @@
 #pragma once
 
 #include "tiltrotor/analysis/flight/air_data.hpp"
+#include "tiltrotor/analysis/flight/geodetic.hpp"
 #include "tiltrotor/analysis/flight/input_signal.hpp"
+#include "tiltrotor/analysis/flight/sensor_lag.hpp"
 #include "tiltrotor/analysis/flight/station_motion.hpp"
 #include "tiltrotor/analysis/flight/table_edge.hpp"
 #include "tiltrotor/analysis/instances.hpp"

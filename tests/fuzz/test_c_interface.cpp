@@ -6,6 +6,7 @@
 
 #include "capi/same_aircraft.hpp"
 #include "fuzz/change_systems.hpp"
+#include "fuzz/read_sensors.hpp"
 #include "fuzz/target.hpp"
 #include "tiltrotor/tiltrotor.h"
 
@@ -293,6 +294,9 @@ void call_with_nothing(Workspace& workspace, fuzz::Bytes& in) {
   REQUIRE(tr_saturate_controls(sim, nullptr, in.byte(), nullptr) != TR_OK);
   REQUIRE(tr_last_fault(sim, nullptr) != TR_OK && tr_get_mass(sim, nullptr) != TR_OK);
   REQUIRE(tr_motion_at(sim, nullptr, nullptr) != TR_OK && tr_air_data_at(sim, nullptr, nullptr) != TR_OK);
+  REQUIRE(tr_geodetic_at(nullptr, nullptr, nullptr) != TR_OK && tr_step_lag(nullptr, 0, 0) != TR_OK);
+  REQUIRE(tr_radio_height_at(sim, nullptr, nullptr) != TR_OK && tr_read_imu(sim, nullptr, 0) != TR_OK);
+  REQUIRE(tr_read_air_probe(sim, nullptr, 0, nullptr) != TR_OK);
   REQUIRE(tr_directional(sim, nullptr, nullptr, nullptr, nullptr, nullptr) != TR_OK);
   REQUIRE(tr_get_configuration(sim, nullptr) != TR_OK && tr_set_configuration(sim, nullptr) != TR_OK);
   REQUIRE(tr_default_environment(nullptr) != TR_OK && tr_set_environment(sim, nullptr) != TR_OK);
@@ -371,6 +375,7 @@ FUZZ_TARGET(c_interface) {
         break;
       case 10:
         measure(sim, in);
+        read_sensors(sim, in);
         break;
       case 11:
         differentiate_outputs(sim, workspace, in);
