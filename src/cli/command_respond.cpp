@@ -139,9 +139,8 @@ class Companions {
     const Simulation<double>& s = flown.simulation;
     const State<double> x = current_state(s);
     const Controls<double> u = current_controls(s);
-    const Status status =
-        linearize_flight(flown.c, flown.systems, x, u, controls_, CommandColumns::throttles, analyses,
-                         *vehicle_, current_azimuth(flown.c, s));
+    const Status status = linearize_flight(flown.c, flown.systems, x, u, controls_, CommandColumns::throttles,
+                                           analyses, *vehicle_, current_azimuth(flown.c, s));
     if (status != Status::ok) return status;
     if (matrices_) {
       const ShownModel shown(*vehicle_, x, flown.systems.state, u, flown.systems.vehicle.commands);
@@ -189,8 +188,7 @@ int fly(const TrimmedFlight& flight, const Plan& plan, Simulation<double>& simul
     if (step == steps) return exit_status;
     Status status = step == plan.steps ? change_step(simulation, plan.rest) : Status::ok;
     if (status == Status::ok)
-      status =
-          plan.masts.advance(c, flown.is_governed() ? &flown.systems : nullptr, analyses, simulation);
+      status = plan.masts.advance(c, flown.is_governed() ? &flown.systems : nullptr, analyses, simulation);
     if (status != Status::ok) {
       progress.message("respond: the flight cannot be continued beyond " + now + fault_text(simulation) +
                        ": " + status_text(status));

@@ -38,7 +38,8 @@ TEST(cli_respond_with_a_governor_moves_the_masts) {
     }
     // More pitch slows rotors at equal power; an ideal governor takes it back at once.
     if (is_ideal) {
-      const double before = flight.number(9, "collective75_deg"), after = flight.number(10, "collective75_deg");
+      const double before = flight.number(9, "collective75_deg"),
+                   after = flight.number(10, "collective75_deg");
       CHECK_NEAR(after, before, 0.05);
       CHECK_NEAR(flight.number(10, "governor_deg") - flight.number(9, "governor_deg"), -1, 0.05);
     } else {
