@@ -11,6 +11,8 @@ class FlightSummary {
  public:
   // Every step.
   void add(const FlightMoment& moment);
+  // A command that was not obeyed.
+  void add(const std::string& ignored) { ignored_ += ignored + "\n"; }
   // Lines "name: value", each with its end.
   std::string text() const;
 
@@ -30,6 +32,7 @@ class FlightSummary {
   Extreme touch_down_{0, 0};  // the hardest
   double fuel_ = 0, least_mast_ = 1e9, most_mast_ = -1e9;
   double last_climb_ = 0;
+  std::string ignored_;
 };
 
 }  // namespace tiltrotor::cli
