@@ -374,7 +374,7 @@ $(foreach name,CLANG_FORMAT FUZZ_CXX COVERAGE_CXX FIRMWARE_PREFIX,$(if $(strip $
   $(error $(name) is empty: name a program)))
 $(foreach name,SECONDS MUTANTS FIRMWARE_FRAMES MEASURED_STATES,$(if $(call number,$(name)),,\
   $(error $(name)='$($(name))' is no whole number of 1 or more)))
-$(foreach name,STATES FLIGHTS,$(if $(or $(call number,$(name)),$(filter 0,$($(name)))),,\
+$(foreach name,STATES FLIGHTS MISSIONS,$(if $(or $(call number,$(name)),$(filter 0,$($(name)))),,\
   $(error $(name)='$($(name))' is no whole number of 0 or more)))
 
 # ---- a misspelt variable on the command line would change nothing, silently ----

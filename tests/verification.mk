@@ -17,9 +17,10 @@ fixed_layout = $(shell setarch $$(uname -m) -R true 2>/dev/null && echo setarch 
 
 STATES  ?= 1000000
 FLIGHTS ?= 10000
+MISSIONS ?= 1000
 SHARD   ?= 1/1
-envelope: $(BUILD)/envelope ## STATES=1000000 random states, FLIGHTS=10000 random flights of 60 s; SHARD=k/n does a part
-	$(Q)$(RUNNER) $(BUILD)/envelope $(STATES) $(FLIGHTS) $(SHARD)
+envelope: $(BUILD)/envelope ## STATES=1000000 random states, FLIGHTS=10000 random flights and MISSIONS=1000 missions of 60 s; SHARD=k/n: a part
+	$(Q)$(RUNNER) $(BUILD)/envelope $(STATES) $(FLIGHTS) $(MISSIONS) $(SHARD)
 
 $(BUILD)/envelope: $(ENVELOPE_OBJECTS) $(BUILD)/libanalyses.a $(BUILD)/libtiltrotor.a
 	$(link)

@@ -102,8 +102,8 @@ tr_status tr_air_data_at(const tr_sim* sim, const tr_real station_m[3], tr_air_d
  * du; exact. `dx` holds TR_STATES numbers, `du` TR_CONTROLS, in the order and units of tr_state; `dxdot`
  * takes TR_STATES; doutputs->time_s is 0. TR_NOT_FINITE (in `dx` or `du`, and nothing is written; or in what
  * was found, which is then as computed). Outputs that have no derivative have 0: airspeed and its angles at
- * rest, the tilt of a gimbal that is not tilted. Cost: 1 Jacobian. The air is held as it is, also where it follows the
- * altitude. */
+ * rest, the tilt of a gimbal that is not tilted. Cost: 1 Jacobian. Without systems the air is held as it is, also where
+ * it follows the altitude. Systems, and their commands: systems.h. */
 tr_status tr_directional(const tr_sim* sim, tr_work* work, const tr_real* dx, const tr_real* du,
                          tr_real* dxdot, tr_outputs* doutputs);
 
@@ -113,7 +113,7 @@ enum { TR_OUTPUTS = 23 }; /* numbers of tr_outputs after time_s */
  * its order after time_s, change with the states and controls of tr_linearize for the same `columns`:
  * TR_OUTPUTS by states, TR_OUTPUTS by controls. `d` may be NULL with length 0. Derivatives that do not exist
  * are those of tr_directional. TR_SHORT_BUFFER; TR_NOT_FINITE (c and d are then as computed).
- * Cost: 1 Jacobian (2 with TR_ALL_CONTROLS). */
+ * Cost: 1 Jacobian (2 with TR_ALL_CONTROLS); with systems: systems.h. */
 tr_status tr_linearize_outputs(const tr_sim* sim, tr_work* work, int32_t columns, tr_real* c, size_t c_length,
                                tr_real* d, size_t d_length);
 

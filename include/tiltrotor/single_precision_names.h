@@ -42,6 +42,7 @@
 #define tr_motion_at tr_motion_at_single
 #define tr_air_data_at tr_air_data_at_single
 #define tr_directional tr_directional_single
+#define tr_directional_inputs tr_directional_inputs_single
 #define tr_linearize_outputs tr_linearize_outputs_single
 #define tr_default_systems tr_default_systems_single
 #define tr_get_systems tr_get_systems_single

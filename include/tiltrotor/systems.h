@@ -82,10 +82,17 @@ tr_status tr_get_systems(const tr_sim* sim, tr_systems* systems);
  *
  * With systems on: a step takes 3 or 4 derivatives a part as before and a twentieth of one more for each, with an ideal
  * governor some three times as many. tr_linearize covers their states; where masts, rotor speed, air or ground move it
- * takes 8 to 12 derivatives more. tr_trim takes up to 6 of its trims where gear or ground count. tr_directional and
- * tr_linearize_outputs are TR_BAD_ARGUMENT, as is tr_linearize where TR_LINEAR_SYSTEMS is 0. Modes of systems are named
- * after the state that takes part most. */
+ * takes 8 to 12 derivatives more. tr_trim takes up to 6 of its trims where gear or ground count. tr_directional
+ * takes some 3 derivatives, tr_linearize_outputs as many for every 7 of its columns; both then know every state of
+ * tr_state, fuel, position and attitude that is held included, and hold the turbulence alone. Where TR_LINEAR_SYSTEMS is
+ * 0, all of these are TR_BAD_ARGUMENT; where an ideal governor finds no collective, TR_NOT_CONVERGED. Modes of systems
+ * are named after the state that takes part most. */
 tr_status tr_set_systems(tr_sim* sim, const tr_systems* systems);
+
+/* tr_directional with the commands of tr_systems as well: `du` holds TR_INPUTS numbers, controls and then commands as
+ * tr_linearize counts them with TR_ALL_INPUTS, mast and flap in rad. Commands of systems that are off change nothing. */
+tr_status tr_directional_inputs(const tr_sim* sim, tr_work* work, const tr_real* dx, const tr_real* du,
+                                tr_real* dxdot, tr_outputs* doutputs);
 
 #ifdef __GNUC__
 #pragma GCC visibility pop

@@ -34,6 +34,7 @@ decltype(::tr_get_mass) tr_get_mass;
 decltype(::tr_motion_at) tr_motion_at;
 decltype(::tr_air_data_at) tr_air_data_at;
 decltype(::tr_directional) tr_directional;
+decltype(::tr_directional_inputs) tr_directional_inputs;
 decltype(::tr_linearize_outputs) tr_linearize_outputs;
 decltype(::tr_default_systems) tr_default_systems;
 decltype(::tr_get_systems) tr_get_systems;
@@ -213,6 +214,12 @@ tr_status tr_directional(const tr_sim* sim, tr_work* work, const tr_real* dx, co
                          tr_real* dxdot, tr_outputs* doutputs) {
   const tr_status status = processor_status();
   return status == TR_OK ? checked::tr_directional(sim, work, dx, du, dxdot, doutputs) : status;
+}
+
+tr_status tr_directional_inputs(const tr_sim* sim, tr_work* work, const tr_real* dx, const tr_real* du,
+                                tr_real* dxdot, tr_outputs* doutputs) {
+  const tr_status status = processor_status();
+  return status == TR_OK ? checked::tr_directional_inputs(sim, work, dx, du, dxdot, doutputs) : status;
 }
 
 tr_status tr_linearize_outputs(const tr_sim* sim, tr_work* work, int32_t columns, tr_real* c, size_t c_length,

@@ -21,6 +21,14 @@ inline void put_outputs(double time, const R (&readings)[kReadings], tr_outputs&
   std::memcpy(reinterpret_cast<unsigned char*>(&outputs) + kFirstReading, readings, sizeof readings);
 }
 
+// Whether C and, where it is wanted, D find room.
+inline tr_status check_output_arrays(std::size_t states, std::size_t inputs, const OutputArrays& to) {
+  const bool wants_d = to.d != nullptr || to.d_length > 0;
+  if (to.c_length < kReadings * states || (wants_d && to.d_length < kReadings * inputs))
+    return TR_SHORT_BUFFER;
+  return to.c == nullptr || (wants_d && to.d == nullptr) ? TR_BAD_ARGUMENT : TR_OK;
+}
+
 // Outputs at the present state, and what was found for them; `c` is made. TR_NOT_FINITE: both are as computed.
 tr_status outputs_here(Configuration<R>& c, const Sim& s, tr_outputs& outputs, Found& found);
 

@@ -2,12 +2,16 @@
 #include <cstring>
 
 #include "library/c_linear.hpp"
-#include "library/c_systems.hpp"
+#include "library/c_system_model.hpp"
 #include "library/c_words.hpp"
 
 #if TR_LINEAR_SYSTEMS
 
 #include "tiltrotor/analysis/linear/vehicle_modes.hpp"
+
+namespace tiltrotor {
+TILTROTOR_SYSTEM_INSTANCES()
+}  // namespace tiltrotor
 
 namespace tiltrotor::c_interface {
 
@@ -29,15 +33,25 @@ static_assert(largest<VehicleCallWorkspace, VehicleModesCallWorkspace>() + kWork
 
 }  // namespace
 
+void shape_of_systems(const Sim& s, std::int32_t columns, VehicleShape& of) {
+  vehicle_states(s.systems.vehicle, s.configuration.setup.options, of);
+  of.inputs = columns == TR_ALL_INPUTS ? int{TR_INPUTS} : control_set(columns)->count;
+  for (int j = 0; j < of.inputs; ++j)
+    of.input[j] = columns == TR_ALL_INPUTS ? j : control_set(columns)->index[j];
+}
+
+Configuration<R>& equipped_in_air(const Sim& s, Configuration<R>& c) {
+  equipped(s, c);
+  c.around = with_turbulence(c, evaluated_state(s), s.u, s.systems.vehicle, s.systems.state);
+  return c;
+}
+
 tr_status linearize_systems(const Sim& s, tr_work* work, std::int32_t columns, tr_linear_shape* shape,
                             const LinearArrays& to, R* xdot) {
   VehicleCallWorkspace& call = workspace_in<VehicleCallWorkspace>(work);
   const Vehicle<R>& v = s.systems.vehicle;
   VehicleShape of;
-  vehicle_states(v, s.configuration.setup.options, of);
-  of.inputs = columns == TR_ALL_INPUTS ? int{TR_INPUTS} : control_set(columns)->count;
-  for (int j = 0; j < of.inputs; ++j)
-    of.input[j] = columns == TR_ALL_INPUTS ? j : control_set(columns)->index[j];
+  shape_of_systems(s, columns, of);
   put_shape(of.states, of.state, of.inputs, of.input, *shape);
   const tr_status fits = check_arrays(of.states, of.inputs, to);
   if (fits != TR_OK) return fits;
@@ -48,12 +62,9 @@ tr_status linearize_systems(const Sim& s, tr_work* work, std::int32_t columns, t
   const bool wants_b = to.b != nullptr;
   State<R> rates{};
   SystemState<R> system_rates{};
-  equipped(s, call.configuration);
-  call.configuration.around =
-      with_turbulence(call.configuration, evaluated_state(s), s.u, v, s.systems.state);
   const Status status = linearize_vehicle(
-      v, call.configuration, evaluated_state(s), s.systems.state, s.u, of, call.model, rates, system_rates,
-      [&](int i, int j, R slope) { to.a[at(i, j, of.states)] = slope; },
+      v, equipped_in_air(s, call.configuration), evaluated_state(s), s.systems.state, s.u, of, call.model,
+      rates, system_rates, [&](int i, int j, R slope) { to.a[at(i, j, of.states)] = slope; },
       [&](int i, int j, R slope) {
         if (wants_b) to.b[at(i, j, of.inputs)] = slope;
       });

@@ -41,6 +41,15 @@ void put_switches(const tr_systems& systems, Sim& s);
 struct LinearArrays;
 tr_status linearize_systems(const Sim& s, tr_work* work, std::int32_t columns, tr_linear_shape* shape,
                             const LinearArrays& to, R* xdot);
+// Along dx[TR_STATES] and du[TR_INPUTS], and C and D by rows, as tr_directional and tr_linearize_outputs.
+tr_status direction_of_systems(const Sim& s, tr_work* work, const R* dx, const R* du, R* dxdot, R* dreadings);
+struct OutputArrays {
+  R* c;
+  std::size_t c_length;
+  R* d;
+  std::size_t d_length;
+};
+tr_status outputs_of_systems(const Sim& s, tr_work* work, std::int32_t columns, const OutputArrays& to);
 tr_status modes_of_systems(tr_work* work, const tr_linear_shape& shape, const R* a, tr_mode* modes,
                            std::size_t capacity, std::size_t* count);
 

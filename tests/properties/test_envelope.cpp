@@ -1,7 +1,7 @@
 // The quick version of `make envelope`.
 // Expected: the contract.
 #include "check.hpp"
-#include "properties/envelope.hpp"
+#include "properties/missions.hpp"
 
 namespace {
 
@@ -51,4 +51,14 @@ TEST(envelope_flights_end_or_are_reported) {
   check_kept(breaches);
   CHECK_EQ(counts.to_the_end + counts.diverged, counts.flown);
   CHECK_LT(0, counts.to_the_end);
+}
+
+TEST(envelope_missions_end_or_are_reported) {
+  envelope::Breaches breaches;
+  envelope::MissionCounts counts;
+  for (std::uint64_t index = 0; index < 10; ++index) envelope::Mission(index, counts, breaches).fly(15);
+  check_kept(breaches);
+  CHECK_EQ(counts.in_the_air + counts.on_wheels + counts.struck + counts.lost, counts.flown);
+  CHECK_LT(0, counts.flown - counts.lost);
+  CHECK_LT(0, counts.linear_models);
 }

@@ -2,10 +2,9 @@
 // nor with the expansion of the airframe; against central differences of the rates; against the airframe's own where
 // nothing is switched on.
 #include <complex>
-#include <random>
 
+#include "somewhere.hpp"
 #include "tiltrotor/math/differentiation/complex_step.hpp"
-#include "vehicle_case.hpp"
 
 using namespace vehicle_case;
 using Complex = std::complex<double>;
@@ -27,146 +26,7 @@ const Matrices& matrices(const Vehicle<double>& v, const Configuration<double>& 
   return m;
 }
 
-}  // namespace vehicle_case
-
-namespace {
-
-// A point somewhere in the envelope: not trimmed, not symmetric, its systems under way.
-struct Somewhere {
-  Configuration<double> c;
-  Vehicle<double> v;
-  State<double> x;
-  SystemState<double> s;
-  Controls<double> u;
-};
-
-class Dice {
- public:
-  explicit Dice(unsigned seed) : random_(seed) {}
-  double between(double low, double high) {
-    return low + (high - low) * static_cast<double>(random_()) / 4294967296.0;
-  }
-  bool flip() { return random_() % 2 == 0; }
-
- private:
-  std::mt19937 random_;
-};
-
-Somewhere somewhere(Dice& dice, Governor governor) {
-  const Aircraft<double>& aircraft = aircraft_data<double>();
-  const double size = this_aircraft::speed();
-  Somewhere at{};
-  // Not at a knot of a table.
-  const double mast = dice.between(0.3, 89.7), forward = dice.between(3, 30 + mast) * size;
-  FlightSetup<double> setup = flight_setup(aircraft, mast);
-  setup.options = realtime();
-  setup.altitude = this_aircraft::altitude();
-  setup.options.coning_states = dice.flip();
-  CHECK(prepare(aircraft, setup, at.c) == Status::ok);
-
-  const double tilt = mast * kDeg;
-  at.x.velocity = {forward, dice.between(-4, 4) * size, dice.between(-4, 4) * size};
-  at.x.rates = {dice.between(-0.3, 0.3), dice.between(-0.3, 0.3), dice.between(-0.3, 0.3)};
-  at.x.roll = dice.between(-0.6, 0.6);
-  at.x.pitch = dice.between(-0.3, 0.3);
-  at.x.downwash = dice.between(0, 0.1);
-  at.x.position.z = -dice.between(10, 500);
-  for (const Side side : {right, left}) {
-    RotorState<double>& rotor = at.x.rotor[side];
-    rotor = {dice.between(-0.05, 0.05), dice.between(-0.05, 0.05), dice.between(-0.5, 0.5),
-             dice.between(-0.5, 0.5),   dice.between(0.01, 0.06),  dice.between(-0.01, 0.01),
-             dice.between(-0.01, 0.01)};
-    at.x.coning[side] = {dice.between(0.02, 0.06), dice.between(-0.5, 0.5)};
-  }
-  // Blades at four degrees to the air that comes.
-  const double axial = forward * std::sin(tilt) / (0.75 * at.c.tip_speed);
-  at.u.collective = std::atan(axial) + dice.between(4, 10) * kDeg;
-  at.u.long_stick = dice.between(-2, 2);
-  at.u.lat_stick = dice.between(-2, 2);
-  at.u.pedal = dice.between(-1, 1);
-  at.u.gust = {dice.between(-2, 2), dice.between(-2, 2), dice.between(-2, 2)};
-
-  Vehicle<double>& v = at.v;
-  v.on = {governor, dice.flip(), dice.flip(), dice.flip(), dice.flip(), dice.flip(), dice.flip(), false};
-  v.loaded_mass = at.c.setup.mass;
-  v.gear_down = dice.flip();
-  // Wheels a foot in the ground, or some metres above it.
-  v.ground = {at.x.position.z + (dice.flip() ? 1.5 : 6) * this_aircraft::length(), 0.03, -0.02};
-  v.brake[right] = 0.3;
-  v.air_follows = dice.flip();
-  v.altitude_origin = this_aircraft::altitude() + 100;
-  v.engine_failed[left] = dice.between(0, 1) < 0.2;
-  SystemState<double>& s = at.s;
-  s.mast = tilt;
-  s.mast_rate = dice.between(-0.1, 0.1);
-  s.flap = at.c.setup.flap_deg * kDeg + dice.between(-0.2, -0.05);
-  s.rotor_speed = at.c.setup.rotor_speed * dice.between(0.95, 1.05);
-  s.governor = governor == Governor::pi ? dice.between(-0.1, 0.1) : 0;
-  const Rates at_first = rates(v, at.c, at.x, s, at.u);  // for the engines to give about what the rotors take
-  const double power = std::max(
-      2e5, (at_first.airframe.torque[right] + at_first.airframe.torque[left]) * at.c.setup.rotor_speed);
-  const double engines = v.engine_failed[left] && !v.on.engines ? 1 : 2;
-  for (const Side side : {right, left}) {
-    const double full = demanded_power(aircraft, at.c.air, 1.0);
-    s.power[side] = std::min(power / engines, full) * dice.between(0.9, 1.1);
-    v.commands.throttle[side] = s.power[side] / full;
-  }
-  for (double& way : s.series) way = dice.between(-0.8, 0.8);
-  s.washout = dice.between(-0.1, 0.1);
-  // Actuators as they follow, within their largest rate or beyond it.
-  Controls<double> asked = at.u;
-  asked.collective += s.governor;
-  if (v.on.augmentation) {
-    asked.long_stick += s.series[0];
-    asked.lat_stick += s.series[1];
-    asked.pedal += s.series[2];
-  }
-  const BladeControls<double> angles = vehicle_parts::wanted_angles(aircraft, at.c.setup.options, mast, asked,
-                                                                    Vec3<double>(at.x.velocity - at.u.gust));
-  const double away = dice.flip() ? 0.05 : 0.003;
-  for (const Side side : {right, left}) {
-    s.collective[side] = angles.collective[side] + dice.between(-away, away);
-    s.long_cyclic[side] = angles.long_cyclic[side] + dice.between(-away, away);
-  }
-  s.elevator = angles.elevator + dice.between(-away, away);
-  s.aileron = angles.aileron + dice.between(-away, away);
-  s.rudder = angles.rudder + dice.between(-away, away);
-  s.held_pitch = at.x.pitch + dice.between(-0.05, 0.05);
-  s.held_roll = at.x.roll + dice.between(-0.05, 0.05);
-  s.holds_pitch = dice.flip() ? 1 : 0;
-  s.holds_roll = dice.flip() ? 1 : 0;
-  v.commands.mast = tilt + dice.between(-0.2, 0.2);
-  v.commands.flap = s.flap + dice.between(-0.1, 0.1);
-  v.commands.rotor_speed = at.c.setup.rotor_speed;
-  // The search for its collective begins where it will end.
-  for (int k = 0; k < 3 && governor == Governor::ideal; ++k)
-    s.governor = rates(v, at.c, at.x, s, at.u).flows.governed;
-  return at;
-}
-
-// Whether an ideal governor has found its collective there, and the power depends on it enough: a fifth of a rad for
-// the power of an engine. Far from it no derivative has a meaning.
-bool is_governed(const Somewhere& at) {
-  const double engine = at.c.aircraft->controls.engine_power;
-  const double efficiency = at.c.aircraft->controls.transmission_efficiency;
-  const Rates r = rates(at.v, at.c, at.x, at.s, at.u);
-  const auto excess = [&](double more) {
-    Evaluation<double> e;
-    Controls<double> u = r.demand.controls;
-    u.collective += more;
-    Configuration<double> c = at.c;
-    put_into(r.demand, c);
-    evaluate_aircraft(c, at.x, u, e);
-    return (e.rotor[right].loads.torque + e.rotor[left].loads.torque) * c.setup.rotor_speed -
-           efficiency * r.flows.power;
-  };
-  const double step = 1e-4;
-  return std::fabs(r.flows.governed) < 0.3 && std::fabs(excess(0)) < 1e-9 * engine &&
-         excess(step) - excess(0) > step * engine / 0.2;
-}
-
-// The column of a variable by a step along the imaginary axis.
-void complex_column(const Somewhere& at, const VehicleShape& shape, int j, double* column) {
+Change complex_step(const Somewhere& at, const double* dx, const double* du) {
   static Configuration<Complex> c;
   static DerivativeSteps<Complex> steps;
   double flat[vehicle_state_count], inputs[vehicle_input_count];
@@ -175,9 +35,9 @@ void complex_column(const Somewhere& at, const VehicleShape& shape, int j, doubl
   flatten(at.s, flat + state_count);
   flatten(at.u, inputs);
   flatten(at.v.commands, inputs + control_count);
-  std::copy(flat, flat + vehicle_state_count, states);
-  std::copy(inputs, inputs + vehicle_input_count, moved);
-  (j < shape.states ? states[shape.state[j]] : moved[shape.input[j - shape.states]]) += Complex(0, 1e-30);
+  const double step = 1e-30;
+  for (int i = 0; i < vehicle_state_count; ++i) states[i] = Complex(flat[i], step * dx[i]);
+  for (int j = 0; j < vehicle_input_count; ++j) moved[j] = Complex(inputs[j], step * du[j]);
 
   State<Complex> x;
   SystemState<Complex> systems, of_systems;
@@ -193,10 +53,32 @@ void complex_column(const Somewhere& at, const VehicleShape& shape, int j, doubl
   VehicleFlows<Complex> flows;
   vehicle_rates<Complex>(at.v, at.c, at.c.setup, c, x, systems, commands, u,
                          VehicleAirframe<Complex>{c, x, steps, 0.0}, demand, answer, flows, of_systems);
-  Complex found[vehicle_state_count];
+  // What a mast carries speeds its rotor up, too.
+  if (at.v.on.governor == Governor::pi)
+    c.spin_up = static_cast<double>(c.aircraft->rotor.blades) * c.aircraft->rotor.flap_inertia *
+                of_systems.rotor_speed;
+  Instruments<Complex> read;
+  read_instruments(c, x, steps, answer.rates, read);
+  Complex found[vehicle_state_count], readings[Instruments<double>::kCount];
   flatten(answer.rates, found);
   flatten(of_systems, found + state_count);
-  for (int i = 0; i < shape.states; ++i) column[i] = found[shape.state[i]].imag() * 1e30;
+  flatten(read, readings);
+  Change change;
+  for (int i = 0; i < vehicle_state_count; ++i) change.of[i] = found[i].imag() / step;
+  for (int i = 0; i < Instruments<double>::kCount; ++i) change.readings[i] = readings[i].imag() / step;
+  return change;
+}
+
+}  // namespace vehicle_case
+
+namespace {
+
+// The column of a variable.
+void complex_column(const Somewhere& at, const VehicleShape& shape, int j, double* column) {
+  double dx[vehicle_state_count] = {}, du[vehicle_input_count] = {};
+  (j < shape.states ? dx[shape.state[j]] : du[shape.input[j - shape.states]]) = 1;
+  const Change change = complex_step(at, dx, du);
+  for (int i = 0; i < shape.states; ++i) column[i] = change.of[shape.state[i]];
 }
 
 // Largest error of a column of A and B over the largest entry of that column.

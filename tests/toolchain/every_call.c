@@ -16,7 +16,7 @@ static void print(const char* name, tr_status status) {
 
 int main(void) {
   unsigned char saved[TR_SAVED_SIZE];
-  const tr_real control = 0, one = 1;
+  const tr_real control = 0, one = 1, inputs[TR_INPUTS] = {0};
   tr_real real, imag, rates[TR_STATES];
   tr_setup setup;
   tr_flight flight;
@@ -85,6 +85,7 @@ int main(void) {
   print("read_imu", tr_read_imu(&sim, &imu, (tr_real)0.005));
   print("read_air_probe", tr_read_air_probe(&sim, &probe, (tr_real)0.005, &air));
   print("directional", tr_directional(&sim, &work, state.x, state.u, rates, &outputs));
+  print("directional_inputs", tr_directional_inputs(&sim, &work, state.x, inputs, rates, &outputs));
   print("linearize_outputs", tr_linearize_outputs(&sim, &work, TR_INCEPTORS, matrix, length, NULL, 0));
   print("linearize", tr_linearize(&sim, &work, TR_INCEPTORS, &shape, matrix, length, NULL, 0));
   print("linearize_and_step",

@@ -224,10 +224,10 @@ void add_configuration_slopes(const Configuration<R>& c, const State<R>& x, cons
     moved_configuration(c, set.parameter + first, by, count, at.configuration);
     at.configuration.outside.force = plus_fixed(at.configuration.outside.force, demand.gear.total.force);
     at.configuration.outside.moment = plus_fixed(at.configuration.outside.moment, demand.gear.total.moment);
-    evaluate_aircraft(at.configuration, at.x, at.u, at.derivative, at.evaluation, azimuth);
+    derivative(at.configuration, at.x, at.u, at.derivative, at.evaluation.rates, azimuth);
     T found[kRows];
     flatten(at.evaluation.rates, found);
-    for (const Side side : {right, left}) found[kTorqueRow[side]] = at.evaluation.rotor[side].loads.torque;
+    for (const Side side : {right, left}) found[kTorqueRow[side]] = at.derivative.rotor[side].loads.torque;
     for (int i = 0; i < kRows; ++i)
       for (int k = 0; k < count; ++k) about.slope(i, column[first + k]) = found[i].d.get(k);
   }
