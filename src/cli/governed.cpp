@@ -6,9 +6,17 @@
 
 namespace tiltrotor::cli {
 
-SystemFlight<double> governed(const Configuration<double>& c, const State<double>& x, Controls<double>& u) {
+OptionList scas_option() {
+  return {{"--scas", "STATE", "off, or on: with the rate damping of the augmentation (off)"}};
+}
+
+bool wants_scas(const Arguments& arguments) { return arguments.choice("--scas", "off", {"off", "on"}) == 1; }
+
+SystemFlight<double> governed(const Configuration<double>& c, const State<double>& x, Controls<double>& u,
+                              bool scas) {
   SystemFlight<double> flight{};
   flight.vehicle.on.governor = c.setup.options.governor;
+  flight.vehicle.on.augmentation = scas;
   flight.vehicle.ground.down = std::numeric_limits<double>::infinity();
   Evaluation<double> now;
   evaluate_aircraft(c, x, u, now);
@@ -17,9 +25,9 @@ SystemFlight<double> governed(const Configuration<double>& c, const State<double
 }
 
 Status linearize_governed(const Configuration<double>& c, const State<double>& x, const Controls<double>& u,
-                          const ControlSet& columns, Analyses& work, VehicleMatrices& matrices) {
+                          const ControlSet& columns, Analyses& work, VehicleMatrices& matrices, bool scas) {
   Controls<double> at = u;
-  const SystemFlight<double> flight = governed(c, x, at);
+  const SystemFlight<double> flight = governed(c, x, at, scas);
   return linearize_flight(c, flight, x, at, columns, CommandColumns::throttles, work, matrices);
 }
 
@@ -50,6 +58,19 @@ double governed_collective(const Configuration<double>& c, const SystemFlight<do
   vehicle_rates(v, c, c.setup, put, x, flight.state, v.commands, u,
                 VehicleAirframe<double>{put, x, steps, azimuth}, demand, answer, flows, rates);
   return flows.governed;
+}
+
+VehicleShape governed_shape(const Options& options, const ControlSet& columns, bool scas) {
+  Vehicle<double> vehicle{};
+  vehicle.on.governor = options.governor;
+  vehicle.on.augmentation = scas;
+  VehicleShape shape;
+  vehicle_states(vehicle, options, shape);
+  shape.inputs = 0;
+  for (int j = 0; j < columns.count; ++j) shape.input[shape.inputs++] = columns.index[j];
+  if (options.governor == Governor::off) return shape;
+  for (const int throttle : kCommandIndex.throttle) shape.input[shape.inputs++] = control_count + throttle;
+  return shape;
 }
 
 void require_no_governor(const Options& options, const Arguments& arguments, const char* option) {

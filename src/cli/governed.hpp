@@ -8,11 +8,20 @@
 namespace tiltrotor::cli {
 
 // Rotors with their governor at (x, u) of the airframe, in a balance of power. Stick and pedals stay as they are.
-SystemFlight<double> governed(const Configuration<double>& c, const State<double>& x, Controls<double>& u);
+// With `scas` its rate damping is on; attitudes are not held, as while a pilot moves the stick.
+SystemFlight<double> governed(const Configuration<double>& c, const State<double>& x, Controls<double>& u,
+                              bool scas = false);
 
-// A and B of it: the columns of a set, and the throttles of both engines.
+// A and B of it: the columns of a set, and the throttles of both engines. Without governor and SCAS those of the airframe.
 Status linearize_governed(const Configuration<double>& c, const State<double>& x, const Controls<double>& u,
-                          const ControlSet& columns, Analyses& work, VehicleMatrices& matrices);
+                          const ControlSet& columns, Analyses& work, VehicleMatrices& matrices,
+                          bool scas = false);
+// What its rows and columns are, throttles only with a governor.
+VehicleShape governed_shape(const Options& options, const ControlSet& columns, bool scas);
+
+// The augmentation in a linear model.
+OptionList scas_option();
+bool wants_scas(const Arguments& arguments);
 
 // The same of a flight with systems, as they stand, with the columns of every command where wanted.
 enum class CommandColumns : unsigned char { throttles, all };

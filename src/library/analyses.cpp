@@ -56,6 +56,10 @@ Status vehicle_modes(const VehicleMatrices& matrices, Analyses& work, VehicleMod
   return vehicle_modes(matrices.shape, work.vehicle_modes, found);
 }
 
+const Eigensystem<double, kMaxVehicleStates>& vehicle_eigensystem(const Analyses& work) {
+  return work.vehicle_modes.system;
+}
+
 Status advance_vehicle(Configuration<double>& c, SystemFlight<double>& flight, Analyses& work,
                        Simulation<double>& simulation, const double* xdot) {
   return advance_vehicle(c, flight, work.simulation, simulation, xdot);

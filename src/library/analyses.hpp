@@ -46,6 +46,8 @@ Status linearize_vehicle(const Vehicle<double>& v, Configuration<double>& c, con
                          const SystemState<double>& s, const Controls<double>& u, Analyses& work,
                          VehicleMatrices& matrices, double azimuth = 0);
 Status vehicle_modes(const VehicleMatrices& matrices, Analyses& work, VehicleModes<double>& found);
+// Of the modes found last, rotors by mean (in the places of the right one) and difference.
+const Eigensystem<double, kMaxVehicleStates>& vehicle_eigensystem(const Analyses& work);
 Status advance_vehicle(Configuration<double>& c, SystemFlight<double>& flight, Analyses& work,
                        Simulation<double>& simulation, const double* xdot = nullptr);
 
