@@ -20,6 +20,7 @@
 #define tr_linearize tr_linearize_single
 #define tr_linearize_and_step tr_linearize_and_step_single
 #define tr_linearize_and_step_exponential tr_linearize_and_step_exponential_single
+#define tr_rigid_model tr_rigid_model_single
 #define tr_status_word tr_status_word_single
 #define tr_status_text tr_status_text_single
 #define tr_state_name tr_state_name_single

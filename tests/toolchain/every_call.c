@@ -93,6 +93,8 @@ int main(void) {
   print("linearize_and_step_exponential",
         tr_linearize_and_step_exponential(&sim, &work, (tr_real)0.02, NULL, TR_INCEPTORS, &shape, matrix,
                                           length, NULL, 0));
+  print("rigid_model",
+        tr_rigid_model(&work, &shape, matrix, length, NULL, 0, &shape, matrix, length, NULL, 0));
   print("eigenvalues", tr_eigenvalues(&work, &one, 1, &real, &imag, 1));
   print("modes", tr_modes(&work, &shape, matrix, length, modes, TR_MAX_LINEAR_STATES, &used));
   return 0;
