@@ -41,7 +41,7 @@ bool has(const std::string& tool) { return run_program("command -v " + tool).exi
 
 std::string every_function(const std::string& flags) {
   return run_program(kCxx + flags + "-E -P -x c++ - <" +
-                     quoted(source_path("include/tiltrotor/tiltrotor.h")) +
+                     quoted(source_path("include/tiltrotor/sensors.h")) +
                      " | grep -o 'tr_[a-z_]*[0-9a-z_]*(' | tr -d '(' | sort -u")
       .out;
 }
