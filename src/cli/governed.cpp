@@ -6,16 +6,6 @@
 
 namespace tiltrotor::cli {
 
-SystemFlight<double> governed(const Configuration<double>& c, const State<double>& x, Controls<double>& u) {
-  SystemFlight<double> flight{};
-  flight.vehicle.on.governor = c.setup.options.governor;
-  flight.vehicle.ground.down = std::numeric_limits<double>::infinity();
-  Evaluation<double> now;
-  evaluate_aircraft(c, x, u, now);
-  settle(c, x, now.rotor[right].loads.torque + now.rotor[left].loads.torque, flight.vehicle, flight.state, u);
-  return flight;
-}
-
 Status linearize_governed(const Configuration<double>& c, const State<double>& x, const Controls<double>& u,
                           const ControlSet& columns, Analyses& work, VehicleMatrices& matrices) {
   Controls<double> at = u;

@@ -7,10 +7,7 @@
 
 namespace tiltrotor::cli {
 
-// Rotors with their governor at (x, u) of the airframe, in a balance of power. Stick and pedals stay as they are.
-SystemFlight<double> governed(const Configuration<double>& c, const State<double>& x, Controls<double>& u);
-
-// A and B of it: the columns of a set, and the throttles of both engines.
+// A and B at (x, u) of the airframe in a balance of power: the columns of a set, and the throttles of both engines.
 Status linearize_governed(const Configuration<double>& c, const State<double>& x, const Controls<double>& u,
                           const ControlSet& columns, Analyses& work, VehicleMatrices& matrices);
 

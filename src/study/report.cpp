@@ -101,7 +101,7 @@ void print_summary(const std::vector<Section>& sections) {
 
 }  // namespace
 
-bool run_report(const std::string& folder, ReportSummary summary) {
+bool run_report(const std::string& folder, ReportSummary summary, const FlyMission& fly_mission) {
   const auto start = std::chrono::steady_clock::now();
   std::vector<Section> sections;
   std::optional<Validation> validation;
@@ -123,6 +123,7 @@ bool run_report(const std::string& folder, ReportSummary summary) {
         [&] { return control_response(sweeps); },
         frequency_responses,
         linear_matrices,
+        [&] { return mission(fly_mission()); },
         [&] { return uncertainty_shares(bands); },
         data_flow,
     };
