@@ -118,7 +118,10 @@ std::string flight_picture(const std::string& title, const Table& motion, const 
                      line(motion, "flaps", kOrange, "flap_deg", Line::dashed)};
   plots[3].series = {line(motion, "engines", kBlue, "power_kw"),
                      line(motion, "take-off power", kOrange, "takeoff_power_kw", Line::dashed)};
-  for (std::size_t i = 1; i < plots.size(); ++i) plots[i].y.low = 0;
+  const std::vector<double>& heights = plots[0].series[0].y;
+  constexpr double struts = 0.5;  // m, that wheels at rest may give way
+  const bool above = std::all_of(heights.begin(), heights.end(), [](double h) { return h > -struts; });
+  for (std::size_t i = above ? 0 : 1; i < plots.size(); ++i) plots[i].y.low = 0;
   plots.back().note = note;
   return stacked_svg(title, plots);
 }

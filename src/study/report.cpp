@@ -85,7 +85,10 @@ PageHead page_head(const std::vector<Section>& sections, double seconds) {
           count(Finding::differs) + " differ",
       std::string(
           "aircraft: 13000 lb, centre of gravity at station 301.2 in, sea level, standard day, unless "
-          "said otherwise")};
+          "said otherwise"),
+      std::string(
+          "governor: none, rotor speed and collective held, unless said otherwise; of a trim, rotor speed held "
+          "and power what it takes")};
   return head;
 }
 
