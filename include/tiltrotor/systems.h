@@ -81,7 +81,7 @@ tr_status tr_get_systems(const tr_sim* sim, tr_systems* systems);
  * TR_NOT_FINITE, TR_OUT_OF_RANGE, TR_BAD_ARGUMENT (an unknown choice): nothing is changed. Cost: 1 derivative.
  *
  * With systems on: a step takes 3 or 4 derivatives a part as before and a twentieth of one more for each, with an ideal
- * governor some three times as many. tr_linearize covers their states; where masts, rotor speed, air or ground move it
+ * governor some five times as many. tr_linearize covers their states; where masts, rotor speed, air or ground move it
  * takes some 10 derivatives more. tr_trim takes up to 6 of its trims where gear or ground count. tr_directional
  * takes some 4 derivatives, tr_linearize_outputs as many for every 7 of its columns; both then know every state of
  * tr_state, fuel, position and attitude that is held included, and hold the turbulence alone. Where TR_LINEAR_SYSTEMS is
