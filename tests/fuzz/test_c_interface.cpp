@@ -271,8 +271,8 @@ void find_eigenvalues(Workspace& workspace, fuzz::Bytes& in) {
   if (status == TR_OK) REQUIRE(all_finite(real, n) && all_finite(imag, n));
 }
 
-void call_with_nothing(Workspace& workspace, fuzz::Bytes& in) {
-  tr_sim* const sim = in.below(2) == 0 ? nullptr : &workspace.sim[0];
+void call_with_nothing(tr_sim& chosen, fuzz::Bytes& in) {
+  tr_sim* const sim = in.below(2) == 0 ? nullptr : &chosen;
   REQUIRE(tr_init(nullptr, in.raw<std::uint32_t>(), nullptr) != TR_OK);
   REQUIRE(tr_set_controls(sim, nullptr, in.byte()) != TR_OK && tr_step(sim, nullptr, 0.01) != TR_OK);
   REQUIRE(tr_get_state(sim, nullptr) != TR_OK && tr_set_state(sim, nullptr) != TR_OK);
@@ -377,7 +377,7 @@ FUZZ_TARGET(c_interface) {
         change_systems(sim, in);
         break;
       default:
-        call_with_nothing(workspace, in);
+        call_with_nothing(sim, in);
     }
     REQUIRE(std::memcmp(&other, &workspace.sim[&sim == workspace.sim ? 1 : 0], sizeof other) == 0);
     REQUIRE(std::memcmp(&bystander, &workspace.bystander, sizeof bystander) == 0);
