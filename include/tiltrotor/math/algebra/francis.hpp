@@ -133,10 +133,24 @@ inline bool negligible(const PaddedSquare<R, N>& h, int k) {
          larger_of(std::numeric_limits<R>::min(), kEps<R> * (small_diagonal * (large_diagonal / sum)));
 }
 
-// Sum and product of the two shifts.
+// Eigenvalues that are equal, or nearly, with few eigenvectors: rounding stays alive below the diagonal, where the test
+// above asks for zero as their difference does, and drowns the start of a sweep. After so many sweeps without a split an
+// entry counts as zero that is small against the block, a change of the matrix by less than rounding all the same, and
+// the start is found from differences.
+inline constexpr int kSweepsOfPatience = 20;
+template <class R, int N>
+inline R rounding_of(const PaddedSquare<R, N>& h, int low, int high) {
+  R largest = R(0);
+  for (int i = low; i <= high; ++i)
+    for (int j = i > low ? i - 1 : low; j <= high; ++j) largest = larger_of(largest, std::fabs(h(i, j)));
+  return kEps<R> * largest;
+}
+
+// The two shifts: roots of z^2 - sum z + product, or of (z - mean)^2 - square.
 template <class R>
 struct Shifts {
   R sum, product;
+  R mean, square;
 };
 
 // The factor that brings a block which has been split off back to numbers whose squares do not vanish; nearly
@@ -176,11 +190,11 @@ inline Shifts<R> shifts(const PaddedSquare<R, N>& block, int low, int high, int 
   }
   const R half = R(0.5) * (a - d);
   const R discriminant = half * half + b * c;
-  if (discriminant < R(0)) return {a + d, a * d - b * c};
+  if (discriminant < R(0)) return {a + d, a * d - b * c, d + half, discriminant};
   // The root of smaller modulus of z^2 - 2 half z - b c, without cancellation.
   const R far = half + (half < R(0) ? -tiltrotor::sqrt(discriminant) : tiltrotor::sqrt(discriminant));
   const R nearest = d + (far == R(0) ? R(0) : -b * c / far);
-  return {nearest + nearest, nearest * nearest};
+  return {nearest + nearest, nearest * nearest, nearest, R(0)};
 }
 
 // Where a sweep may start, and the first column of (H - s1)(H - s2) there.
@@ -192,10 +206,15 @@ struct Start {
 
 // Below two small subdiagonal entries in succession a start disturbs the entry above it by less than rounding.
 template <class R, int N>
-inline Start<R> start(const PaddedSquare<R, N>& block, int low, int high, const Shifts<R>& s, R unit) {
+inline Start<R> start(const PaddedSquare<R, N>& block, int low, int high, const Shifts<R>& s, R unit,
+                      bool by_differences) {
   const auto h = [&](int i, int j) { return block(i, j) * unit; };
   const auto column = [&](int m) -> Start<R> {
     const R a = h(m, m), c = h(m + 1, m);
+    if (by_differences) {
+      const R away = a - s.mean, next = h(m + 1, m + 1) - s.mean;
+      return {m, away * away - s.square + h(m, m + 1) * c, c * (away + next), c * h(m + 2, m + 1)};
+    }
     return {m, a * (a - s.sum) + s.product + h(m, m + 1) * c, c * (a + h(m + 1, m + 1) - s.sum),
             c * h(m + 2, m + 1)};
   };
@@ -213,7 +232,7 @@ template <bool kWithBasis, class R, int N>
 inline void sweep(PaddedSquare<R, N>& h, int n, int low, int high, int since_split, R unit,
                   PaddedSquare<R, N>& basis) {
   const Shifts<R> s = shifts<R, N>(h, low, high, since_split, unit);  // and the start in units of the block
-  auto [first, x, y, z] = start<R, N>(h, low, high, s, unit);
+  auto [first, x, y, z] = start<R, N>(h, low, high, s, unit, since_split >= kSweepsOfPatience);
   const int row_end = lane_ceil<R>(kWithBasis ? n : high + 1);
   const int column_begin = kWithBasis ? 0 : low;
   const int basis_end = lane_ceil<R>(n);
@@ -313,7 +332,10 @@ inline FrancisResult francis(Matrix<R, N, lane_ceil<R>(N)>& h, int n, int low, i
     int top = high;
     // Below it an entry as small as its neighbours: zero unless the whole block is small.
     int vanishing = low;
-    while (top > low && !francis_detail::negligible<R, N>(h, top)) {
+    const R late = since_split < francis_detail::kSweepsOfPatience
+                       ? R(-1)
+                       : francis_detail::rounding_of<R, N>(h, last_top, high);
+    while (top > low && !francis_detail::negligible<R, N>(h, top) && !(std::fabs(h(top, top - 1)) <= late)) {
       const bool tiny = std::fabs(h(top, top - 1)) <= francis_detail::negligible_size<R>();
       vanishing = tiny && top > vanishing ? top : vanishing;
       --top;
