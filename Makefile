@@ -359,7 +359,7 @@ $(BUILD)/host/%.o: src/%.cpp $(BUILD)/host.stamp
 	@echo "  compile $< (host)"; mkdir -p $(@D)
 	$(Q)$(HOST_CXX) $(HOST_FLAGS) $(DEPENDENCIES) -c $< -o $@
 
-include src/firmware/firmware.mk src/examples/examples.mk tests/budget/budget.mk tests/verification.mk
+include src/firmware/firmware.mk src/fmu/fmu.mk src/examples/examples.mk tests/budget/budget.mk tests/verification.mk
 
 # A header that needs another one included first is broken; C headers must also please a C99 compiler.
 .PHONY: $(HEADERS:%=alone/%)

@@ -1,0 +1,81 @@
+// An instance of the FMU: one block, placed once; nothing else is allocated.
+#pragma once
+
+#include <cstdarg>
+
+#include "fmu/fmi3.h"
+#include "fmu/variables.hpp"
+
+namespace tiltrotor_fmu {
+
+// Modes of the standard, as bits, so that a call may name those it is allowed in.
+enum Mode : unsigned {
+  kInstantiated = 1,
+  kInitialization = 2,
+  kEvent = 4,
+  kContinuous = 8,
+  kStep = 16,
+  kTerminated = 32,
+  kAlive = 63
+};
+
+// What a copy keeps and restores.
+struct Flight {
+  std::uint32_t mode;
+  bool changed;   // a parameter, since the aircraft was made
+  bool jumped;    // states, by an input, since the last event
+  double time;
+  double setting[kSettings];
+  bool state_given[kContinuousStates], input_given[TR_INPUTS];
+  double state[kContinuousStates];  // begun with
+  double input[TR_INPUTS];          // as they are
+  tr_sim sim;
+};
+
+// Copies that an importer may hold at a time.
+constexpr int kSlots = 16;
+struct Slot {
+  bool used;
+  Flight flight;
+};
+
+struct Instance {
+  std::uint64_t mark;
+  bool co_simulation, logging;
+  std::uint32_t categories;  // bit a fmi3Status
+  fmi3LogMessageCallback log_message;
+  fmi3InstanceEnvironment environment;
+  double stop_time;
+  Flight flight, before;     // a step that fails leads back
+  double start_state[kContinuousStates], start_input[TR_INPUTS], start_setting[kSettings];
+  tr_work work;
+  Slot slot[kSlots];
+};
+constexpr std::uint64_t kMark = UINT64_C(0x74696c74726f746f);
+
+/// The instance when it is one and in one of the modes; else nullptr, and a line in its log.
+Instance* opened(fmi3Instance instance, unsigned modes, const char* call);
+
+/// Says it to the importer and hands `status` back.
+fmi3Status say(Instance& i, fmi3Status status, const char* format, ...)
+#ifdef __GNUC__
+    __attribute__((format(printf, 3, 4)))
+#endif
+    ;
+/// Of the library; `refused`: what anything but TR_OK is.
+fmi3Status answer(Instance& i, tr_status status, const char* call, fmi3Status refused);
+
+/// As after instantiation.
+fmi3Status begin(Instance& i);
+/// The aircraft that settings, start states and inputs ask for, when they have changed since.
+fmi3Status make(Instance& i);
+
+/// All numbers are finite; `what` is said of them when not.
+bool are_finite(Instance& i, const double* numbers, std::size_t count, const char* what);
+
+fmi3Status put_states(Instance& i, const double* x);
+/// One continuous input, in the units of tr_control_unit.
+fmi3Status put_input(Instance& i, int index, double value);
+fmi3Status put_setting(Instance& i, int index, double value);
+
+}  // namespace tiltrotor_fmu

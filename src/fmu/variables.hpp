@@ -1,0 +1,111 @@
+// The variables of the FMU: one table for the description and for what answers.
+//
+//   time                         0
+//   states, their derivatives    1000 + place in tr_state.x, 2000 + place
+//   continuous inputs            3000 + place in TR_INPUTS: controls, commands of systems
+//   outputs                      4000 + place in tr_outputs after time_s
+//   settings                     5000 + Setting: parameters, and inputs that jump
+#pragma once
+
+#include <cstdint>
+
+#include "tiltrotor/tiltrotor.h"
+
+namespace tiltrotor_fmu {
+
+enum Setting {
+  // what tr_setup says
+  kMast,
+  kFlap,
+  kRotorSpeed,
+  kMass,
+  kCgStation,
+  kAltitude,
+  kGrid,
+  kTables,
+  kConing,
+  // the flight it begins in
+  kTrim,
+  kTrimSpeed,
+  kTrimClimb,
+  kTrimTurnRate,
+  kTrimSideslip,
+  // air and ground
+  kEnvironment,
+  kTemperatureOffset,
+  kPressureRatio,
+  kGroundDown,
+  // switches of tr_systems
+  kGovernor,
+  kConversion,
+  kEngines,
+  kActuators,
+  kScas,
+  kGear,
+  kGroundEffect,
+  kTurbulence,
+  kTurbulenceSeed,
+  kTurbulenceW20,
+  kLongestStep,
+  // inputs that jump
+  kWindNorth,
+  kWindEast,
+  kWindDown,
+  kBrakeRight,
+  kBrakeLeft,
+  kGearDown,
+  kEngineFailedRight,
+  kEngineFailedLeft,
+  kSettings
+};
+constexpr int kFirstInputSetting = kWindNorth;
+
+// Continuous states of Model Exchange: the first of tr_state.x. Those after them belong to the augmentation and the
+// turbulence, which move on between steps of tr_step alone: Co-Simulation.
+constexpr int kContinuousStates = TR_SERIES_ACTUATORS;
+
+enum class Type { float64, boolean, enumeration, uint32 };
+enum class Role { time, state, rate, input, output, setting, none };
+constexpr std::uint32_t kFirst[] = {0, 1000, 2000, 3000, 4000, 5000};
+constexpr int kCount[] = {1, TR_STATES, kContinuousStates, TR_INPUTS, TR_OUTPUTS, kSettings};
+
+struct Place {
+  Role role;
+  int index;
+};
+/// Of a value reference; Role::none when there is no such variable.
+Place place_of(std::uint32_t reference);
+inline std::uint32_t reference_of(Role role, int index) {
+  return kFirst[static_cast<int>(role)] + static_cast<std::uint32_t>(index);
+}
+
+struct SettingFacts {
+  const char *name, *unit;
+  Type type;
+  double start, least, most;  // start of flap and rotor speed: the aircraft's default by mast angle
+  const char* text;
+};
+const SettingFacts& facts_of(int setting);
+
+struct OutputFacts {
+  const char *name, *unit;
+  const char* text;
+};
+const OutputFacts& output_facts(int output);
+
+Type type_of(Place place);
+const char* name_of(Place place);  // without what stands before it
+const char* unit_of(Place place);
+/// Of the size that a variable of this unit usually has.
+double nominal_of(const char* unit);
+/// Whether a rate or an output may change with a state or an input.
+bool depends(Place unknown, Place known);
+
+/// Names this library, its aircraft and this table: "{tiltrotor-...}".
+void instantiation_token(char (&token)[64]);
+
+/// Whole degrees stay whole: 90 deg is a limit.
+double degrees(double rad);
+constexpr double kRadians = 0.017453292519943295;  // of a degree
+
+}  // namespace tiltrotor_fmu
