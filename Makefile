@@ -96,7 +96,7 @@ CORE_FLAGS := -fno-exceptions -fno-rtti
 # equal inline functions, and that of a program that includes the headers may be compiled with any flags.
 # One set of objects for the archive and the shared library.
 LIBRARY_FLAGS = $(CORE_FLAGS) -Dtiltrotor=tiltrotor_library_$(PRECISION) -fvisibility=hidden $(if $(TARGET),,-fPIC)
-# The numbers are made in the library; the program around it need not be fast, but quick to build.
+# The numbers are made in the library; the program and the tests around it need not be fast, but quick to build.
 PROGRAM_FLAGS := $(if $(filter -O3,$(CXXFLAGS)),-O1)
 ND_FLAGS   := -DTILTROTOR_NUMERICAL_DIFFERENCES=1
 EXTERN     := -DTILTROTOR_EXTERN_INSTANCES
@@ -139,7 +139,7 @@ OBJECTS            := $(TABLEGEN_OBJECTS) $(sort $(LIBRARY_OBJECTS) $(LIBRARY_ND
                       $(TEST_OBJECTS) $(BENCH_OBJECTS)
 
 GENERATED  := $(if $(TABLEGEN_SOURCE),$(BUILD)/generated/aircraft_tables.inc) $(BUILD)/generated/reference_points.inc \
-              $(BUILD)/generated/identity.inc
+              $(BUILD)/generated/identity.inc $(BUILD)/generated/mission.inc
 # Everything of the program but main(): tests look into it.
 PROGRAM_PARTS := $(filter-out %/main.o,$(PROGRAM_OBJECTS))
 LIBRARIES  := $(BUILD)/libtiltrotor.a $(BUILD)/libtiltrotor-nd.a
@@ -286,6 +286,11 @@ $(BUILD)/generated/reference_points.inc: $(PUBLISHED) $(BUILD)/tables.stamp
 	  printf '{"%s", R"csv(' "$$(basename "$$set" .csv)" && cat "$$set" && printf ')csv"},\n' || exit 1; \
 	done > $@.part && mv $@.part $@
 
+# The mission of the report, in the program for the same reason.
+$(BUILD)/generated/mission.inc: src/examples/mission.txt
+	@mkdir -p $(@D)
+	$(Q)(printf 'R"txt(' && cat $< && printf ')txt"\n') > $@.part && mv $@.part $@
+
 # ---- libraries and programs ----
 
 $(BUILD)/libtiltrotor.a: $(LIBRARY_OBJECTS)
@@ -324,7 +329,7 @@ $(sort $(LIBRARY_OBJECTS) $(LIBRARY_ND_OBJECTS) $(ANALYSES_OBJECTS)) $(PROGRAM_O
 $(TEST_OBJECTS): $(BUILD)/tests.stamp
 $(BENCH_OBJECTS): $(BUILD)/bench.stamp
 # Ask what the processor can do: must themselves run on every one.
-$(addprefix %/,c_processor.o c_entry.o c_words.o c_plain_names.o processor_check.o): ARCH_FLAGS := $(TARGET_$(TARGET))
+$(addprefix %/,c_processor.o c_entry.o c_entry_sensors.o c_words.o c_plain_names.o processor_check.o): ARCH_FLAGS := $(TARGET_$(TARGET))
 
 # On a target, code that no step runs through is made small: its operations and their order stay.
 SMALL := $(if $(TARGET),aircraft conditions outputs saved system_model systems trim)
@@ -345,7 +350,7 @@ $(BUILD)/program/%.o: src/%.cpp
 	$(call compile,$(PROGRAM_FLAGS) $(EXTERN))
 
 $(BUILD)/tests/%.o: tests/%.cpp
-	$(call compile,$(TEST_FLAGS) $(EXTERN))
+	$(call compile,$(PROGRAM_FLAGS) $(TEST_FLAGS) $(EXTERN))
 
 $(BUILD)/bench/%.o: bench/%.cpp
 	$(call compile,$(BENCH_FLAGS) $(EXTERN))

@@ -69,7 +69,7 @@ std::string room_of(const std::string& path) {
 // What an include means to the compiler; empty for headers of the system.
 std::string room_of_included(const std::string& name) {
   if (std::regex_match(name, std::regex("\\w+\\.inc"))) return "generated";
-  for (const char* const root : {"include/", "src/"})
+  for (const char* const root : {"include/", "src/", "src/examples/"})
     if (fs::exists(source_path(root + name))) return room_of(root + name);
   return "";
 }

@@ -193,8 +193,10 @@ TEST(house_every_call_is_tried) {
   };
   const std::string headers = content("include/tiltrotor/tiltrotor.h") +
                               content("include/tiltrotor/conditions.h") +
-                              content("include/tiltrotor/measure.h") + content("include/tiltrotor/systems.h");
+                              content("include/tiltrotor/measure.h") +
+                              content("include/tiltrotor/systems.h") + content("include/tiltrotor/sensors.h");
   all_in(found(headers, "\\ntr_status (tr_\\w+)\\("), "tests/fuzz/test_c_interface.cpp");
-  all_in(found(content("src/library/c_entry.cpp"), "decltype\\(::(tr_\\w+)\\)"),
+  all_in(found(content("src/library/c_entry.cpp") + content("src/library/c_entry_sensors.cpp"),
+               "decltype\\(::(tr_\\w+)\\)"),
          "tests/toolchain/every_call.c");
 }

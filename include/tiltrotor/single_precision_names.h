@@ -19,6 +19,8 @@
 #define tr_get_outputs tr_get_outputs_single
 #define tr_linearize tr_linearize_single
 #define tr_linearize_and_step tr_linearize_and_step_single
+#define tr_linearize_and_step_exponential tr_linearize_and_step_exponential_single
+#define tr_rigid_model tr_rigid_model_single
 #define tr_status_word tr_status_word_single
 #define tr_status_text tr_status_text_single
 #define tr_state_name tr_state_name_single
@@ -46,5 +48,10 @@
 #define tr_default_systems tr_default_systems_single
 #define tr_get_systems tr_get_systems_single
 #define tr_set_systems tr_set_systems_single
+#define tr_geodetic_at tr_geodetic_at_single
+#define tr_radio_height_at tr_radio_height_at_single
+#define tr_step_lag tr_step_lag_single
+#define tr_read_imu tr_read_imu_single
+#define tr_read_air_probe tr_read_air_probe_single
 
 #endif

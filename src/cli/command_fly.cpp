@@ -13,6 +13,8 @@
 #include "cli/flight_options.hpp"
 #include "cli/flight_script.hpp"
 #include "cli/flight_summary.hpp"
+#include "cli/linear_options.hpp"
+#include "cli/matrix_log.hpp"
 #include "cli/output.hpp"
 #include "cli/script_flight.hpp"
 #include "text/progress.hpp"
@@ -53,14 +55,20 @@ FlightStart read_start(const Arguments& arguments) {
   return start;
 }
 
-// What is looked at besides the rows: modes in a file of their own, and figures.
+// What is looked at besides the rows: modes and matrices in files of their own, and figures.
 class Companions {
  public:
-  explicit Companions(const Arguments& arguments) : subject_(arguments.text("--script", "")) {
+  Companions(const Arguments& arguments, const Options& options)
+      : subject_(arguments.text("--script", "")), finder_(control_set(arguments)) {
     every_ = arguments.number("--modes-every", kUsualModes, kModes);
-    if (arguments.given("--modes-every") && !arguments.given("--modes") && !arguments.given("--figures"))
+    const bool asked =
+        arguments.given("--modes") || arguments.given("--matrices") || arguments.given("--figures");
+    if (arguments.given("--modes-every") && !asked)
       throw UsageError(arguments.where("--modes-every") +
-                       ": of --modes or --figures, neither of which is given");
+                       ": of --modes, --matrices or --figures, none of which is given");
+    if (arguments.given("--control-set") && !arguments.given("--matrices"))
+      throw UsageError(arguments.where("--control-set") +
+                       ": of the columns of --matrices, which is not given");
     if (arguments.given("--modes")) {
       sink_ = std::make_unique<text::Sink>(arguments.text("--modes", ""), arguments.where("--modes"));
       modes_ = std::make_unique<text::Records>(
@@ -68,6 +76,11 @@ class Companions {
           std::vector<std::string>{"time_s", "mode", "real", "imag", "frequency_rad_s", "damping_ratio",
                                    "system_share"},
           Output::to_read, 0);
+    }
+    if (arguments.given("--matrices")) {
+      matrices_ =
+          std::make_unique<MatrixLog>(arguments.text("--matrices", ""), arguments.where("--matrices"));
+      matrices_->set_columns(finder_.states(options), finder_.inputs());
     }
     if (!arguments.given("--figures")) return;
     folder_ = arguments.text("--figures", "");
@@ -81,9 +94,13 @@ class Companions {
   Status accompany(const ScriptFlight& flight) {
     constexpr double rounding = 1e-9;
     const double time = flight.now().time;
-    if ((folder_.empty() && !modes_) || time < next_ - rounding) return Status::ok;
+    const bool wants_modes = !folder_.empty() || modes_;
+    if ((!wants_modes && !matrices_) || time < next_ - rounding) return Status::ok;
     next_ += every_;
-    const Status status = finder_.find(flight);
+    Status status = finder_.linearize(flight);
+    if (status == Status::ok && matrices_) matrices_->add(time, finder_.model(flight));
+    if (status == Status::ok && wants_modes) status = finder_.find();
+    if (status != Status::ok || !wants_modes) return status;
     if (!folder_.empty()) figures_.add_modes(time, finder_.found());
     for (int i = 0; modes_ && i < finder_.found().count; ++i) {
       const VehicleMode<double>& mode = finder_.found().mode[i];
@@ -94,9 +111,11 @@ class Companions {
   }
   void finish() {
     if (modes_) modes_->finish();
+    if (matrices_) matrices_->finish();
     if (folder_.empty()) return;
-    write("flight.svg", figures_.motion(subject_));
-    write("flight_modes.svg", figures_.modes(subject_));
+    write("flight.svg", study::flight_picture("Flight by " + subject_, figures_.motion()));
+    write("flight_modes.svg",
+          study::flight_modes_picture("Modes along the flight by " + subject_, figures_.modes()));
   }
 
  private:
@@ -110,6 +129,7 @@ class Companions {
   double every_, next_ = 0;
   std::unique_ptr<text::Sink> sink_;
   std::unique_ptr<text::Records> modes_;
+  std::unique_ptr<MatrixLog> matrices_;
   FlightModes finder_;
   FlightFigures figures_;
 };
@@ -126,7 +146,7 @@ int run(const Arguments& arguments) {
   const double every = arguments.number("--every", 0.1, kEvery);
   const std::size_t thinned =
       std::max<std::size_t>(1, static_cast<std::size_t>(std::lround(every / start.dt)));
-  Companions companions(arguments);
+  Companions companions(arguments, start.setup.options);
   Output output(arguments);
   std::vector<std::string> names;
   for (const std::size_t place : columns) names.push_back(flight_columns()[place]);
@@ -146,7 +166,8 @@ int run(const Arguments& arguments) {
     }
     const Status modes = companions.accompany(flight);
     if (modes != Status::ok) {
-      progress.message("fly: modes at " + number_text(flight.now().time, 6) + " s: " + status_text(modes));
+      progress.message("fly: linear model at " + number_text(flight.now().time, 6) +
+                       " s: " + status_text(modes));
       exit_status = exit_case_failed;
     }
     progress.advance();
@@ -156,6 +177,7 @@ int run(const Arguments& arguments) {
   companions.finish();
   const bool failed = flight.status() != Status::ok;
   if (failed) progress.message("fly: the flight cannot be continued: " + flight.fault());
+  for (const std::string& line : flight.ignored()) summary.add(line);
   std::fputs(summary.text().c_str(), stderr);
   return failed ? exit_case_failed : exit_status;
 }
@@ -169,7 +191,9 @@ OptionList options() {
       {"--dt", "S", "time step, 0.002..0.02 (0.01)"},
       {"--columns", "A,B,..", "only these, in this order"},
       {"--modes", "FILE", "modes of the whole vehicle along the flight, as CSV"},
-      {"--modes-every", "S", "of --modes and --figures, 0.02..3600 (5)"},
+      {"--matrices", "DIR",
+       "writes A and B of the whole vehicle to DIR/a.csv and DIR/b.csv;\nwhat is switched off has no rows, and empty cells"},
+      {"--modes-every", "S", "of --modes, --matrices and --figures, 0.02..3600 (5)"},
       {"--figures", "DIR", "writes flight.svg (height, speed, masts, power) and flight_modes.svg there"},
       {"--every", "S", "a row every so many seconds (0.1); 0: every step"},
   };
@@ -191,7 +215,7 @@ Command fly_command() {
       "the whole vehicle flown by a script, from the ground to the ground",
       description().c_str(),
       "tiltrotor fly --script src/examples/mission.txt --every 1 --columns time_s,height_m,airspeed_mps,mast_deg",
-      options() + SetupOptions::list() + Output::list_of_one_piece(),
+      options() + control_set_option() + SetupOptions::list() + Output::list_of_one_piece(),
       run};
 }
 

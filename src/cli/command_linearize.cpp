@@ -22,6 +22,7 @@ class Linearizer {
  public:
   Linearizer(const Arguments& arguments, bool single)
       : rigid_(wants_rigid(arguments)),
+        order_(reduction_order(arguments)),
         controls_(control_set(arguments)),
         output_(arguments, single),
         model_(std::make_unique<LinearModel<double>>()),
@@ -59,12 +60,13 @@ class Linearizer {
       return status;
     }
     Status status = linearize(c, x, u, controls_, *work_, *model_);
-    if (status == Status::ok && rigid_) status = reduce_to_rigid(*model_);
+    if (status == Status::ok && rigid_) status = reduce_to_rigid(*model_, order_);
     shown = ShownModel(*model_);
     return status;
   }
 
   bool rigid_;
+  Reduction order_;
   ControlSet controls_;
   LinearOutput output_;  // last of what arguments can refuse, since it begins to write
   std::unique_ptr<LinearModel<double>> model_;

@@ -8,11 +8,14 @@
 
 #include "cli/command.hpp"
 #include "cli/errors.hpp"
+#include "cli/figure.hpp"
 #include "cli/governed.hpp"
 #include "cli/linear_options.hpp"
+#include "cli/mode_shapes.hpp"
 #include "cli/output.hpp"
 #include "cli/trimmed_flights.hpp"
 #include "tiltrotor/analysis/linear/mode_tracker.hpp"
+#include "tiltrotor/analysis/linear/rigid_model.hpp"
 
 namespace tiltrotor::cli {
 
@@ -22,6 +25,21 @@ const std::vector<std::string> columns = {
     "mast_deg",   "speed_mps",       "axis",          "mode",           "real",
     "imag",       "frequency_rad_s", "damping_ratio", "time_to_half_s", "status",
     "altitude_m", "mass_kg",         "cg_sl_in",      "branch",         "flap_deg"};
+// Besides, of a reduced model: the root of the full one, and how far it is from there, of its size.
+const std::vector<std::string> reduced_columns = {"full_real", "full_imag", "root_error"};
+const std::vector<std::string> shape_columns = {
+    "mast_deg",   "speed_mps", "axis",      "mode",      "real",          "imag",
+    "state",      "unit",      "magnitude", "angle_deg", "participation", "status",
+    "altitude_m", "mass_kg",   "cg_sl_in",  "flap_deg",  "normalised_by"};
+
+enum class Show : unsigned char { modes, shapes };
+
+std::vector<std::string> columns_of(Show show, bool reduced) {
+  if (show == Show::shapes) return shape_columns;
+  std::vector<std::string> all = columns;
+  if (reduced) all.insert(all.end(), reduced_columns.begin(), reduced_columns.end());
+  return all;
+}
 
 // Branches are followed along a sweep of speed, or of mast angle at one speed, and numbered through it. A
 // shard begins with the sweep, to find the same numbers.
@@ -39,7 +57,8 @@ bool neighbours(const TrimmedFlight& flight, double mast_deg, double speed) {
 }
 
 void add_row(Records& records, const TrimmedFlight& flight, const char* status,
-             const Mode<double>* mode = nullptr, const char* axis = nullptr) {
+             const Mode<double>* mode = nullptr, const char* axis = nullptr,
+             const std::vector<double>& beside = {}) {
   constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
   Row row = {as_given(flight.mast_deg), as_given(flight.flight.speed)};
   const Row numbers = mode != nullptr ? Row{axis != nullptr ? axis : axis_word(mode->axis),
@@ -56,25 +75,48 @@ void add_row(Records& records, const TrimmedFlight& flight, const char* status,
        Row{status, as_given(flight.setting("altitude_m")), as_given(flight.setting("mass_kg")),
            as_given(flight.setting("cg_sl_in")), branch, as_given(flight.setting("flap_deg"))})
     row.push_back(cell);
+  row.insert(row.end(), beside.begin(), beside.end());
   records.add(row);
 }
 
-void add_rows(Records& records, const TrimmedFlight& flight, const ModeSet<double>& set) {
-  for (int i = 0; i < set.count; ++i)
-    add_row(records, flight, trim_status_word(flight.trim.status), &set.mode[i]);
-}
-
-// Rows of a model with a governor: modes of the systems besides, on an axis of their own; no branches.
-class GovernedModes {
+// What can be written of a flight, in the columns that were chosen.
+class ModeRows {
  public:
-  Status find(const TrimmedFlight& flight, Analyses& work) {
-    const Status status = linearize_governed(flight.configuration, flight.trim.state, flight.trim.controls,
-                                             ControlSet{}, work, *matrices_);
-    return status == Status::ok ? vehicle_modes(*matrices_, work, *modes_) : status;
+  ModeRows(const Arguments& arguments, Output& output)
+      : show_(static_cast<Show>(arguments.choice("--show", "modes", {"modes", "shapes"}))),
+        reduced_(wants_rigid(arguments)),
+        normalising_(normalising_state(arguments)),
+        figure_(arguments),
+        records_(output.records(columns_of(show_, reduced_), Output::to_read)) {
+    if (arguments.given("--normalise") && show_ != Show::shapes && !figure_.wanted())
+      throw UsageError(arguments.where("--normalise") + ": goes with --show shapes or --figure");
   }
-  void add_rows(Records& records, const TrimmedFlight& flight) const {
-    for (int i = 0; i < modes_->count; ++i) {
-      const VehicleMode<double>& m = modes_->mode[i];
+
+  void add_failed(const TrimmedFlight& flight, const char* status) {
+    if (show_ == Show::modes) return add_row(records_, flight, status, nullptr, nullptr, nothing_beside());
+    add_shape_row(flight, {"", "", nothing, nothing, "", {}}, {"", "", false, nothing, nothing, nothing},
+                  status);
+  }
+
+  // `full`: the roots of the full model by eigenvalue of a reduced one.
+  void add(const TrimmedFlight& flight, const ModeSet<double>& set, const FullRoot<double>* full) {
+    for (int i = 0; i < set.count && show_ == Show::modes; ++i) {
+      const Mode<double>& m = set.mode[i];
+      std::vector<double> beside;
+      if (full != nullptr) {
+        const FullRoot<double>& f = full[m.eigenvalue];
+        beside = {f.real, f.imag, f.error};
+      }
+      add_row(records_, flight, trim_status_word(flight.trim.status), &m, nullptr, beside);
+    }
+    if (wants_shapes()) add_shapes(flight, shapes_of(set, normalising_));
+  }
+
+  // Modes of a model with systems, on an axis of their own; no branches.
+  void add(const TrimmedFlight& flight, const VehicleModes<double>& modes, const VehicleShape& shape,
+           Analyses& work) {
+    for (int i = 0; i < modes.count && show_ == Show::modes; ++i) {
+      const VehicleMode<double>& m = modes.mode[i];
       Mode<double> shown{};
       shown.real = m.real;
       shown.imag = m.imag;
@@ -83,28 +125,107 @@ class GovernedModes {
       shown.time_to_half = m.time_to_half;
       shown.axis = m.axis;
       std::copy(std::begin(m.name), std::end(m.name), std::begin(shown.name));
-      add_row(records, flight, trim_status_word(flight.trim.status), &shown,
+      add_row(records_, flight, trim_status_word(flight.trim.status), &shown,
               m.is_system ? "system" : nullptr);
     }
+    if (wants_shapes()) add_shapes(flight, shapes_of(modes, vehicle_eigensystem(work), shape, normalising_));
+  }
+
+  void finish() {
+    records_.finish();
+    figure_.draw("Shapes of the modes of the rigid body", diagrams_);
   }
 
  private:
-  std::unique_ptr<VehicleMatrices> matrices_ = std::make_unique<VehicleMatrices>();
-  std::unique_ptr<VehicleModes<double>> modes_ = std::make_unique<VehicleModes<double>>();
+  static constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+  std::vector<double> nothing_beside() const {
+    return std::vector<double>(reduced_ ? reduced_columns.size() : 0, nothing);
+  }
+  bool wants_shapes() const { return show_ == Show::shapes || figure_.wanted(); }
+
+  void add_shapes(const TrimmedFlight& flight, const std::vector<NamedShape>& shapes) {
+    for (const NamedShape& shape : shapes) {
+      for (const ShapeEntry& entry : shape.entry)
+        if (show_ == Show::shapes) add_shape_row(flight, shape, entry, trim_status_word(flight.trim.status));
+      const bool of_body = shape.axis == "longitudinal" || shape.axis == "lateral";
+      if (!figure_.wanted() || !of_body || shape.mode == kind_word(ModeKind::downwash)) continue;
+      diagrams_.push_back(phasor_diagram(
+          shape,
+          "mast " + number_text(flight.mast_deg, 4) + " deg, " + number_text(flight.flight.speed, 4) + " m/s",
+          diagrams_.size()));
+    }
+  }
+
+  void add_shape_row(const TrimmedFlight& flight, const NamedShape& shape, const ShapeEntry& entry,
+                     const char* status) {
+    records_.add({as_given(flight.mast_deg), as_given(flight.flight.speed), shape.axis, shape.mode,
+                  shape.real, shape.imag, entry.state, entry.unit, entry.magnitude, entry.angle_deg,
+                  entry.participation, status, as_given(flight.setting("altitude_m")),
+                  as_given(flight.setting("mass_kg")), as_given(flight.setting("cg_sl_in")),
+                  as_given(flight.setting("flap_deg")), shape.reference});
+  }
+
+  Show show_;
+  bool reduced_;
+  int normalising_;
+  Figure figure_;
+  Records records_;
+  std::vector<plot::Plot> diagrams_;
+};
+
+// Modes of a model with a governor or SCAS.
+struct SystemModes {
+  std::unique_ptr<VehicleMatrices> matrices = std::make_unique<VehicleMatrices>();
+  std::unique_ptr<VehicleModes<double>> modes = std::make_unique<VehicleModes<double>>();
+
+  Status find(const TrimmedFlight& flight, bool scas, Analyses& work) const {
+    const Status status = linearize_governed(flight.configuration, flight.trim.state, flight.trim.controls,
+                                             ControlSet{}, work, *matrices, scas);
+    return status == Status::ok ? vehicle_modes(*matrices, work, *modes) : status;
+  }
+};
+
+// Modes of the airframe alone, of its full or of a reduced model.
+class AirframeModes {
+ public:
+  explicit AirframeModes(const Arguments& arguments)
+      : reduced_(wants_rigid(arguments)), order_(reduction_order(arguments)) {}
+
+  Status find(const TrimmedFlight& flight, bool connects, Analyses& work) {
+    Status status =
+        linearize(flight.configuration, flight.trim.state, flight.trim.controls, ControlSet{}, work, *model_);
+    if (status == Status::ok && reduced_) status = modes(*model_, *workspace_, *full_);
+    if (status == Status::ok && reduced_) status = reduce_to_rigid(*model_, order_);
+    if (status == Status::ok) status = tracker.find(*model_, connects);
+    if (status == Status::ok && reduced_) find_full_roots(*full_, tracker.found(), full_root_);
+    return status;
+  }
+  const FullRoot<double>* full_roots() const { return reduced_ ? full_root_ : nullptr; }
+
+  ModeTracker<double> tracker;
+
+ private:
+  bool reduced_;
+  Reduction order_;
+  std::unique_ptr<LinearModel<double>> model_ = std::make_unique<LinearModel<double>>();
+  std::unique_ptr<ModesWorkspace<double>> workspace_ = std::make_unique<ModesWorkspace<double>>();
+  std::unique_ptr<ModeSet<double>> full_ = std::make_unique<ModeSet<double>>();
+  FullRoot<double> full_root_[kMaxLinearStates];
 };
 
 int run(const Arguments& arguments) {
   const std::vector<SetupOptions> setups = SetupOptions::every_combination(arguments);
-  const bool rigid = wants_rigid(arguments);
-  const Options& options = setups.front().switches();
-  require_no_governor(options, arguments, "--reduce");
+  const bool scas = wants_scas(arguments);
+  const bool has_systems = scas || setups.front().switches().governor != Governor::off;
+  require_no_governor(setups.front().switches(), arguments, "--reduce");
+  if (scas && wants_rigid(arguments))
+    throw UsageError(arguments.where("--reduce") + ": goes with --scas off alone");
   flight_cases(arguments, setups.size());
   Output output(arguments);
-  Records records = output.records(columns, Output::to_read);
+  ModeRows rows(arguments, output);
   const AnalysesWorkspace work;
-  const auto model = std::make_unique<LinearModel<double>>();
-  GovernedModes with_governor;
-  ModeTracker<double> tracker;
+  const SystemModes with_systems;
+  AirframeModes airframe(arguments);
   double mast_before = 0;
   double speed_before = 0;
   const auto visit = [&](const TrimmedFlight& flight) -> int {
@@ -112,37 +233,30 @@ int run(const Arguments& arguments) {
     const bool connects = flight.connects && neighbours(flight, mast_before, speed_before);
     mast_before = flight.mast_deg;
     speed_before = flight.flight.speed;
-    if (!flight.connects) tracker.begin_sweep();
+    if (!flight.connects) airframe.tracker.begin_sweep();
     if (!is_trimmed(trim.status)) {
-      tracker.lose_track();
-      if (!flight.is_preliminary) add_row(records, flight, trim_status_word(trim.status));
+      airframe.tracker.lose_track();
+      if (!flight.is_preliminary) rows.add_failed(flight, trim_status_word(trim.status));
       return exit_case_failed;
     }
-    if (options.governor != Governor::off && flight.is_preliminary) return exit_success;
-    if (options.governor != Governor::off) {
-      const Status found = with_governor.find(flight, *work);
-      if (found == Status::ok) {
-        with_governor.add_rows(records, flight);
-        return exit_success;
-      }
-      add_row(records, flight, status_word(found));
-      std::fprintf(stderr, "tiltrotor: %s: %s\n", flight.where.c_str(), status_text(found));
-      return exit_case_failed;
-    }
-    Status status = linearize(flight.configuration, trim.state, trim.controls, ControlSet{}, *work, *model);
-    if (status == Status::ok && rigid) status = reduce_to_rigid(*model);
-    if (status == Status::ok) status = tracker.find(*model, connects);
+    if (has_systems && flight.is_preliminary) return exit_success;
+    const Status status =
+        has_systems ? with_systems.find(flight, scas, *work) : airframe.find(flight, connects, *work);
     if (flight.is_preliminary) return exit_success;
     if (status == Status::ok) {
-      add_rows(records, flight, tracker.found());
+      if (has_systems) {
+        rows.add(flight, *with_systems.modes, with_systems.matrices->shape, *work);
+      } else {
+        rows.add(flight, airframe.tracker.found(), airframe.full_roots());
+      }
       return exit_success;
     }
-    add_row(records, flight, status_word(status));
+    rows.add_failed(flight, status_word(status));
     std::fprintf(stderr, "tiltrotor: %s: %s\n", flight.where.c_str(), status_text(status));
     return exit_case_failed;
   };
   const int exit_status = for_each_trim(arguments, setups, output.shard(), *work, visit, same_sweep);
-  records.finish();
+  rows.finish();
   return exit_status;
 }
 
@@ -158,9 +272,15 @@ Command modes_command() {
       "number `branch`: followed along a sweep of speed at one mast angle (of mast angle at one speed) in\n"
       "steps of at most 10 m/s (10 deg). Where a pair falls apart into two real roots, and at a flight\n"
       "without a trim, branches end. A shard follows them from the beginning of its sweep.\n"
+      "--reduce shows beside each root that of the full model it stands for, and the distance over its size.\n"
+      "--show shapes: one row for every mode and state: magnitude and angle (ahead positive) of the eigenvector\n"
+      "over those of the state `normalised_by`, in the units of the model, and how much the state takes part,\n"
+      "all states together 1. Rotors stand as mean and difference of right and left.\n"
       "--mast, --speed, --altitude, --mass, --cg-sl and --flap take a value, a list or a range.\n",
       "tiltrotor modes --mast 30,60,90 --speed 60",
-      reduce_option() + flight_list() + SetupOptions::list() + Output::list(),
+      OptionList{{"--show", "KIND", "modes or shapes (modes)"}} + normalise_option() +
+          figure_option("phasor diagrams of the rigid body's modes as SVG") + reduce_option() +
+          scas_option() + flight_list() + SetupOptions::list() + Output::list(),
       run};
 }
 

@@ -52,7 +52,8 @@ Plan read_plan(const Arguments& arguments) {
   }
   plan.steps = static_cast<std::size_t>(is_whole(steps) ? std::round(steps) : steps);
   plan.rest = is_whole(steps) ? 0 : duration - static_cast<double>(plan.steps) * plan.dt;
-  plan.integrator = static_cast<Integrator>(arguments.choice("--method", "rk4", {"rk3", "rk4", "rodas3"}));
+  plan.integrator =
+      static_cast<Integrator>(arguments.choice("--method", "rk4", {"rk3", "rk4", "rodas3", "exponential"}));
   for (const std::string& text : arguments.texts("--input")) {
     double begins = 0;
     if (is_mast_move(text)) {
@@ -91,6 +92,14 @@ FlightCase single_flight(const Arguments& arguments) {
   return cases.front();
 }
 
+// A flight as it stands.
+struct Flown {
+  Configuration<double> c;
+  Simulation<double>& simulation;
+  SystemFlight<double> systems;  // where the rotors have a governor
+  bool is_governed() const { return c.setup.options.governor != Governor::off; }
+};
+
 // Linear models along the flight, where somebody wants them.
 class Companions {
  public:
@@ -103,17 +112,15 @@ class Companions {
   }
 
   // Appends the cells of the modes, if there are such columns.
-  Status accompany(std::size_t step, const Configuration<double>& c, const Simulation<double>& s,
-                   Analyses& analyses, Row& row) {
+  Status accompany(std::size_t step, const Flown& flown, Analyses& analyses, Row& row) {
     const bool wants_modes = modes_every_ > 0 && step <= whole_steps_ && step % modes_every_ == 0;
-    Status status = Status::ok;
-    if (wants_modes || matrices_) {
-      status = linearize(c, current_state(s), current_controls(s), controls_, analyses, *model_,
-                         current_azimuth(c, s));
+    if (!wants_modes && !matrices_) {
+      if (modes_every_ > 0) append(flown, false, row);
+      return Status::ok;
     }
-    if (status == Status::ok && matrices_) matrices_->add(current_time(s), *model_);
-    if (status == Status::ok && wants_modes) status = modes_.find(*model_, true);
-    if (modes_every_ > 0) append_modes(row, wants_modes && status == Status::ok ? &modes_.found() : nullptr);
+    Status status = flown.is_governed() ? look_at_vehicle(flown, wants_modes, analyses)
+                                        : look_at_airframe(flown, wants_modes, analyses);
+    if (modes_every_ > 0) append(flown, wants_modes && status == Status::ok, row);
     return status;
   }
   void finish() {
@@ -121,26 +128,59 @@ class Companions {
   }
 
  private:
+  Status look_at_airframe(const Flown& flown, bool wants_modes, Analyses& analyses) {
+    const Simulation<double>& s = flown.simulation;
+    const Status status = linearize(flown.c, current_state(s), current_controls(s), controls_, analyses,
+                                    *model_, current_azimuth(flown.c, s));
+    if (status != Status::ok) return status;
+    if (matrices_) matrices_->add(current_time(s), ShownModel(*model_));
+    return wants_modes ? modes_.find(*model_, true) : status;
+  }
+  Status look_at_vehicle(const Flown& flown, bool wants_modes, Analyses& analyses) {
+    const Simulation<double>& s = flown.simulation;
+    const State<double> x = current_state(s);
+    const Controls<double> u = current_controls(s);
+    const Status status = linearize_flight(flown.c, flown.systems, x, u, controls_, CommandColumns::throttles,
+                                           analyses, *vehicle_, current_azimuth(flown.c, s));
+    if (status != Status::ok) return status;
+    if (matrices_) {
+      const ShownModel shown(*vehicle_, x, flown.systems.state, u, flown.systems.vehicle.commands);
+      matrices_->add(current_time(s), shown);
+    }
+    return wants_modes ? vehicle_modes(*vehicle_, analyses, *vehicle_modes_) : status;
+  }
+  void append(const Flown& flown, bool found, Row& row) const {
+    if (flown.is_governed()) {
+      append_modes(row, found ? vehicle_modes_.get() : nullptr, flown.c.setup.options);
+    } else {
+      append_modes(row, found ? &modes_.found() : nullptr);
+    }
+  }
+
   ControlSet controls_;
   std::size_t whole_steps_;
   std::size_t modes_every_;
   std::optional<MatrixLog> matrices_;
   std::unique_ptr<LinearModel<double>> model_ = std::make_unique<LinearModel<double>>();
   ModeTracker<double> modes_;
+  std::unique_ptr<VehicleMatrices> vehicle_ = std::make_unique<VehicleMatrices>();
+  std::unique_ptr<VehicleModes<double>> vehicle_modes_ = std::make_unique<VehicleModes<double>>();
 };
 
 int fly(const TrimmedFlight& flight, const Plan& plan, Simulation<double>& simulation, Analyses& analyses,
         Companions& companions, Records& records) {
-  Configuration<double> c = flight.configuration;
-  const bool is_governed = c.setup.options.governor != Governor::off;
-  SystemFlight<double> systems = governed(c, simulation.state, simulation.controls);
+  Flown flown{flight.configuration, simulation,
+              governed(flight.configuration, simulation.state, simulation.controls)};
+  Configuration<double>& c = flown.c;
   const std::size_t steps = plan.steps + (plan.rest > 0 ? 1 : 0);
   Progress progress("respond", steps);
   int exit_status = exit_success;
   for (std::size_t step = 0;; ++step) {
     const std::string now = number_text(current_time(simulation), 6) + " s";
-    Row row = response_row(flight, c, simulation);
-    const Status linear = companions.accompany(step, c, simulation, analyses, row);
+    const double added = governed_collective(c, flown.systems, current_state(simulation),
+                                             current_controls(simulation), current_azimuth(c, simulation));
+    Row row = response_row(flight, c, simulation, added);
+    const Status linear = companions.accompany(step, flown, analyses, row);
     records.add(row);
     if (linear != Status::ok) {
       progress.message("respond: linear model at " + now + ": " + status_text(linear));
@@ -149,8 +189,7 @@ int fly(const TrimmedFlight& flight, const Plan& plan, Simulation<double>& simul
     if (step == steps) return exit_status;
     Status status = step == plan.steps ? change_step(simulation, plan.rest) : Status::ok;
     if (status == Status::ok)
-      status = is_governed ? advance_vehicle(c, systems, analyses, simulation)
-                           : plan.masts.advance(c, analyses, simulation);
+      status = plan.masts.advance(c, flown.is_governed() ? &flown.systems : nullptr, analyses, simulation);
     if (status != Status::ok) {
       progress.message("respond: the flight cannot be continued beyond " + now + fault_text(simulation) +
                        ": " + status_text(status));
@@ -164,10 +203,7 @@ int run(const Arguments& arguments) {
   const SetupOptions setup(arguments);
   single_flight(arguments);
   const Plan plan = read_plan(arguments);
-  for (const char* option : {"--modes-every", "--matrices"})
-    require_no_governor(setup.switches(), arguments, option);
-  if (!plan.masts.is_empty()) require_no_governor(setup.switches(), arguments, "--input");
-  if (plan.integrator == Integrator::rodas3) require_no_governor(setup.switches(), arguments, "--method");
+  if (plan.integrator >= Integrator::rodas3) require_no_governor(setup.switches(), arguments, "--method");
   Companions companions(arguments, plan);
   if (arguments.given("--control-set") && !arguments.given("--matrices"))
     throw UsageError(arguments.where("--control-set") + ": of the columns of --matrices, which is not given");
@@ -205,7 +241,7 @@ OptionList options() {
       {"--duration", "S", "0..3600 (3); the last step is shorter where --dt does not divide it"},
       {"--dt", "S", "time step, 1e-4..0.1 (0.005); inputs act at their times, whatever the step"},
       {"--method", "NAME",
-       "rk3, rk4 (in equal parts of a step that is too long for\neither), or rodas3, for long steps (rk4)"},
+       "rk3, rk4 (in equal parts of a step that is too long for\neither); for long steps rodas3, or exponential, of order 2 (rk4)"},
       {"--modes-every", "S",
        "adds name, real and imaginary part and branch of the body's modes\nto a row every S seconds, a "
        "multiple of --dt"},
@@ -217,7 +253,9 @@ const std::string& description() {
   static const std::string text = std::string(
                                       "Flies the nonlinear model from trim. One row a step: the state, and "
                                       "the controls that act from then on; `limits` names those beyond their "
-                                      "stops.\n\n") +
+                                      "stops. With a governor the collective holds\n"
+                                      "what it adds, governor_deg; its modes have no branch, and columns of "
+                                      "the throttles stand in b.csv.\n\n") +
                                   kInputGrammar;
   return text;
 }

@@ -1,34 +1,51 @@
 #include "cli/flight_modes.hpp"
 
+#include "cli/governed.hpp"
+
 namespace tiltrotor::cli {
 
 struct FlightModes::Work {
-  VehicleModelWorkspace<double> model;
-  VehicleModesWorkspace<double> modes;
-  VehicleModes<double> found;
-  Configuration<double> configuration;
+  AnalysesWorkspace analyses;
+  VehicleMatrices matrices;
+  VehicleModes<double> modes;
 };
 
-FlightModes::FlightModes() : work_(std::make_unique<Work>()) {}
+FlightModes::FlightModes(const ControlSet& controls) : controls_(controls), work_(std::make_unique<Work>()) {}
 FlightModes::~FlightModes() = default;
 
-Status FlightModes::find(const ScriptFlight& flight) {
-  const SystemFlight<double>& systems = flight.systems();
-  Work& w = *work_;
-  w.configuration = flight.configuration();
+std::vector<std::string> FlightModes::states(const Options& options) const {
+  Vehicle<double> v{};
+  v.on = {Governor::pi, true, true, true, true, true, true, true};
   VehicleShape shape;
-  vehicle_states(systems.vehicle, w.configuration.setup.options, shape);
-  shape.inputs = 0;
-  State<double> rates;
-  SystemState<double> system_rates;
-  const FlightMoment& now = flight.now();
-  w.found.count = 0;
-  const Status status = linearize_vehicle(
-      systems.vehicle, w.configuration, now.state, now.systems, now.controls, shape, w.model, rates,
-      system_rates, [&w](int i, int j, double slope) { w.modes.a(i, j) = slope; }, [](int, int, double) {});
-  return status == Status::ok ? vehicle_modes(shape, w.modes, w.found) : status;
+  vehicle_states(v, options, shape);
+  std::vector<std::string> names;
+  for (int i = 0; i < shape.states; ++i) names.emplace_back(vehicle_variable(shape.state[i]).name);
+  return names;
 }
 
-const VehicleModes<double>& FlightModes::found() const { return work_->found; }
+std::vector<std::string> FlightModes::inputs() const {
+  std::vector<std::string> names;
+  for (int j = 0; j < controls_.count; ++j) names.emplace_back(kControlVariables[controls_.index[j]].name);
+  for (const Variable& command : kCommandVariables.row) names.emplace_back(command.name);
+  return names;
+}
+
+Status FlightModes::linearize(const ScriptFlight& flight) {
+  const FlightMoment& now = flight.now();
+  return linearize_flight(flight.configuration(), flight.systems(), now.state, now.controls, controls_,
+                          CommandColumns::all, *work_->analyses, work_->matrices, flight.azimuth());
+}
+
+ShownModel FlightModes::model(const ScriptFlight& flight) const {
+  const FlightMoment& now = flight.now();
+  return ShownModel(work_->matrices, now.state, now.systems, now.controls, now.commands);
+}
+
+Status FlightModes::find() {
+  work_->modes.count = 0;
+  return vehicle_modes(work_->matrices, *work_->analyses, work_->modes);
+}
+
+const VehicleModes<double>& FlightModes::found() const { return work_->modes; }
 
 }  // namespace tiltrotor::cli

@@ -1,23 +1,30 @@
-// Modes of the whole vehicle along a flight.
+// Linear models of the whole vehicle along a flight, and their modes.
 #pragma once
 
-#include <memory>
-
+#include "cli/analyses_workspace.hpp"
 #include "cli/script_flight.hpp"
-#include "tiltrotor/analysis/linear/vehicle_modes.hpp"
+#include "cli/shown_model.hpp"
 
 namespace tiltrotor::cli {
 
 class FlightModes {
  public:
-  FlightModes();
+  explicit FlightModes(const ControlSet& controls);
   ~FlightModes();
-  // Those of the linear model at this moment, every system that is on within.
-  Status find(const ScriptFlight& flight);
+  // Names of every state and input that a model may have, whatever is switched on.
+  std::vector<std::string> states(const Options& options) const;
+  std::vector<std::string> inputs() const;
+
+  // At this moment, every system that is on within, in the air that there is.
+  Status linearize(const ScriptFlight& flight);
+  ShownModel model(const ScriptFlight& flight) const;
+  // Of that model.
+  Status find();
   const VehicleModes<double>& found() const;
 
  private:
   struct Work;
+  ControlSet controls_;
   std::unique_ptr<Work> work_;
 };
 

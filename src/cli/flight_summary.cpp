@@ -59,7 +59,7 @@ std::string FlightSummary::text() const {
   if (touched_ > 0) all += "touch-down: " + decimals(touch_down_.value, 2) + " m/s" + at(touch_down_);
   all += "fuel burnt: " + decimals(fuel_, 1) + " kg\n";
   all += "masts: " + decimals(least_mast_, 1) + " to " + decimals(most_mast_, 1) + " deg\n";
-  return all;
+  return all + ignored_;
 }
 
 }  // namespace tiltrotor::cli

@@ -11,6 +11,11 @@ class FlightSummary {
  public:
   // Every step.
   void add(const FlightMoment& moment);
+  // A command that was not obeyed.
+  void add(const std::string& ignored) { ignored_ += ignored + "\n"; }
+  double height_error() const { return height_error_.value; }                 // m, while a height is held
+  double power_part() const { return power_part_.value; }                     // of take-off power
+  double touch_down() const { return touched_ > 0 ? touch_down_.value : 0; }  // m/s
   // Lines "name: value", each with its end.
   std::string text() const;
 
@@ -30,6 +35,7 @@ class FlightSummary {
   Extreme touch_down_{0, 0};  // the hardest
   double fuel_ = 0, least_mast_ = 1e9, most_mast_ = -1e9;
   double last_climb_ = 0;
+  std::string ignored_;
 };
 
 }  // namespace tiltrotor::cli

@@ -7,12 +7,28 @@
 
 namespace tiltrotor::cli {
 
-// Rotors with their governor at (x, u) of the airframe, in a balance of power. Stick and pedals stay as they are.
-SystemFlight<double> governed(const Configuration<double>& c, const State<double>& x, Controls<double>& u);
-
-// A and B of it: the columns of a set, and the throttles of both engines.
+// A and B at (x, u) of the airframe in a balance of power: the columns of a set, and the throttles of both engines.
+// Without governor and SCAS those of the airframe.
 Status linearize_governed(const Configuration<double>& c, const State<double>& x, const Controls<double>& u,
-                          const ControlSet& columns, Analyses& work, VehicleMatrices& matrices);
+                          const ControlSet& columns, Analyses& work, VehicleMatrices& matrices,
+                          bool scas = false);
+// What its rows and columns are, throttles only with a governor.
+VehicleShape governed_shape(const Options& options, const ControlSet& columns, bool scas);
+
+// The augmentation in a linear model.
+OptionList scas_option();
+bool wants_scas(const Arguments& arguments);
+
+// The same of a flight with systems, as they stand, with the columns of every command where wanted.
+enum class CommandColumns : unsigned char { throttles, all };
+Status linearize_flight(const Configuration<double>& c, const SystemFlight<double>& flight,
+                        const State<double>& x, const Controls<double>& u, const ControlSet& columns,
+                        CommandColumns commands, Analyses& work, VehicleMatrices& matrices,
+                        double azimuth = 0);
+
+// Collective that the governor adds at this moment, rad. An ideal one is asked anew: it answers a lever at once.
+double governed_collective(const Configuration<double>& c, const SystemFlight<double>& flight,
+                           const State<double>& x, const Controls<double>& u, double azimuth);
 
 // Throws UsageError when an option is given that goes with governor=off alone.
 void require_no_governor(const Options& options, const Arguments& arguments, const char* option);

@@ -2,16 +2,26 @@
 
 #include <memory>
 
-#include "tiltrotor/analysis/linear/reduction.hpp"
-
 namespace tiltrotor::cli {
 
 OptionList reduce_option() {
-  return {{"--reduce", "KIND", "none, or rigid: the 8 rigid-body states, rotors quasi-steady (none)"}};
+  return {{"--reduce", "KIND",
+           "none; rigid: the 8 rigid-body states, rotors and wash to first order;\n"
+           "quasi_steady: with them in balance (none)"}};
 }
 
-bool wants_rigid(const Arguments& arguments) {
-  return arguments.choice("--reduce", "none", {"none", "rigid"}) == 1;
+namespace {
+
+std::size_t reduce_choice(const Arguments& arguments) {
+  return arguments.choice("--reduce", "none", {"none", "rigid", "quasi_steady"});
+}
+
+}  // namespace
+
+bool wants_rigid(const Arguments& arguments) { return reduce_choice(arguments) != 0; }
+
+Reduction reduction_order(const Arguments& arguments) {
+  return reduce_choice(arguments) == 2 ? Reduction::quasi_steady : Reduction::first_order;
 }
 
 OptionList control_set_option() {
@@ -25,10 +35,10 @@ const ControlSet& control_set(const Arguments& arguments) {
   return sets[arguments.choice("--control-set", "inceptors", {"inceptors", "blades", "all"})];
 }
 
-Status reduce_to_rigid(LinearModel<double>& model) {
-  const auto work = std::make_unique<ResidualisationWorkspace<double>>();
+Status reduce_to_rigid(LinearModel<double>& model, Reduction order) {
+  const auto work = std::make_unique<RigidModelWorkspace<double>>();
   const auto reduced = std::make_unique<LinearModel<double>>();
-  const Status status = residualise(model, *work, *reduced);
+  const Status status = rigid_model(model, order, *work, *reduced);
   model = *reduced;
   return status;
 }

@@ -2,17 +2,18 @@
 #pragma once
 
 #include "cli/arguments.hpp"
-#include "tiltrotor/analysis/linear/linear_model.hpp"
+#include "tiltrotor/analysis/linear/rigid_model.hpp"
 
 namespace tiltrotor::cli {
 
 OptionList reduce_option();
 bool wants_rigid(const Arguments& arguments);
+Reduction reduction_order(const Arguments& arguments);  // of --reduce rigid and quasi_steady
 
 OptionList control_set_option();
 const ControlSet& control_set(const Arguments& arguments);
 
-// The residualised model in place of the full one. Status as residualise().
-Status reduce_to_rigid(LinearModel<double>& model);
+// The rigid-body model in place of the full one. Status as rigid_model().
+Status reduce_to_rigid(LinearModel<double>& model, Reduction order);
 
 }  // namespace tiltrotor::cli

@@ -27,8 +27,9 @@ class MastMoves {
   // Throws UsageError when the masts leave their range on the way.
   void require_range(double mast_deg, const std::string& where) const;
 
-  // One step, cut where a move begins or ends.
-  Status advance(Configuration<double>& c, Analyses& analyses, Simulation<double>& s) const;
+  // One step, cut where a move begins or ends; with systems, or nullptr.
+  Status advance(Configuration<double>& c, SystemFlight<double>* systems, Analyses& analyses,
+                 Simulation<double>& s) const;
 
  private:
   double rate_after(double time) const;

@@ -1,9 +1,24 @@
 #include "cli/matrix_log.hpp"
 
+#include <algorithm>
+
 #include "text/number.hpp"
-#include "text/rounding.hpp"
 
 namespace tiltrotor::cli {
+
+namespace {
+
+// Of each name among others; -1 where it is not there.
+std::vector<int> places(const std::vector<std::string>& names, const std::vector<std::string>& among) {
+  std::vector<int> found;
+  for (const std::string& name : names) {
+    const auto at = std::find(among.begin(), among.end(), name);
+    found.push_back(at == among.end() ? -1 : static_cast<int>(at - among.begin()));
+  }
+  return found;
+}
+
+}  // namespace
 
 MatrixLog::MatrixLog(const std::string& folder, const std::string& where) {
   require_writable_folder(folder, where);
@@ -11,16 +26,32 @@ MatrixLog::MatrixLog(const std::string& folder, const std::string& where) {
   b_ = std::make_unique<Sink>(folder + "/b.csv", where);
 }
 
-void MatrixLog::add(double time, const LinearModel<double>& exact) {
-  const LinearModel<double> model = without_rounding(exact);
-  if (!has_header_) write_header(model);
+void MatrixLog::set_columns(const std::vector<std::string>& states,
+                            const std::vector<std::string>& controls) {
+  states_ = states;
+  controls_ = controls;
+  std::string a = "time_s,row";
+  std::string b = a;
+  for (const std::string& name : states_) a += "," + name;
+  for (const std::string& name : controls_) b += "," + name;
+  a_->write(a + "\n");
+  b_->write(b + "\n");
+  has_header_ = true;
+}
+
+void MatrixLog::add(double time, const ShownModel& model) {
+  std::vector<std::string> states, controls;
+  for (int i = 0; i < model.states; ++i) states.emplace_back(model.state_name(i));
+  for (int j = 0; j < model.controls; ++j) controls.emplace_back(model.control_name(j));
+  if (!has_header_) set_columns(states, controls);
+  const std::vector<int> state_place = places(states_, states), control_place = places(controls_, controls);
   std::string a, b;
   for (int i = 0; i < model.states; ++i) {
     const std::string begin = number_text(time, 12) + "," + model.state_name(i);
     a += begin;
     b += begin;
-    for (int j = 0; j < model.states; ++j) a += "," + number_text(model.a(i, j));
-    for (int j = 0; j < model.controls; ++j) b += "," + number_text(model.b(i, j));
+    for (const int j : state_place) a += j < 0 ? "," : "," + number_text(model.a(i, j));
+    for (const int j : control_place) b += j < 0 ? "," : "," + number_text(model.b(i, j));
     a += "\n";
     b += "\n";
   }
@@ -31,16 +62,6 @@ void MatrixLog::add(double time, const LinearModel<double>& exact) {
 void MatrixLog::finish() {
   a_->finish();
   b_->finish();
-}
-
-void MatrixLog::write_header(const LinearModel<double>& model) {
-  std::string a = "time_s,row";
-  std::string b = a;
-  for (int j = 0; j < model.states; ++j) a += std::string(",") + model.state_name(j);
-  for (int j = 0; j < model.controls; ++j) b += std::string(",") + model.control_name(j);
-  a_->write(a + "\n");
-  b_->write(b + "\n");
-  has_header_ = true;
 }
 
 }  // namespace tiltrotor::cli

@@ -16,12 +16,15 @@ namespace {
 
 constexpr double radian = kRadPerDeg<double>;
 
-constexpr int shown_modes = kRigidStates + 1;
+// Of the body and the downwash, and of rotor speed and governor where they are states.
+int shown_modes(const Options& options) {
+  return kRigidStates + 1 + (options.governor == Governor::pi ? 2 : 0);
+}
 
 struct Moment {
   const Simulation<double>& simulation;
   const State<double>& x;
-  Controls<double> u;
+  Controls<double> u;  // collective: with what the governor adds
 };
 using Now = const Moment&;
 
@@ -74,8 +77,9 @@ std::vector<std::string> own_columns() {
 std::vector<std::string> response_columns(bool with_modes, const Options& options) {
   std::vector<std::string> names = own_columns();
   for (const std::string& name : completing_columns(own_columns(), options, true)) names.push_back(name);
+  if (options.governor != Governor::off) names.emplace_back("governor_deg");
   names.insert(names.end(), {"limits", kModelColumn});
-  for (int i = 1; with_modes && i <= shown_modes; ++i) {
+  for (int i = 1; with_modes && i <= shown_modes(options); ++i) {
     const std::string name = "mode" + std::to_string(i);
     names.insert(names.end(), {name, name + "_real", name + "_imag", name + "_branch"});
   }
@@ -83,36 +87,61 @@ std::vector<std::string> response_columns(bool with_modes, const Options& option
 }
 
 Row response_row(const TrimmedFlight& flight, const Configuration<double>& now,
-                 const Simulation<double>& simulation) {
-  const Moment moment{simulation, simulation.state, current_controls(simulation)};
+                 const Simulation<double>& simulation, double governed) {
+  const Controls<double> hands = current_controls(simulation);
+  Moment moment{simulation, simulation.state, hands};
+  moment.u.collective += governed;
   Row row;
   for (const Column& column : columns) row.emplace_back(column.value(moment));
   const Options& options = flight.configuration.setup.options;
   for (const std::string& name : completing_columns(own_columns(), options, true)) {
     if (is_setting(name)) {
-      const bool moved = name == "mast_deg" && now.setup.mast_deg != flight.configuration.setup.mast_deg;
-      row.emplace_back(as_given(moved ? now.setup.mast_deg : flight.setting(name)));
+      const double value = setting_value(name, now.setup);
+      const bool moved = value != setting_value(name, flight.configuration.setup);
+      row.emplace_back(as_given(moved ? value : flight.setting(name)));
       continue;
     }
     const double value = completing_value(name, moment.x, moment.u);
     const bool is_position = name == "north_m" || name == "east_m" || name == "down_m";
     row.emplace_back(is_position ? without_drift(value, moment) : value);
   }
-  row.emplace_back(words_of(controls_beyond_stops(moment.u)));
+  if (options.governor != Governor::off) row.emplace_back(governed / radian);
+  row.emplace_back(words_of(controls_beyond_stops(hands)));
   row.emplace_back(model_text(options));
   return row;
 }
 
+namespace {
+
+constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+
+void fill_modes(Row& row, int shown, const Options& options) {
+  for (; shown < shown_modes(options); ++shown) row.insert(row.end(), {"", nothing, nothing, nothing});
+}
+
+}  // namespace
+
 void append_modes(Row& row, const ModeSet<double>* set) {
-  constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+  const Options ungoverned{};
   int shown = 0;
-  for (int i = 0; set != nullptr && i < set->count && shown < shown_modes; ++i) {
+  for (int i = 0; set != nullptr && i < set->count && shown < shown_modes(ungoverned); ++i) {
     const Mode<double>& mode = set->mode[i];
     if (mode.axis == ModeAxis::rotor) continue;
     row.insert(row.end(), {mode.name, mode.real, mode.imag, static_cast<double>(mode.branch)});
     ++shown;
   }
-  for (; shown < shown_modes; ++shown) row.insert(row.end(), {"", nothing, nothing, nothing});
+  fill_modes(row, shown, ungoverned);
+}
+
+void append_modes(Row& row, const VehicleModes<double>* set, const Options& options) {
+  int shown = 0;
+  for (int i = 0; set != nullptr && i < set->count && shown < shown_modes(options); ++i) {
+    const VehicleMode<double>& mode = set->mode[i];
+    if (mode.axis == ModeAxis::rotor && !mode.is_system) continue;
+    row.insert(row.end(), {mode.name, mode.real, mode.imag, nothing});
+    ++shown;
+  }
+  fill_modes(row, shown, options);
 }
 
 }  // namespace tiltrotor::cli

@@ -40,6 +40,15 @@ struct ScriptCommander : ScriptFlightState {
     flight.vehicle.engine_failed[side] = e.word == 0;
   }
 
+  // At once: the time of its travel is published nowhere. The switch on the legs keeps a gear that carries.
+  void move_gear(bool down) {
+    if (!down && moment.weight_on_wheels > 0) {
+      ignored.push_back("gear up at " + number_text(time(), 6) + " s: ignored, with weight on the wheels");
+      return;
+    }
+    flight.vehicle.gear_down = down;
+  }
+
   void change_governor(Governor to) {
     Vehicle<double>& v = flight.vehicle;
     SystemState<double>& s = flight.state;
@@ -167,7 +176,7 @@ struct ScriptCommander : ScriptFlightState {
         change_governor(static_cast<Governor>(e.word));
         return;
       case C::gear:
-        v.gear_down = e.word == 1;
+        move_gear(e.word == 1);
         return;
       case C::brakes:
         v.brake[right] = v.brake[left] = first;

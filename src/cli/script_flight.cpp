@@ -92,7 +92,7 @@ struct ScriptFlight::Parts : ScriptCommander {
     for (int k = 0; k < settling; ++k) {
       observe();
       act();
-      if (advance_vehicle(c, flight, work, simulation) != Status::ok)
+      if (advance_vehicle(c, flight, *work, simulation) != Status::ok)
         throw std::runtime_error("fly: the aircraft does not come to rest on its wheels: " + fault());
     }
     State<double> rested = current_state(simulation);
@@ -178,6 +178,16 @@ struct ScriptFlight::Parts : ScriptCommander {
     if (flies_bank || parked) s.rest_lat = simulation.controls.lat_stick - away;
   }
 
+  // Nothing but wheels carries: without them the flight ends where they would stand, else where the CG would.
+  bool has_struck() {
+    struck = height() < (flight.vehicle.gear_down ? -rest_height() : 0.0);
+    if (!struck) return false;
+    simulation.status = Status::out_of_range;
+    simulation.fault_state = kStateIndex.position.z;
+    simulation.fault_time = time();
+    return true;
+  }
+
   void observe() {
     const State<double> x = current_state(simulation);
     const Controls<double> u = simulation.controls;
@@ -195,10 +205,11 @@ struct ScriptFlight::Parts : ScriptCommander {
     m.state = x;
     m.controls = u;
     m.systems = flight.state;
+    if (flight.vehicle.on.governor == Governor::ideal) m.systems.governor = flows.governed;
     m.commands = flight.vehicle.commands;
     m.rates = answer.rates;
     m.velocity_n = over_ground(x, c.around.wind_n);
-    m.height = -x.position.z - rest_height();
+    m.height = height();
     m.airspeed = length(x.velocity - u.gust);
     const Vec3<double> turning = cross(x.rates, x.velocity);
     m.load_factor =
@@ -218,8 +229,13 @@ struct ScriptFlight::Parts : ScriptCommander {
 
   void meet() {
     constexpr double rounding = 1e-9;
-    for (; next < script.events.size() && script.events[next].time <= time() + rounding; ++next)
+    const auto is_due = [&] {
+      return next < script.events.size() && script.events[next].time <= time() + rounding;
+    };
+    for (; is_due(); ++next) {
+      if (script.events[next].command == ScriptCommand::gear) observe();  // weight on wheels, now
       obey(script.events[next]);
+    }
     act();
     observe();
   }
@@ -243,7 +259,8 @@ bool ScriptFlight::step() {
   Parts& p = *parts_;
   constexpr double rounding = 1e-9;
   if (p.time() >= p.script.duration() - rounding) return false;
-  if (advance_vehicle(p.c, p.flight, p.work, p.simulation, p.rates) != Status::ok) return false;
+  if (advance_vehicle(p.c, p.flight, *p.work, p.simulation, p.rates) != Status::ok) return false;
+  if (p.has_struck()) return false;
   p.meet();
   return true;
 }
@@ -252,5 +269,7 @@ Status ScriptFlight::status() const { return parts_->simulation.status; }
 std::string ScriptFlight::fault() const { return parts_->fault(); }
 const Configuration<double>& ScriptFlight::configuration() const { return parts_->c; }
 const SystemFlight<double>& ScriptFlight::systems() const { return parts_->flight; }
+double ScriptFlight::azimuth() const { return current_azimuth(parts_->c, parts_->simulation); }
+const std::vector<std::string>& ScriptFlight::ignored() const { return parts_->ignored; }
 
 }  // namespace tiltrotor::cli

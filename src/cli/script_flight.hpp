@@ -9,6 +9,8 @@
 #pragma once
 
 #include <memory>
+#include <string>
+#include <vector>
 
 #include "cli/flight_script.hpp"
 #include "cli/pilot_training.hpp"
@@ -60,6 +62,9 @@ class ScriptFlight {
   // What is flown now, for linear models.
   const Configuration<double>& configuration() const;
   const SystemFlight<double>& systems() const;
+  double azimuth() const;
+  // Commands that the aircraft did not obey, a line each: "gear up at 12 s: ignored, ...".
+  const std::vector<std::string>& ignored() const;
 
  private:
   struct Parts;

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "cli/analyses_workspace.hpp"
 #include "cli/ground_handling.hpp"
 #include "cli/pilot_training.hpp"
 #include "cli/script_flight.hpp"
@@ -46,13 +47,14 @@ struct ScriptFlightState {
   Configuration<double> c{};
   SystemFlight<double> flight{};
   Simulation<double> simulation{};
-  SimulationWorkspace<double> work{};
+  AnalysesWorkspace work;
   pilot::PilotAims aims{};
   pilot::PilotMemory memory{};
   pilot::PilotReach reach = pilot::pilot_reach(aircraft);
   GroundHandling ground{};
   ScriptInputs inputs;
-  bool parked = false, lands = false;
+  bool parked = false, lands = false, struck = false;
+  std::vector<std::string> ignored;
   double followed = 0;      // by the engines, of the throttle
   double rotor_target = 0;  // rad/s
   std::size_t next = 0;     // event
@@ -68,6 +70,7 @@ struct ScriptFlightState {
 
   double time() const { return current_time(simulation); }
   double rest_height() const { return c.setup.wl_cg - aircraft.gear.ground_wl; }
+  double height() const { return -current_state(simulation).position.z - rest_height(); }  // of the wheels
   double full_power() const { return demanded_power(aircraft, c.air, 1.0); }
   double throttle_share() const {
     const int running = vehicle_parts::engines_running(flight.vehicle.engine_failed);
@@ -83,7 +86,7 @@ struct ScriptFlightState {
     sees.side_airspeed = air.y;
     sees.north = x.position.x;
     sees.east = x.position.y;
-    sees.height = -x.position.z - rest_height();
+    sees.height = height();
     sees.ground_velocity = over_ground(x, c.around.wind_n);
     sees.roll = x.roll;
     sees.pitch = x.pitch;
@@ -107,8 +110,9 @@ struct ScriptFlightState {
     const std::string what = simulation.fault_state < 0
                                  ? std::string()
                                  : std::string(", ") + vehicle_variable(simulation.fault_state).name;
+    const char* const gear = flight.vehicle.gear_down ? "" : " with the gear up";
     return "at " + number_text(simulation.fault_time, 6) + " s" + what + ": " +
-           status_text(simulation.status);
+           (struck ? std::string("the aircraft has met the ground") + gear : status_text(simulation.status));
   }
 };
 

@@ -154,7 +154,9 @@ bool contains(const std::vector<std::string>& names, const std::string& name) {
 const std::vector<std::string>& derived_columns() {
   static const std::vector<std::string> names = [] {
     std::vector<std::string> all = trim_columns();
-    for (const std::string& name : response_columns(true)) all.push_back(name);
+    Options governed;
+    governed.governor = Governor::pi;
+    for (const std::string& name : response_columns(true, governed)) all.push_back(name);
     return all;
   }();
   return names;

@@ -1,13 +1,17 @@
 /* Flies the aircraft in real time on a POSIX timer, as a hardware-in-the-loop rig does.
  *
- *   cc rig.c $(pkg-config --cflags --libs tiltrotor) -lrt -o rig
- *   rig [--rate HZ] [--seconds S] [--mast DEG] [--speed MPS] [--udp PORT] [--publish PORT] [--record FILE] [--fast]
+ *   cc rig.c rig_text.c ground_start.c $(pkg-config --cflags --libs tiltrotor) -lrt -o rig
+ *   rig [--rate HZ] [--seconds S] [--mast DEG] [--speed MPS] [--ground] [--udp PORT] [--script FILE] [--publish PORT]
+ *       [--sensors PORT] [--record FILE] [--fast]
  *
- * Controls: lines "collective_rad long_stick_in lat_stick_in pedal_in" on standard input, or datagrams with the same
- * text at 127.0.0.1:PORT. What arrived last before a frame acts in it; without input the trimmed controls stay. With
- * --fast there is no timer, and every frame takes one line of input: so a recording replays.
- * State: with --publish a datagram of text to 127.0.0.1:PORT at every frame.
- * --record: the controls of every frame, exact (hexadecimal), in the format of the input: replay with
+ * Begins in trimmed level flight with the systems off, or with --ground on the wheels: every system on, rotors at speed and
+ * carrying part of the weight, brakes set.
+ * Inputs: lines of controls and commands (rig_text.h says which) on standard input, or datagrams with the same text at
+ * 127.0.0.1:PORT. What arrived last before a frame acts in it; without input everything stays. With --fast there is no
+ * timer, and every frame takes one line of input: so a recording replays. --script: lines with their times, as hop.txt.
+ * Outputs: datagrams of text to 127.0.0.1:PORT at every frame, with --publish of the state, with --sensors of what
+ * instruments read (sensor_line of rig_text.h).
+ * --record: the inputs of every frame, exact (hexadecimal), in the format of the input: replay with
  *   rig --fast ... < FILE. The hash printed at the end is then the same, every time, on every machine.
  * At the end: frames, overruns (frames that began a period late), percentiles of wake-up latency and computing time. */
 #define _POSIX_C_SOURCE 200809L
@@ -20,16 +24,18 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/socket.h>
-#include <tiltrotor/tiltrotor.h>
 #include <time.h>
 #include <unistd.h>
 
-enum { PILOT_CONTROLS = 4, LINE = 256, BUCKETS = 100000 };
+#include "ground_start.h"
+#include "rig_text.h"
+
+enum { LINE = RIG_LINE, BUCKETS = 100000 };
 
 typedef struct rig_options {
   double rate, seconds, mast_deg, speed_mps;
-  int udp_port, publish_port, fast;
-  const char* record;
+  int udp_port, publish_port, sensors_port, ground, fast;
+  const char *record, *script;
 } rig_options;
 
 /* Times in microseconds, counted in fixed memory. */
@@ -40,6 +46,8 @@ typedef struct histogram {
 
 static tr_sim aircraft;
 static tr_work work;
+static tr_systems commanded;
+static rig_sensors sensors;
 static histogram latency, computing;
 static volatile sig_atomic_t stopped;
 
@@ -83,8 +91,8 @@ static int failed(const char* what, tr_status status) {
 
 static int usage(const char* word) {
   fprintf(stderr,
-          "rig: bad option %s: [--rate 50..10000] [--seconds S] [--mast 0..90] [--speed 0..150] [--udp PORT] "
-          "[--publish PORT] [--record FILE] [--fast]\n",
+          "rig: bad option %s: [--rate 50..10000] [--seconds S] [--mast 0..90] [--speed 0..150] [--ground] "
+          "[--udp PORT] [--script FILE] [--publish PORT] [--sensors PORT] [--record FILE] [--fast]\n",
           word);
   return 0;
 }
@@ -101,11 +109,11 @@ static int read_options(int count, char** words, rig_options* o) {
   for (i = 1; i < count; ++i) {
     const char* word = words[i];
     const char* argument = i + 1 < count ? words[i + 1] : "";
-    if (strcmp(word, "--fast") == 0) {
+    if (strcmp(word, "--fast") == 0)
       o->fast = 1;
-      continue;
-    }
-    if (strcmp(word, "--rate") == 0 && number_within(argument, 50, 10000, &o->rate))
+    else if (strcmp(word, "--ground") == 0)
+      o->ground = 1;
+    else if (strcmp(word, "--rate") == 0 && number_within(argument, 50, 10000, &o->rate))
       ++i;
     else if (strcmp(word, "--seconds") == 0 && number_within(argument, 0, 1e6, &o->seconds))
       ++i;
@@ -117,6 +125,10 @@ static int read_options(int count, char** words, rig_options* o) {
       o->udp_port = (int)port, ++i;
     else if (strcmp(word, "--publish") == 0 && number_within(argument, 1, 65535, &port))
       o->publish_port = (int)port, ++i;
+    else if (strcmp(word, "--sensors") == 0 && number_within(argument, 1, 65535, &port))
+      o->sensors_port = (int)port, ++i;
+    else if (strcmp(word, "--script") == 0 && *argument != '\0')
+      o->script = words[++i];
     else if (strcmp(word, "--record") == 0 && *argument != '\0')
       o->record = words[++i];
     else
@@ -142,23 +154,10 @@ static int loopback_socket(int port, int to_receive) {
   return s;
 }
 
-/* Decimal or hexadecimal numbers; 0 when the text is something else. */
-static int parse_controls(const char* text, tr_real* u) {
-  char* end;
-  int j;
-  for (j = 0; j < PILOT_CONTROLS; ++j) {
-    u[j] = (tr_real)strtod(text, &end);
-    if (end == text) return 0;
-    text = end;
-  }
-  return 1;
-}
-
 /* A line that the aircraft refuses, or that is none, changes nothing and is counted. */
 static unsigned long refused;
 static void take(const char* text) {
-  tr_real u[PILOT_CONTROLS];
-  if (!parse_controls(text, u) || tr_set_controls(&aircraft, u, PILOT_CONTROLS) != TR_OK) ++refused;
+  if (!take_line(&aircraft, &commanded, text)) ++refused;
 }
 
 /* All that has arrived, without waiting; the last line wins. 0 at the end of the input. */
@@ -200,15 +199,16 @@ static void publish(int descriptor, const tr_state* s) {
   if (length > 0) (void)!send(descriptor, text, (size_t)length, MSG_DONTWAIT); /* nobody listens: no matter */
 }
 
-static void record(FILE* file, const tr_state* s) {
-  int j;
-  for (j = 0; j < PILOT_CONTROLS; ++j)
-    fprintf(file, "%a%c", (double)s->u[j], j + 1 < PILOT_CONTROLS ? ' ' : '\n');
+static int sense(int descriptor, double period) {
+  char text[LINE];
+  if (failed("sensors", sensor_line(&aircraft, &sensors, (tr_real)period, text))) return 1;
+  (void)!send(descriptor, text, strlen(text), MSG_DONTWAIT);
+  return 0;
 }
 
 /* ---- flight ---- */
 
-static int begin(const rig_options* o) {
+static int begin_in_trim(const rig_options* o) {
   tr_setup setup;
   tr_flight level = {0, 0, 0, 0};
   tr_trim_result result;
@@ -218,7 +218,16 @@ static int begin(const rig_options* o) {
   if (failed("init", tr_init(&aircraft, TR_API_VERSION, &setup))) return 0;
   status = tr_trim(&aircraft, &work, &level, &result);
   if (status != TR_OK) fprintf(stderr, "rig: trim: %s\n", result.text);
-  return status == TR_OK;
+  return status == TR_OK && !failed("systems", tr_get_systems(&aircraft, &commanded));
+}
+
+static int begin_on_ground(void) {
+  const char* where = "";
+  double hover_throttle;
+  const tr_status status = start_on_ground(&aircraft, &work, &commanded, &hover_throttle, &where);
+  if (failed(where, status)) return 0;
+  printf("hover_throttle %.4f\n", hover_throttle);
+  return 1;
 }
 
 /* Frame number `frame` of the clock; microseconds late. */
@@ -234,13 +243,14 @@ static double wait_for(const struct timespec* start, unsigned long frame, double
   return 1e6 * seconds_between(&due, &now);
 }
 
-static int fly(const rig_options* o, int input, int output, FILE* log, uint64_t* hash) {
+static int fly(const rig_options* o, int input, int output, int sensed, FILE* log, uint64_t* hash) {
   const double period = 1 / o->rate;
   const unsigned long frames = (unsigned long)(o->seconds * o->rate + 0.5);
   unsigned long frame, overruns = 0;
   int open = 1, errors = 0;
   char line[LINE];
   tr_state state;
+  tr_systems last = commanded;
   struct timespec start, before, after;
   clock_gettime(CLOCK_MONOTONIC, &start);
   for (frame = 0; frame < frames && !stopped && errors == 0; ++frame) {
@@ -252,14 +262,17 @@ static int fly(const rig_options* o, int input, int output, FILE* log, uint64_t*
       if (late > 1e6 * period) ++overruns;
       if (open) open = take_what_arrived(input, o->udp_port > 0);
     }
+    refused += take_script(&aircraft, &commanded, (double)frame * period);
     clock_gettime(CLOCK_MONOTONIC, &before);
     errors += failed("step", tr_step(&aircraft, &work, (tr_real)period));
     clock_gettime(CLOCK_MONOTONIC, &after);
     add(&computing, 1e6 * seconds_between(&before, &after));
     errors += failed("state", tr_get_state(&aircraft, &state));
     tr_hash(state.x, TR_STATES, hash);
-    if (log != NULL) record(log, &state);
+    if (log != NULL) record_line(log, &state, &last, &commanded);
+    last = commanded;
     if (output >= 0) publish(output, &state);
+    if (sensed >= 0) errors += sense(sensed, period);
   }
   clock_gettime(CLOCK_MONOTONIC, &after);
   printf("frames %lu overruns %lu refused_inputs %lu errors %d\n", frame, overruns, refused, errors);
@@ -270,21 +283,24 @@ static int fly(const rig_options* o, int input, int output, FILE* log, uint64_t*
 }
 
 int main(int count, char** words) {
-  rig_options o = {200, 3, 0, 40, 0, 0, 0, NULL};
+  rig_options o = {200, 3, 0, 40, 0, 0, 0, 0, 0, NULL, NULL};
   uint64_t hash = TR_HASH_START;
-  int input = STDIN_FILENO, output = -1, errors;
+  int input = STDIN_FILENO, output = -1, sensed = -1, errors;
   FILE* log = NULL;
   if (!read_options(count, words, &o)) return 2;
   signal(SIGINT, stop);
   signal(SIGTERM, stop);
   if (o.udp_port > 0 && (input = loopback_socket(o.udp_port, 1)) < 0) return 1;
   if (o.publish_port > 0 && (output = loopback_socket(o.publish_port, 0)) < 0) return 1;
+  if (o.sensors_port > 0 && (sensed = loopback_socket(o.sensors_port, 0)) < 0) return 1;
+  if (o.script != NULL && !read_script(o.script)) return 2;
   if (o.record != NULL && (log = fopen(o.record, "w")) == NULL) {
     fprintf(stderr, "rig: %s: %s\n", o.record, strerror(errno));
     return 1;
   }
-  if (!begin(&o)) return 1;
-  errors = fly(&o, input, output, log, &hash);
+  if (!(o.ground ? begin_on_ground() : begin_in_trim(&o))) return 1;
+  if (failed("sensors", place_sensors(&aircraft, &sensors))) return 1;
+  errors = fly(&o, input, output, sensed, log, &hash);
   if (log != NULL && fclose(log) != 0) errors = 1;
   printf("hash %016llx\n", (unsigned long long)hash);
   return errors != 0;

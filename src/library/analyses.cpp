@@ -1,5 +1,6 @@
 #include "library/analyses.hpp"
 
+#include <limits>
 #include <new>
 
 namespace tiltrotor {
@@ -38,6 +39,18 @@ Status advance_moving(MovingConfiguration<double>& moving, Analyses& work, Simul
   return advance_moving(moving, work.simulation, simulation, xdot);
 }
 
+SystemFlight<double> governed(const Configuration<double>& c, const State<double>& x, Controls<double>& u,
+                              bool scas) {
+  SystemFlight<double> flight{};
+  flight.vehicle.on.governor = c.setup.options.governor;
+  flight.vehicle.on.augmentation = scas;
+  flight.vehicle.ground.down = std::numeric_limits<double>::infinity();
+  Evaluation<double> now;
+  evaluate_aircraft(c, x, u, now);
+  settle(c, x, now.rotor[right].loads.torque + now.rotor[left].loads.torque, flight.vehicle, flight.state, u);
+  return flight;
+}
+
 Status linearize_vehicle(const Vehicle<double>& v, Configuration<double>& c, const State<double>& x,
                          const SystemState<double>& s, const Controls<double>& u, Analyses& work,
                          VehicleMatrices& matrices, double azimuth) {
@@ -54,6 +67,10 @@ Status linearize_vehicle(const Vehicle<double>& v, Configuration<double>& c, con
 Status vehicle_modes(const VehicleMatrices& matrices, Analyses& work, VehicleModes<double>& found) {
   work.vehicle_modes.a = matrices.a;
   return vehicle_modes(matrices.shape, work.vehicle_modes, found);
+}
+
+const Eigensystem<double, kMaxVehicleStates>& vehicle_eigensystem(const Analyses& work) {
+  return work.vehicle_modes.system;
 }
 
 Status advance_vehicle(Configuration<double>& c, SystemFlight<double>& flight, Analyses& work,

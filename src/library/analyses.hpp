@@ -35,6 +35,12 @@ Status advance(const Configuration<double>& c, Analyses& work, Simulation<double
 Status advance_moving(MovingConfiguration<double>& moving, Analyses& work, Simulation<double>& simulation,
                       const double* xdot = nullptr);
 
+// Rotors with the governor of the configuration's options at (x, u) of the airframe, in a balance of power; no other
+// system. Stick and pedals stay as they are. With `scas` its rate damping is on; attitudes are not held, as while a pilot
+// moves the stick.
+SystemFlight<double> governed(const Configuration<double>& c, const State<double>& x, Controls<double>& u,
+                              bool scas = false);
+
 // The linear model of the vehicle, by rows and columns of its shape.
 struct VehicleMatrices {
   VehicleShape shape;
@@ -46,6 +52,8 @@ Status linearize_vehicle(const Vehicle<double>& v, Configuration<double>& c, con
                          const SystemState<double>& s, const Controls<double>& u, Analyses& work,
                          VehicleMatrices& matrices, double azimuth = 0);
 Status vehicle_modes(const VehicleMatrices& matrices, Analyses& work, VehicleModes<double>& found);
+// Of the modes found last, rotors by mean (in the places of the right one) and difference.
+const Eigensystem<double, kMaxVehicleStates>& vehicle_eigensystem(const Analyses& work);
 Status advance_vehicle(Configuration<double>& c, SystemFlight<double>& flight, Analyses& work,
                        Simulation<double>& simulation, const double* xdot = nullptr);
 

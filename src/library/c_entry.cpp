@@ -23,6 +23,8 @@ decltype(::tr_set_loads) tr_set_loads;
 decltype(::tr_trim) tr_trim;
 decltype(::tr_linearize) tr_linearize;
 decltype(::tr_linearize_and_step) tr_linearize_and_step;
+decltype(::tr_linearize_and_step_exponential) tr_linearize_and_step_exponential;
+decltype(::tr_rigid_model) tr_rigid_model;
 decltype(::tr_eigenvalues) tr_eigenvalues;
 decltype(::tr_modes) tr_modes;
 decltype(::tr_step_with_outputs) tr_step_with_outputs;
@@ -125,6 +127,26 @@ tr_status tr_linearize_and_step(tr_sim* sim, tr_work* work, tr_real dt, int32_t 
   return status == TR_OK
              ? checked::tr_linearize_and_step(sim, work, dt, columns, shape, a, a_length, b, b_length)
              : status;
+}
+
+tr_status tr_linearize_and_step_exponential(tr_sim* sim, tr_work* work, tr_real dt,
+                                            const tr_real* control_rates, int32_t columns,
+                                            tr_linear_shape* shape, tr_real* a, size_t a_length, tr_real* b,
+                                            size_t b_length) {
+  const tr_status status = processor_status();
+  return status == TR_OK ? checked::tr_linearize_and_step_exponential(sim, work, dt, control_rates, columns,
+                                                                      shape, a, a_length, b, b_length)
+                         : status;
+}
+
+tr_status tr_rigid_model(tr_work* work, const tr_linear_shape* shape, const tr_real* a, size_t a_length,
+                         const tr_real* b, size_t b_length, tr_linear_shape* reduced_shape,
+                         tr_real* reduced_a, size_t reduced_a_length, tr_real* reduced_b,
+                         size_t reduced_b_length) {
+  const tr_status status = processor_status();
+  return status == TR_OK ? checked::tr_rigid_model(work, shape, a, a_length, b, b_length, reduced_shape,
+                                                   reduced_a, reduced_a_length, reduced_b, reduced_b_length)
+                         : status;
 }
 
 tr_status tr_eigenvalues(tr_work* work, const tr_real* a, size_t n, tr_real* real, tr_real* imag,

@@ -11,7 +11,18 @@ namespace tiltrotor::c_interface {
 
 namespace {
 
-// A shape that tr_linearize can have made: the model is then safe to work on.
+bool has_systems(const tr_linear_shape& shape) {
+  for (int i = 0; i < shape.states; ++i)
+    if (shape.state[i] >= TR_DOWN) return true;
+  return false;
+}
+
+constexpr std::size_t entries(int rows, int columns) {
+  return static_cast<std::size_t>(rows) * static_cast<std::size_t>(columns);
+}
+
+}  // namespace
+
 bool plausible(const tr_linear_shape& shape) {
   if (shape.states < kRigidStates || shape.states > TR_MAX_LINEAR_STATES) return false;
   bool seen[vehicle_state_count] = {};
@@ -27,18 +38,6 @@ bool plausible(const tr_linear_shape& shape) {
     if (seen[i] != seen[kStateVariables.partner[i]]) return false;
   return true;
 }
-
-bool has_systems(const tr_linear_shape& shape) {
-  for (int i = 0; i < shape.states; ++i)
-    if (shape.state[i] >= TR_DOWN) return true;
-  return false;
-}
-
-constexpr std::size_t entries(int rows, int columns) {
-  return static_cast<std::size_t>(rows) * static_cast<std::size_t>(columns);
-}
-
-}  // namespace
 
 const ControlSet* control_set(std::int32_t columns) {
   switch (columns) {

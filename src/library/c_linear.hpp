@@ -11,6 +11,9 @@ namespace tiltrotor::c_interface {
 // Of a tr_columns; nullptr for an unknown choice.
 const ControlSet* control_set(std::int32_t columns);
 
+// A shape that tr_linearize can have made: the model is then safe to work on.
+bool plausible(const tr_linear_shape& shape);
+
 // The arrays of a caller for A and B.
 struct LinearArrays {
   R* a;

@@ -22,21 +22,6 @@ tr_status outputs_here(Configuration<R>& c, const Sim& s, tr_outputs& outputs, F
 
 namespace {
 
-constexpr R kFarthestStation = 1000;  // m
-
-tr_status check_station(const R* station, const void* result) {
-  if (station == nullptr || result == nullptr) return TR_BAD_ARGUMENT;
-  for (int k = 0; k < 3; ++k) {
-    if (!is_finite(station[k])) return TR_NOT_FINITE;
-    if (!(std::fabs(station[k]) <= kFarthestStation)) return TR_OUT_OF_RANGE;
-  }
-  return TR_OK;
-}
-
-Vec3<R> arm_to(const Sim& s, const R* station) {
-  return station_arm(s.configuration.mass, station[0], station[1], station[2]);
-}
-
 void put(const Vec3<R>& v, R (&array)[3]) { flatten(v, array); }
 
 std::uint32_t flag_of(TrimLimit limit) {

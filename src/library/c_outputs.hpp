@@ -1,6 +1,7 @@
 // Readings of the instruments as tr_outputs.
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <cstring>
 
@@ -30,5 +31,20 @@ inline tr_status check_output_arrays(std::size_t states, std::size_t inputs, con
 
 // Outputs at the present state, and what was found for them; `c` is made. TR_NOT_FINITE: both are as computed.
 tr_status outputs_here(Configuration<R>& c, const Sim& s, tr_outputs& outputs, Found& found);
+
+inline constexpr R kFarthestStation = 1000;  // m
+
+inline tr_status check_station(const R* station, const void* result) {
+  if (station == nullptr || result == nullptr) return TR_BAD_ARGUMENT;
+  for (int k = 0; k < 3; ++k) {
+    if (!is_finite(station[k])) return TR_NOT_FINITE;
+    if (!(std::fabs(station[k]) <= kFarthestStation)) return TR_OUT_OF_RANGE;
+  }
+  return TR_OK;
+}
+
+inline Vec3<R> arm_to(const Sim& s, const R* station) {
+  return station_arm(s.configuration.mass, station[0], station[1], station[2]);
+}
 
 }  // namespace tiltrotor::c_interface

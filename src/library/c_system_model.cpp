@@ -60,8 +60,8 @@ tr_status linearize_systems(const Sim& s, tr_work* work, std::int32_t columns, t
     return static_cast<std::size_t>(row) * static_cast<std::size_t>(width) + static_cast<std::size_t>(column);
   };
   const bool wants_b = to.b != nullptr;
-  State<R> rates;
-  SystemState<R> system_rates;
+  State<R> rates{};
+  SystemState<R> system_rates{};
   const Status status = linearize_vehicle(
       v, equipped_in_air(s, call.configuration), evaluated_state(s), s.systems.state, s.u, of, call.model,
       rates, system_rates, [&](int i, int j, R slope) { to.a[at(i, j, of.states)] = slope; },

@@ -255,3 +255,66 @@ TEST(fly_draws_and_lists_modes) {
     CHECK(svg.size() > 1000 && svg.substr(svg.size() - 7) == "</svg>\n");
   }
 }
+
+// On its wheels, and at the moment they touch, a gear that is told to go up stays; the summary says so.
+TEST(fly_gear_stays_down_with_weight_on_the_wheels) {
+  const Flown f = fly("0 gear up\n0.5 gear up\n2 end\n", "--every 0.5");
+  CHECK_EQ(f.result.exit_status, 0);
+  for (std::size_t k = 0; k < f.count(); ++k) {
+    CHECK_NEAR(f(k, "height_m"), 0, 0.05);
+    CHECK_NEAR(f(k, "weight_on_wheels"), 1, 0.05);
+  }
+  CHECK(f.result.err.find("gear up at 0.5 s: ignored, with weight on the wheels\n") != std::string::npos);
+  CHECK(fly("0 gear down\n1 end\n", "").result.err.find("ignored") == std::string::npos);
+}
+
+// An aircraft that comes down without its wheels ends its flight at the ground: it does not fly on below.
+TEST(fly_ends_at_the_ground_with_the_gear_up) {
+  for (const char* down : {"0 land 2", "0 hold climb -3", "0 release all\n0 throttle 0.2"}) {
+    const Flown f = fly(std::string(down) + "\n60 end\n", "--speed 20 --height 10 --every 0");
+    CHECK_EQ(f.result.exit_status, 1);
+    const std::size_t last = f.count() - 1;
+    bool right = CHECK_LE(0, f(last, "height_m")) & CHECK_LT(f(last, "height_m"), 0.2) &
+                 CHECK(f.result.err.find(", down: the aircraft has met the ground with the gear up\n") !=
+                       std::string::npos);
+    if (!right) NOTE(down << ": " << f.result.err);
+  }
+  const Flown lands = fly("0 gear down\n0 hold speed 0\n5 land 1\n40 end\n", "--speed 5 --height 10");
+  CHECK_EQ(lands.result.exit_status, 0);
+  CHECK_NEAR(lands(lands.count() - 1, "weight_on_wheels"), 1, 0.2);
+}
+
+// A and B of the whole vehicle along the way: at a trim those of the airframe, where its systems leave it alone, and at any
+// time the trace is the sum of the modes' roots; what is switched off has no rows.
+TEST(fly_writes_matrices_of_the_whole_vehicle) {
+  const check::ScratchFolder folder;
+  const Flown f = fly("1.5 scas off\n1.5 governor ideal\n4 end\n",
+                      "--speed 40 --modes-every 2 --modes " + check::quoted(folder.path("modes.csv")) +
+                          " --matrices " + check::quoted(folder.path("m")));
+  CHECK_EQ(f.result.exit_status, 0);
+  const CsvText a(folder.read("m/a.csv")), b(folder.read("m/b.csv")), modes(folder.read("modes.csv"));
+  CHECK_EQ(b.rows.size(), a.rows.size());
+  int rows[3] = {};
+  double trace[3] = {}, size[3] = {}, sum[3] = {};
+  for (std::size_t i = 0; i < a.rows.size(); ++i) {
+    const auto k = static_cast<std::size_t>(std::lround(a.number(i, "time_s") / 2));
+    const double own = a.number(i, a.text(i, "row"));
+    ++rows[k];
+    trace[k] += own;
+    size[k] += std::fabs(own);
+  }
+  for (std::size_t i = 0; i < modes.rows.size(); ++i) {
+    const auto k = static_cast<std::size_t>(std::lround(modes.number(i, "time_s") / 2));
+    sum[k] += modes.number(i, "real") * (modes.number(i, "imag") > 0 ? 2 : 1);
+  }
+  for (int k = 0; k < 3; ++k) CHECK_NEAR(trace[k], sum[k], 1e-8 * size[k]);
+  CHECK_EQ(rows[0] - rows[2], 6);  // three series actuators and the washout, rotor speed and governor
+  CHECK(a.text(a.rows.size() - 1, "scas_pitch").empty() && !a.text(0, "scas_pitch").empty());
+  CHECK_NEAR(b.number(0, "rotor_command"), 0, 1e-12);
+  double lag = 0;
+  for (std::size_t i = 0; i < 45 && i < b.rows.size(); ++i)
+    if (b.text(i, "row") == "power_R") lag = b.number(i, "throttle_R") / -a.number(i, "power_R");
+  CHECK_NEAR(lag / 1e3, f(0, "takeoff_power_kw"), 0.02 * f(0, "takeoff_power_kw"));
+  const check::ProgramResult refused = fly("1 end\n", "--speed 40 --control-set all").result;
+  CHECK_EQ(refused.exit_status, 2);
+}

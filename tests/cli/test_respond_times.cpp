@@ -79,7 +79,7 @@ TEST(cli_bad_times_of_respond_are_refused) {
 
 // Steps beyond what the methods can do: the flight stays in trim.
 TEST(cli_respond_is_stable_with_long_steps) {
-  for (const char* method : {"rk3", "rk4", "rodas3"}) {
+  for (const char* method : {"rk3", "rk4", "rodas3", "exponential"}) {
     for (const char* dt : {"0.0145", "0.02", "0.1"}) {
       const CsvText flight(
           run_tiltrotor(std::string("respond --mast 90 --speed 120 --duration 1 --grid realtime "

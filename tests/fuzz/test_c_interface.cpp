@@ -6,6 +6,7 @@
 
 #include "capi/same_aircraft.hpp"
 #include "fuzz/change_systems.hpp"
+#include "fuzz/read_sensors.hpp"
 #include "fuzz/target.hpp"
 #include "tiltrotor/tiltrotor.h"
 
@@ -223,12 +224,17 @@ void linearize(tr_sim& sim, Workspace& workspace, fuzz::Bytes& in) {
   const std::size_t a_length = in.below(3) > 0 ? kSquare : 4 * in.byte();
   const std::size_t b_length = in.below(3) > 0 ? sizeof workspace.b / sizeof *workspace.b - 1 : in.byte();
   workspace.a[kSquare] = workspace.b[sizeof workspace.b / sizeof *workspace.b - 1] = kUntouched;
+  const std::size_t kind = in.below(3);
+  tr_real control_rates[TR_INPUTS];
+  for (tr_real& rate : control_rates) rate = kind == 2 ? in.number() : 0;
   const tr_status status =
-      in.below(2) == 0
-          ? tr_linearize(&sim, &workspace.work, in.below(6), &workspace.shape, workspace.a, a_length,
-                         workspace.b, b_length)
-          : tr_linearize_and_step(&sim, &workspace.work, in.number(), in.below(6), &workspace.shape,
-                                  workspace.a, a_length, workspace.b, b_length);
+      kind == 2
+          ? tr_linearize_and_step_exponential(&sim, &workspace.work, in.number(), control_rates, in.below(6),
+                                              &workspace.shape, workspace.a, a_length, workspace.b, b_length)
+      : kind == 0 ? tr_linearize(&sim, &workspace.work, in.below(6), &workspace.shape, workspace.a, a_length,
+                                 workspace.b, b_length)
+                  : tr_linearize_and_step(&sim, &workspace.work, in.number(), in.below(6), &workspace.shape,
+                                          workspace.a, a_length, workspace.b, b_length);
   REQUIRE(known(status));
   workspace.linear_model = status == TR_OK;
   if (status == TR_OK) {
@@ -289,6 +295,9 @@ void call_with_nothing(tr_sim& chosen, fuzz::Bytes& in) {
   REQUIRE(tr_saturate_controls(sim, nullptr, in.byte(), nullptr) != TR_OK);
   REQUIRE(tr_last_fault(sim, nullptr) != TR_OK && tr_get_mass(sim, nullptr) != TR_OK);
   REQUIRE(tr_motion_at(sim, nullptr, nullptr) != TR_OK && tr_air_data_at(sim, nullptr, nullptr) != TR_OK);
+  REQUIRE(tr_geodetic_at(nullptr, nullptr, nullptr) != TR_OK && tr_step_lag(nullptr, 0, 0) != TR_OK);
+  REQUIRE(tr_radio_height_at(sim, nullptr, nullptr) != TR_OK && tr_read_imu(sim, nullptr, 0) != TR_OK);
+  REQUIRE(tr_read_air_probe(sim, nullptr, 0, nullptr) != TR_OK);
   REQUIRE(tr_directional(sim, nullptr, nullptr, nullptr, nullptr, nullptr) != TR_OK);
   REQUIRE(tr_directional_inputs(sim, nullptr, nullptr, nullptr, nullptr, nullptr) != TR_OK);
   REQUIRE(tr_get_configuration(sim, nullptr) != TR_OK && tr_set_configuration(sim, nullptr) != TR_OK);
@@ -368,6 +377,7 @@ FUZZ_TARGET(c_interface) {
         break;
       case 10:
         measure(sim, in);
+        read_sensors(sim, in);
         break;
       case 11:
         differentiate_outputs(sim, workspace, in);

@@ -231,7 +231,7 @@ TEST(flapping_pitch_coupling) {
   const Configuration<double> c = configuration(0);
   RotorInput<double> in = hover_input(c);
   const auto pitch = [&](double cosine, double sine) {
-    return blade_flow(c, in, {0.0, 0.0}, 0.0, 1.0, cosine, sine).pitch;
+    return blade_flow(c.setup.rotor_speed, c.pitch_flap, in, {0.0, 0.0}, 0.0, 1.0, cosine, sine).pitch;
   };
   const double flat = pitch(1, 0);
   in.state.b1c = 0.1;

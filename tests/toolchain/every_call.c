@@ -2,6 +2,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "tiltrotor/sensors.h"
 #include "tiltrotor/tiltrotor.h"
 
 static tr_sim sim;
@@ -31,6 +32,10 @@ int main(void) {
   tr_mass mass;
   tr_motion motion;
   tr_air_data air;
+  tr_geodetic place;
+  tr_lag lag;
+  tr_imu imu;
+  tr_air_probe probe;
   uint32_t bits = 0;
   size_t used = 0;
   const size_t length = sizeof matrix / sizeof *matrix;
@@ -42,6 +47,10 @@ int main(void) {
   memset(&environment, 0, sizeof environment);
   memset(&load, 0, sizeof load);
   memset(saved, 0, sizeof saved);
+  memset(&place, 0, sizeof place);
+  memset(&lag, 0, sizeof lag);
+  memset(&imu, 0, sizeof imu);
+  memset(&probe, 0, sizeof probe);
   flight.speed_mps = 40;
   print("default_setup", tr_default_setup(&setup, TR_API_VERSION, tr_aircraft_at(0), 0));
   print("check_setup", tr_check_setup(&setup, TR_API_VERSION, 0, 0));
@@ -70,12 +79,22 @@ int main(void) {
   print("get_mass", tr_get_mass(&sim, &mass));
   print("motion_at", tr_motion_at(&sim, mass.cg_m, &motion));
   print("air_data_at", tr_air_data_at(&sim, mass.cg_m, &air));
+  print("geodetic_at", tr_geodetic_at(&place, state.position_m, &place));
+  print("radio_height_at", tr_radio_height_at(&sim, NULL, rates));
+  print("step_lag", tr_step_lag(&lag, 1, (tr_real)0.005));
+  print("read_imu", tr_read_imu(&sim, &imu, (tr_real)0.005));
+  print("read_air_probe", tr_read_air_probe(&sim, &probe, (tr_real)0.005, &air));
   print("directional", tr_directional(&sim, &work, state.x, state.u, rates, &outputs));
   print("directional_inputs", tr_directional_inputs(&sim, &work, state.x, inputs, rates, &outputs));
   print("linearize_outputs", tr_linearize_outputs(&sim, &work, TR_INCEPTORS, matrix, length, NULL, 0));
   print("linearize", tr_linearize(&sim, &work, TR_INCEPTORS, &shape, matrix, length, NULL, 0));
   print("linearize_and_step",
         tr_linearize_and_step(&sim, &work, (tr_real)0.005, TR_INCEPTORS, &shape, matrix, length, NULL, 0));
+  print("linearize_and_step_exponential",
+        tr_linearize_and_step_exponential(&sim, &work, (tr_real)0.02, NULL, TR_INCEPTORS, &shape, matrix,
+                                          length, NULL, 0));
+  print("rigid_model",
+        tr_rigid_model(&work, &shape, matrix, length, NULL, 0, &shape, matrix, length, NULL, 0));
   print("eigenvalues", tr_eigenvalues(&work, &one, 1, &real, &imag, 1));
   print("modes", tr_modes(&work, &shape, matrix, length, modes, TR_MAX_LINEAR_STATES, &used));
   return 0;

@@ -73,4 +73,19 @@ AirData<R> air_data(const Air<R>& air, const Vec3<R>& v) {
   return d;
 }
 
+// What instruments make of two pressures, Pa: `impact` >= 0, up to 4 of the static one; airspeed in the temperature of
+// `air`. Angles are 0.
+template <class R>
+AirData<R> indicated_air_data(const Air<R>& air, R static_pressure, R impact) {
+  using namespace air_data_detail;
+  const Air<R> sea_level = standard_air(R(0));
+  AirData<R> d{};
+  d.static_pressure = static_pressure;
+  d.impact_pressure = impact;
+  d.mach = mach_of(impact / static_pressure);
+  d.true_airspeed = d.mach * air.speed_of_sound;
+  d.calibrated = sea_level.speed_of_sound * mach_of(impact / air_data_detail::static_pressure(sea_level));
+  return d;
+}
+
 }  // namespace tiltrotor

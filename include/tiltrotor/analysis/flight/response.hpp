@@ -17,7 +17,7 @@
 // Masts, rotor speed and air that move while the flight lasts: advance_moving().
 #pragma once
 
-#include "tiltrotor/analysis/flight/right_side.hpp"
+#include "tiltrotor/analysis/flight/jacobian_steps.hpp"
 #include "tiltrotor/analysis/flight/stable_step.hpp"
 
 namespace tiltrotor {
@@ -25,34 +25,7 @@ namespace tiltrotor {
 namespace flight_step {
 
 template <class R, class Policy>
-Status rodas3(const RightSide<R, Policy>& f, R time, R dt) {
-  SimulationWorkspace<R, Policy>& work = f.work;
-  const Configuration<R>& c = f.c;
-  const int n = work.active.count;
-  const R azimuth = f.azimuth(time);
-  f.place_configuration(time, work.x);
-  for (int k = 0; k < n; ++k) work.scale[k] = state_scale<R>(work.active.index[k]);
-  Policy::jacobian([&f, azimuth](const auto* x, auto* rates) { f.rates(x, rates, azimuth); },
-                   {n, n, work.x, work.scale, work.rates}, work.differentiation,
-                   [&work](int i, int j, R slope) { work.jacobian(i, j) = slope; });
-  const R* known = work.rates;
-  if (c.setup.options.azimuth == AzimuthMode::averaged && f.moving == nullptr)
-    return rodas3_step(f, work.jacobian, {time, dt, work.x, n, known}, work.method.rosenbrock);
-
-  // Blades that turn and masts that move make f depend on time; they carry no partials, so a central difference.
-  const R step = std::cbrt(std::numeric_limits<R>::epsilon());
-  const R rotor_speed = c.setup.rotor_speed;
-  f.place_configuration(time + step / rotor_speed, work.x);
-  f.rates(static_cast<const R*>(work.x), work.ahead, azimuth + step);
-  f.place_configuration(time - step / rotor_speed, work.x);
-  f.rates(static_cast<const R*>(work.x), work.behind, azimuth - step);
-  for (int k = 0; k < n; ++k) work.ahead[k] = rotor_speed * (work.ahead[k] - work.behind[k]) / (R(2) * step);
-  return rodas3_step(f, work.jacobian, {time, dt, work.x, n, known, work.ahead}, work.method.rosenbrock);
-}
-
-template <class R, class Policy>
-Status explicit_or_rodas3(const RightSide<R, Policy>& f, Integrator integrator, R time, R dt,
-                          const R* known) {
+Status by_method(const RightSide<R, Policy>& f, Integrator integrator, R time, R dt, const R* known) {
   SimulationWorkspace<R, Policy>& work = f.work;
   const int n = work.count();
   switch (integrator) {
@@ -61,8 +34,13 @@ Status explicit_or_rodas3(const RightSide<R, Policy>& f, Integrator integrator, 
     case Integrator::rk4:
       return rk4_step(f, {time, dt, work.x, n, known}, work.method.runge_kutta);
     case Integrator::rodas3:
-      if constexpr (!std::is_same_v<Policy, NoDifferentiation>) {
+      if constexpr (!std::is_same_v<Policy, NoDifferentiation> && !std::is_same_v<Policy, KnownJacobian>) {
         if (f.systems == nullptr) return rodas3(f, time, dt);
+      }
+      return Status::bad_argument;
+    case Integrator::exponential:
+      if constexpr (!std::is_same_v<Policy, NoDifferentiation>) {
+        if (f.systems == nullptr) return exponential(f, time, dt, known);
       }
       return Status::bad_argument;
   }
@@ -84,7 +62,7 @@ Status steep_step(const RightSide<R, Policy>& f, Integrator integrator, R time, 
   }
   RightSide<R, Policy> steep = f;
   steep.steep = &start;
-  const Status status = explicit_or_rodas3(steep, integrator, time, dt, known);
+  const Status status = by_method(steep, integrator, time, dt, known);
   if (status != Status::ok) return status;
   const Vec3<R> turn = {x[kRoll], x[kPitch], x[kYaw]};
   const EulerAngles<R> now = euler_angles(turned_by(turn, start.rotation), before.roll);
@@ -99,12 +77,15 @@ Status steep_step(const RightSide<R, Policy>& f, Integrator integrator, R time, 
   return status;
 }
 
-// rodas3 keeps to Euler angles: its Jacobian is that of the state.
+// Methods with a Jacobian keep to Euler angles: it is that of the state.
+constexpr bool is_explicit(Integrator integrator) {
+  return integrator == Integrator::rk3 || integrator == Integrator::rk4;
+}
 template <class R, class Policy>
 Status step(const RightSide<R, Policy>& f, Integrator integrator, R time, R dt, const R* known) {
   const bool is_steep = std::fabs(f.work.x[kPitch]) > kSteepPitch<R>;
-  return is_steep && integrator != Integrator::rodas3 ? steep_step(f, integrator, time, dt, known)
-                                                      : explicit_or_rodas3(f, integrator, time, dt, known);
+  return is_steep && is_explicit(integrator) ? steep_step(f, integrator, time, dt, known)
+                                             : by_method(f, integrator, time, dt, known);
 }
 
 // Equal parts of a step in which the method is stable. The limit ends the loop; no state within its bounds
@@ -112,7 +93,7 @@ Status step(const RightSide<R, Policy>& f, Integrator integrator, R time, R dt, 
 inline constexpr int kMaxParts = 4096;
 template <class R>
 int parts(Integrator integrator, R duration, const FastestRates<R>& fastest) {
-  if (integrator == Integrator::rodas3) return 1;
+  if (!is_explicit(integrator)) return 1;
   const StabilityLimits& limits = integrator == Integrator::rk3 ? kRungeKutta3Limits : kRungeKutta4Limits;
   const R whole = duration / longest_stable_step(fastest, limits);
   return whole < R(kMaxParts) ? 1 + static_cast<int>(whole) : kMaxParts;
@@ -281,7 +262,7 @@ Status advance(const Configuration<R>& c, MovingConfiguration<R>* moving, System
 // unstable (stable_step.hpp). Status: ok; not_finite or out_of_range (the flight has diverged: fault_state
 // and fault_time tell which state and when, the state stays that of the last good step); singular (rodas3);
 // bad_argument (an unknown integrator). A failed simulation does not move again. Cost of a part: three
-// derivatives (rk3); four (rk4); two and a Jacobian (rodas3). `xdot`[state_count]: the rates at the present
+// derivatives (rk3); four (rk4); two and a Jacobian (rodas3); a Jacobian (exponential). `xdot`[state_count]: the rates at the present
 // state and controls, when they are known (LinearModel); they spare rk3 and rk4 their first derivative.
 template <class R, class Policy>
 Status advance(const Configuration<R>& c, SimulationWorkspace<R, Policy>& work, Simulation<R>& s,
@@ -313,7 +294,7 @@ Status advance_moving(MovingConfiguration<R>& moving, SimulationWorkspace<R, Pol
 }
 
 // The same with systems: `c` is put into what they ask for, and they move on with the flight. Events of the step come
-// first: begin_step(). Of the integrators rk3 and rk4; rodas3 is a bad_argument. `xdot`[vehicle_state_count]: those
+// first: begin_step(). Of the integrators rk3 and rk4; the others are a bad_argument. `xdot`[vehicle_state_count]: those
 // of vehicle_rates(). Unless ok, configuration and systems are as they were; fault_state counts as vehicle_variable();
 // out_of_range with the governor's: an ideal one finds no collective for the power of the engines.
 // Cost: that of advance(), and a twentieth of a derivative more an evaluation where masts, rotor speed or air move;

@@ -7,7 +7,7 @@
 #include "tiltrotor/analysis/flight/configuration_motion.hpp"
 #include "tiltrotor/analysis/flight/simulation.hpp"
 #include "tiltrotor/analysis/linear/differentiation.hpp"
-#include "tiltrotor/math/integrate.hpp"
+#include "tiltrotor/math/exponential_step.hpp"
 #include "tiltrotor/systems/vehicle_airframe.hpp"
 #include "tiltrotor/systems/vehicle_events.hpp"
 
@@ -22,6 +22,7 @@ struct SimulationWorkspace {
   union Method {
     RungeKuttaWorkspace<R, vehicle_state_count> runge_kutta;
     RosenbrockWorkspace<R, state_count> rosenbrock;
+    ExponentialWorkspace<R, state_count> exponential;
   } method;
   ActiveStates active;
   ActiveSystems systems;

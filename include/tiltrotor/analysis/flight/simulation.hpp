@@ -15,7 +15,9 @@ namespace tiltrotor {
 // rk3: explicit, three derivatives a part of a step; for frames of 5 ms and less.
 // rk4: explicit, four derivatives a part of a step.
 // rodas3: Rosenbrock, L-stable, two derivatives and one Jacobian a step; for longer steps and stiff settings.
-enum class Integrator : unsigned char { rk3, rk4, rodas3 };
+// exponential: order 2, stable wherever the linear model is, one Jacobian a step and nothing where it is known; for
+// the long frames of a rig that has A and B anyway.
+enum class Integrator : unsigned char { rk3, rk4, rodas3, exponential };
 
 inline constexpr int kMaxInputs = 8;
 template <class R>

@@ -105,6 +105,15 @@ struct NoDifferentiation : NumDiff {
   struct Workspace {};
 };
 
+// The caller has the Jacobian of the states that are alive, and what inputs that ramp add to the rates in a second: for
+// the exponential step.
+struct KnownJacobian : NumDiff {
+  template <class R, int N, int MaxInputs, int MaxOutputs>
+  struct Workspace {
+    R ramp[MaxOutputs];
+  };
+};
+
 // Which policy the analyses use unless told otherwise: 1 makes the comparison build with numerical
 // differences.
 #ifndef TILTROTOR_NUMERICAL_DIFFERENCES

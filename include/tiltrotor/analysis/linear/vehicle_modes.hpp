@@ -15,6 +15,7 @@ struct VehicleMode {
   ModeAxis axis;
   bool is_system;              // named after a state of the systems
   char name[kModeNameLength];  // "short_period", "rotor_speed", "elevator_2"
+  int eigenvalue;              // its place in VehicleModesWorkspace::system
 };
 
 // The airframe's first, in the order of ModeSet, then the systems', slow ones first.
@@ -31,8 +32,6 @@ struct VehicleModesWorkspace {
   Eigensystem<R, kMaxVehicleStates> system;
   ModeSet<R> airframe;
 };
-
-namespace vehicle_modes_detail {
 
 // Rotors' states s = (right + left)/2 and d = (right - left)/2 in the places of right and left.
 template <class R>
@@ -60,6 +59,8 @@ void split_rotors(const VehicleShape& shape, Matrix<R, kMaxVehicleStates, kMaxVe
     symmetry[l] = Symmetry::difference;
   }
 }
+
+namespace vehicle_modes_detail {
 
 // What takes part in a root: the airframe's states by their groups, and the systems' together and the largest.
 template <class R>
@@ -109,7 +110,7 @@ inline void write_system_name(const char* word, int ordinal, char (&name)[kModeN
 template <class R>
 VehicleMode<R> shown(const Mode<R>& m, R system_share) {
   VehicleMode<R> out{m.real, m.imag, m.frequency, m.damping_ratio, m.time_to_half, system_share,
-                     m.axis, false,  {}};
+                     m.axis, false,  {},          m.eigenvalue};
   for (int i = 0; i < kModeNameLength; ++i) out.name[i] = m.name[i];
   return out;
 }
@@ -128,7 +129,7 @@ Status vehicle_modes(const VehicleShape& shape, VehicleModesWorkspace<R>& work, 
   const int n = shape.states;
   if (n < kRigidStates || n > kMaxVehicleStates) return Status::bad_argument;
   Symmetry symmetry[kMaxVehicleStates];
-  d::split_rotors(shape, work.a, symmetry);
+  split_rotors(shape, work.a, symmetry);
   const Status status = eigensystem(work.a, n, work.eigen, work.system);
   if (status != Status::ok) return status;
 

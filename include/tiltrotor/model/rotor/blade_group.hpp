@@ -2,8 +2,8 @@
 //
 // The elements of these blades are nearly all the work of a rotor. They are computed on batches of plain
 // numbers, with slopes along the six numbers of BladeFlow when the rotor's scalar carries partials; the
-// slopes are then chained. Where the configuration carries partials as well, every blade is computed on the
-// rotor's own scalar.
+// slopes are then chained. Where the configuration carries partials as well, the air makes two numbers more: its
+// speed of sound, and its density, to which the loads are proportional.
 #pragma once
 
 #include <complex>
@@ -40,7 +40,7 @@ template <class T>
 class BladeGroup {
   using R = Real<T>;
   static constexpr bool kTakesSlopes = ScalarTraits<T>::kTakesSlopes;
-  using Lanes = std::conditional_t<kTakesSlopes, Dual<Batch<R>, BladeFlow<T>::kCount>, Batch<R>>;
+  using Lanes = std::conditional_t<kTakesSlopes, BladeSlopes<Batch<R>>, BladeLoads<Batch<R>>>;
 
  public:
   static constexpr int kBlades = kBatchLanes<R>;
@@ -50,16 +50,16 @@ class BladeGroup {
     inflow_ = {Batch<R>(value(inflow.even)), Batch<R>(value(inflow.shaped))};
   }
 
-  // Blades at the azimuths from `first`, where the configuration is plain.
+  // Blades at the azimuths from `first`.
   template <class C>
-  void compute_blades(const Configuration<C>&, const AzimuthStations<R>&, int) {}
-  void compute_blades(const Configuration<R>& c, const AzimuthStations<R>& azimuth, int first) {
+  void compute_blades(const Configuration<C>& c, const AzimuthStations<R>& azimuth, int first) {
     const Batch<R> cosine = blade_group_detail::load_batch(azimuth.cosine + first);
     const Batch<R> sine = blade_group_detail::load_batch(azimuth.sine + first);
     const Batch<R> flap = flap_angle(in_, cosine, sine);
-    const BladeFlow<Batch<R>> flow = blade_flow(c, in_, inflow_, sin(flap), cos(flap), cosine, sine);
+    const BladeFlow<Batch<R>> flow = blade_flow(value(c.setup.rotor_speed), c.pitch_flap, in_, inflow_,
+                                                sin(flap), cos(flap), cosine, sine);
     if constexpr (kTakesSlopes) {
-      loads_ = blade_loads_and_slopes(c, flow);
+      blade_loads_and_slopes(c, flow, loads_);
     } else {
       loads_ = blade_loads(c, flow);
     }
@@ -68,14 +68,31 @@ class BladeGroup {
   // Loads of one blade of the group, seeing `flow`.
   template <class C>
   BladeLoads<T> loads(const Configuration<C>& c, int lane, const BladeFlow<T>& flow) const {
-    if constexpr (!kIsPlain<C>) {
-      return blade_loads(c, flow);
-    } else if constexpr (kTakesSlopes) {
-      T flat[BladeFlow<T>::kCount];
-      flatten(flow, flat);
-      return {chained_lane(loads_.normal, lane, flat), chained_lane(loads_.tangential, lane, flat),
-              chained_lane(loads_.normal_moment, lane, flat),
-              chained_lane(loads_.tangential_moment, lane, flat)};
+    if constexpr (kTakesSlopes) {
+      constexpr bool kPlain = kIsPlain<C>;
+      using Load = Dual<Batch<R>, BladeFlow<T>::kCount>;
+      constexpr int kFlow = BladeFlow<T>::kCount;
+      T seen[kPlain ? kFlow : kFlow + 2];
+      flatten(flow, seen);
+      if constexpr (!kPlain) {
+        const ElementAir<C, C> air = element_air(c);
+        seen[kFlow] = air.inverse_sound;
+        seen[kFlow + 1] = air.density;
+      }
+      const auto chained = [&](const Load& load, const Batch<R>& along_inverse_sound) {
+        R slope[sizeof seen / sizeof seen[0]];
+        for (int j = 0; j < kFlow; ++j) slope[j] = load.d.get(j).get(lane);
+        if constexpr (!kPlain) {
+          slope[kFlow] = along_inverse_sound.get(lane);
+          slope[kFlow + 1] = load.v.get(lane) / value(c.air.density);
+        }
+        return chain(load.v.get(lane), slope, seen);
+      };
+      const BladeLoads<Load>& along = loads_.along_flow;
+      const BladeLoads<Batch<R>>& sound = loads_.along_inverse_sound;
+      return {chained(along.normal, sound.normal), chained(along.tangential, sound.tangential),
+              chained(along.normal_moment, sound.normal_moment),
+              chained(along.tangential_moment, sound.tangential_moment)};
     } else {
       return {loads_.normal.get(lane), loads_.tangential.get(lane), loads_.normal_moment.get(lane),
               loads_.tangential_moment.get(lane)};
@@ -83,15 +100,9 @@ class BladeGroup {
   }
 
  private:
-  static T chained_lane(const Lanes& load, int lane, const T* flow) {
-    R slope[BladeFlow<T>::kCount];
-    for (int j = 0; j < BladeFlow<T>::kCount; ++j) slope[j] = load.d.get(j).get(lane);
-    return chain(load.v.get(lane), slope, flow);
-  }
-
   RotorInput<Batch<R>> in_;
   FeltInflow<Batch<R>> inflow_;
-  BladeLoads<Lanes> loads_;
+  Lanes loads_;
 };
 
 // Complex numbers go through the blade themselves, one after the other.

@@ -56,7 +56,7 @@ struct AnnularHover {
 
   // Of one blade element at the induced speed v, N.
   R lift(int region, const BladeStation<R>& s, R v) const {
-    return element_loads<R>(c, region, s, {omega * s.radius, v, collective + s.twist}).normal;
+    return element_loads<R>(c, region, s, element_air(c), {omega * s.radius, v, collective + s.twist}).normal;
   }
   // Where the lift of all blades is the change of momentum, dT = 4 pi rho r v^2 dr.
   R induced_speed(int region, const BladeStation<R>& s) const {

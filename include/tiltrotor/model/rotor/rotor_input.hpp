@@ -55,10 +55,11 @@ struct FeltInflow {
 // blade at flap angle b, less that of the induced air, along the direction of rotation and the blade normal;
 // cyclic pitch and signs as in NASA CR-166536, theta = theta75 - A1 cos psi - B1 sin psi.
 // `cosine`, `sine`: of the azimuth, a plain number or a batch of blades.
+// `omega`: rotor speed, rad/s; `pitch_flap`: pitch taken off by flapping.
 template <class T, class C, class Plain>
-BladeFlow<T> blade_flow(const Configuration<C>& c, const RotorInput<T>& in, const FeltInflow<T>& inflow,
-                        const T& sin_flap, const T& cos_flap, const Plain& cosine, const Plain& sine) {
-  const C omega = c.setup.rotor_speed;
+BladeFlow<T> blade_flow(const C& omega, Real<T> pitch_flap, const RotorInput<T>& in,
+                        const FeltInflow<T>& inflow, const T& sin_flap, const T& cos_flap,
+                        const Plain& cosine, const Plain& sine) {
   const RotorState<T>& x = in.state;
   const T gimbal = x.b1c * cosine + x.b1s * sine;
   const T flap_rate =
@@ -72,7 +73,7 @@ BladeFlow<T> blade_flow(const Configuration<C>& c, const RotorInput<T>& in, cons
   flow.normal_r = flap_rate + in.rates_a.x * sine - in.rates_a.y * cosine +
                   cos_flap * (omega * (x.lambda_c * cosine + x.lambda_s * sine));
   flow.shaped = cos_flap * inflow.shaped;
-  flow.pitch = in.collective - in.lateral_cyclic * cosine - in.long_cyclic * sine - c.pitch_flap * gimbal;
+  flow.pitch = in.collective - in.lateral_cyclic * cosine - in.long_cyclic * sine - pitch_flap * gimbal;
   return flow;
 }
 

@@ -32,8 +32,8 @@ void add_blade(const Configuration<C>& c, const RotorInput<T>& in, const FeltInf
   const T flap = flap_angle(in, cosine, sine);
   const T sin_flap = sin(flap);
   const T cos_flap = cos(flap);
-  const BladeLoads<T> blade =
-      group.loads(c, lane, blade_flow(c, in, inflow, sin_flap, cos_flap, cosine, sine));
+  const BladeLoads<T> blade = group.loads(
+      c, lane, blade_flow(c.setup.rotor_speed, c.pitch_flap, in, inflow, sin_flap, cos_flap, cosine, sine));
   const T radial = sin_flap * blade.normal;  // inward along the blade's projection on the disk
   sum.force_a.x -= cosine * radial + sine * blade.tangential;
   sum.force_a.y += cosine * blade.tangential - sine * radial;
