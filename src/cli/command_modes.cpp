@@ -44,7 +44,13 @@ std::vector<std::string> columns_of(Show show, bool reduced) {
 // Branches are followed along a sweep of speed, or of mast angle at one speed, and numbered through it. A
 // shard begins with the sweep, to find the same numbers.
 bool same_sweep(const FlightCase& a, const FlightCase& b) {
-  return a.setup == b.setup && (a.mast_deg == b.mast_deg || a.flight.speed == b.flight.speed);
+  const auto same_targets = [](const TrimTarget& x, const TrimTarget& y) {
+    return x.held == y.held && x.value == y.value;
+  };
+  return a.setup == b.setup && a.climb_deg == b.climb_deg && a.sideslip_deg == b.sideslip_deg &&
+         a.azimuth_deg == b.azimuth_deg && a.turn_rate_degps == b.turn_rate_degps &&
+         std::equal(a.targets.begin(), a.targets.end(), b.targets.begin(), b.targets.end(), same_targets) &&
+         (a.mast_deg == b.mast_deg || a.flight.speed == b.flight.speed);
 }
 
 // Steps of a sweep beyond these connect nothing.

@@ -88,7 +88,8 @@ Plan read_plan(const Arguments& arguments) {
 
 FlightCase single_flight(const Arguments& arguments) {
   const std::vector<FlightCase> cases = flight_cases(arguments);
-  if (cases.size() != 1) throw UsageError("respond: --mast and --speed take one value each");
+  if (cases.size() != 1)
+    throw UsageError("respond: --mast, --speed and what else describes the flight take one value each");
   return cases.front();
 }
 

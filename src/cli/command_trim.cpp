@@ -97,7 +97,9 @@ std::string limit_words(const TrimResult<double>& trim) {
   return words_of(words);
 }
 
-bool sideslip_is_given(Flight f) { return f.flight.speed >= kLeastSpeed<double> && !is_vertical(f.flight); }
+bool sideslip_is_given(Flight f) {
+  return !f.azimuth_deg && f.flight.speed >= kLeastSpeed<double> && !is_vertical(f.flight);
+}
 
 Cell cell(const Column& column, Flight flight) {
   constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
@@ -119,7 +121,7 @@ Row row(Flight flight, const std::vector<std::string>& completing) {
   for (const std::string& column : completing) {
     cells.emplace_back(trimmed ? completing_value(column, flight.trim.state, flight.trim.controls) : nothing);
   }
-  cells.emplace_back(model_text(flight.configuration.setup.options));
+  cells.emplace_back(flight.setup->model());
   return cells;
 }
 
@@ -144,6 +146,19 @@ int run(const Arguments& arguments) {
 }  // namespace
 
 std::vector<std::string> trim_columns() { return column_names(); }
+
+std::vector<std::string> trim_quantities() {
+  std::vector<std::string> names;
+  for (const Column& column : columns_after_status)
+    if (column.kind == Kind::result) names.emplace_back(column.name);
+  return names;
+}
+
+double (*trim_quantity(const std::string& name))(Flight) {
+  return std::find_if(std::begin(columns_after_status), std::end(columns_after_status),
+                      [&](const Column& column) { return name == column.name; })
+      ->value;
+}
 
 Command trim_command() {
   return {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <utility>
 
 #include "cli/errors.hpp"
@@ -16,9 +17,6 @@ namespace tiltrotor::cli {
 namespace {
 
 constexpr double radian = kRadPerDeg<double>;
-
-constexpr Range climb_range{-90, 90, "deg"};
-constexpr Range turn_rate_range{-60, 60, "deg/s"};
 
 std::optional<double> optional_number(const Arguments& arguments, const char* name, const Range& range) {
   if (!arguments.given(name)) return std::nullopt;
@@ -42,6 +40,19 @@ std::string limits_text(const Range& range) {
 Option altitude_option() {
   static const std::string help = limits_text(kAltitudeRange) + ", standard atmosphere (0)";
   return {"--altitude", "M", help.c_str()};
+}
+
+Range offset_range() {
+  const double most = aircraft_data<double>().limits.warmer;
+  return {-most, most, "K"};
+}
+
+// The aircraft on so many of its engines; it lives as long as the program.
+const Aircraft<double>& with_engines(int engines) {
+  static std::map<int, Aircraft<double>> all;
+  const auto place = all.emplace(engines, aircraft_data<double>()).first;
+  place->second.controls.engines = engines;
+  return place->second;
 }
 
 double inward(double x, double size, bool up) {
@@ -94,12 +105,18 @@ OptionList SetupOptions::list() {
   static const std::string mass = limits_text(kMassRange) + " (" + number_text(a.mass.gross, digits) + ")";
   static const std::string station = "station of the CG at mast 0, " + limits_text(kCgRange) + " (" +
                                      number_text(a.mass.sl_cg / kInch, digits) + ")";
+  static const std::string offset =
+      "warmer than the standard atmosphere, " + limits_text(offset_range()) + " (0)";
+  static const std::string engines =
+      "that run, 1.." + std::to_string(a.controls.engines) + " (all): power_limit is what they give";
   const OptionList aircraft = {
       altitude_option(),
       {"--flap", "DEG", flap.c_str()},
       {"--rotor-rpm", "RPM", rotor.c_str()},
       {"--mass", "KG", mass.c_str()},
       {"--cg-sl", "IN", station.c_str()},
+      {"--isa-offset", "K", offset.c_str()},
+      {"--engines", "N", engines.c_str()},
   };
   return aircraft + switch_options;
 }
@@ -111,6 +128,8 @@ SetupOptions::SetupOptions(const Arguments& arguments) : SetupOptions(arguments,
   mass_ = optional_number(arguments, "--mass", kMassRange);
   cg_sl_in_ = optional_number(arguments, "--cg-sl", kCgRange);
   flap_deg_ = optional_number(arguments, "--flap", kFlapRange);
+  rotor_rpm_ = optional_number(arguments, "--rotor-rpm", kRotorSpeedRange);
+  isa_offset_ = optional_number(arguments, "--isa-offset", offset_range());
 }
 
 std::vector<SetupOptions> SetupOptions::every_combination(const Arguments& arguments) {
@@ -118,18 +137,27 @@ std::vector<SetupOptions> SetupOptions::every_combination(const Arguments& argum
   const auto masses = optional_numbers(arguments, "--mass", kMassRange);
   const auto stations = optional_numbers(arguments, "--cg-sl", kCgRange);
   const auto flaps = optional_numbers(arguments, "--flap", kFlapRange);
-  require_few(arguments.command(), {altitudes.size(), masses.size(), stations.size(), flaps.size()});
+  const auto rotor_speeds = optional_numbers(arguments, "--rotor-rpm", kRotorSpeedRange);
+  const auto offsets = optional_numbers(arguments, "--isa-offset", offset_range());
+  require_few(arguments.command(), {altitudes.size(), masses.size(), stations.size(), flaps.size(),
+                                    rotor_speeds.size(), offsets.size()});
   std::vector<SetupOptions> all;
   SetupOptions one(arguments, Common{});
   for (const auto& altitude : altitudes) {
     for (const auto& mass : masses) {
       for (const auto& station : stations) {
         for (const auto& flap : flaps) {
-          one.altitude_ = altitude;
-          one.mass_ = mass;
-          one.cg_sl_in_ = station;
-          one.flap_deg_ = flap;
-          all.push_back(one);
+          for (const auto& rotor_speed : rotor_speeds) {
+            for (const auto& offset : offsets) {
+              one.altitude_ = altitude;
+              one.mass_ = mass;
+              one.cg_sl_in_ = station;
+              one.flap_deg_ = flap;
+              one.rotor_rpm_ = rotor_speed;
+              one.isa_offset_ = offset;
+              all.push_back(one);
+            }
+          }
         }
       }
     }
@@ -137,8 +165,10 @@ std::vector<SetupOptions> SetupOptions::every_combination(const Arguments& argum
   return all;
 }
 
-SetupOptions::SetupOptions(const Arguments& arguments, Common)
-    : rotor_rpm_(optional_number(arguments, "--rotor-rpm", kRotorSpeedRange)) {
+SetupOptions::SetupOptions(const Arguments& arguments, Common) {
+  if (arguments.given("--engines"))
+    engines_ = static_cast<int>(parse_integer(arguments.text("--engines", ""), arguments.where("--engines"),
+                                              1, aircraft_data<double>().controls.engines));
   std::vector<std::string> assigned;
   if (arguments.given("--preset")) {
     place_of(arguments.text("--preset", ""), {"reference"}, arguments.where("--preset"));
@@ -183,7 +213,27 @@ std::string SetupOptions::text() const {
   if (mass_) given += ", " + number_text(*mass_, digits) + " kg";
   if (cg_sl_in_) given += ", CG at " + number_text(*cg_sl_in_, digits) + " in";
   if (flap_deg_) given += ", flaps " + number_text(*flap_deg_, digits) + " deg";
+  if (rotor_rpm_) given += ", " + number_text(*rotor_rpm_, digits) + " rpm";
+  if (isa_offset_) given += ", air warmer by " + number_text(*isa_offset_, digits) + " K";
   return given;
+}
+
+std::string SetupOptions::model() const {
+  std::string text = model_text(switches_);
+  if (isa_offset_.value_or(0) != 0) text += " isa_offset=" + number_text(*isa_offset_);
+  if (some_engines_stand()) text += " engines=" + std::to_string(engines_);
+  return text;
+}
+
+bool SetupOptions::some_engines_stand() const {
+  return engines_ != 0 && engines_ != aircraft_data<double>().controls.engines;
+}
+
+void SetupOptions::surround(Configuration<double>& c) const {
+  if (some_engines_stand()) c.aircraft = &with_engines(engines_);
+  if (!isa_offset_) return;
+  c.around.warmer = *isa_offset_;
+  configure(c);
 }
 
 std::optional<double> SetupOptions::given(const std::string& column) const {
@@ -198,45 +248,73 @@ std::optional<double> SetupOptions::given(const std::string& column) const {
 }
 
 Configuration<double> SetupOptions::configuration(double mast_deg) const {
-  return prepared(flight_setup(mast_deg));
+  Configuration<double> c = prepared(flight_setup(mast_deg));
+  surround(c);
+  return c;
 }
 
 Configuration<double> SetupOptions::configuration(double mast_deg, double rotor_speed) const {
   FlightSetup<double> setup = flight_setup(mast_deg);
   setup.rotor_speed = rotor_speed;
-  return prepared(setup);
+  Configuration<double> c = prepared(setup);
+  surround(c);
+  return c;
 }
 
 OptionList mast_option() { return {{"--mast", "DEG", "mast angle: 0 helicopter .. 90 airplane (0)"}}; }
 
 OptionList flight_list() {
   static const std::string speed = "true airspeed, " + limits_text(kSpeedRange) + " (0)";
-  return {
+  const OptionList flight = {
       {"--mast", "DEG", "mast angle: 0 helicopter .. 90 airplane (0)"},
       {"--speed", "MPS", speed.c_str()},
       {"--climb", "DEG", "angle of the flight path, -90..90, at speed 0, below 1e-15, it\nmust be 0 (0)"},
       {"--sideslip", "DEG", "wind from the right, -60..60, at speed 0 and climb +-90 it must\nbe 0 (0)"},
+      {"--azimuth", "DEG",
+       "instead: where the wind comes from, -180..360, level with the\nground: 0 ahead, 90 right, 180 behind"},
       {"--turn-rate", "DEGPS", "of the heading, + right, -60..60 (0)"},
   };
+  return flight + target_list();
 }
 
 std::vector<FlightCase> flight_cases(const Arguments& arguments, std::size_t setups) {
-  SteadyFlight<double> flight{};
-  const double climb = arguments.number("--climb", 0, climb_range);
-  const double sideslip = arguments.number("--sideslip", 0, kAngleRange);
-  const double turn_rate = arguments.number("--turn-rate", 0, turn_rate_range);
-  flight.climb = climb * radian;
-  flight.sideslip = sideslip * radian;
-  flight.turn_rate = turn_rate * radian;
-  std::vector<FlightCase> cases;
+  const bool by_azimuth = arguments.given("--azimuth");
+  if (by_azimuth && arguments.given("--sideslip"))
+    throw UsageError(arguments.where("--azimuth") + ": sets the sideslip: leave --sideslip out");
   const std::vector<double> speeds = arguments.sweep("--speed", "0", kSpeedRange);
   const std::vector<double> masts = arguments.sweep("--mast", "0", kMastRange);
-  require_few(arguments.command(), {setups, masts.size(), speeds.size()});
-  for (std::size_t setup = 0; setup < setups; ++setup) {
+  const std::vector<double> climbs = arguments.sweep("--climb", "0", kClimbRange);
+  const std::vector<double> sides = by_azimuth ? arguments.sweep("--azimuth", "", kAzimuthRange)
+                                               : arguments.sweep("--sideslip", "0", kAngleRange);
+  const std::vector<double> turn_rates = arguments.sweep("--turn-rate", "0", kTurnRateRange);
+  const std::vector<TrimTargets> targets = target_sets(arguments);
+  require_few(arguments.command(), {setups, climbs.size(), sides.size(), turn_rates.size(), targets.size(),
+                                    masts.size(), speeds.size()});
+  std::vector<FlightCase> cases;
+  FlightCase one{};
+  const auto add_speeds = [&] {
     for (const double mast_deg : masts) {
       for (const double speed : speeds) {
-        flight.speed = speed;
-        cases.push_back({setup, mast_deg, flight, climb, sideslip, turn_rate});
+        one.mast_deg = mast_deg;
+        one.flight.speed = speed;
+        cases.push_back(one);
+      }
+    }
+  };
+  for (one.setup = 0; one.setup < setups; ++one.setup) {
+    for (const double climb : climbs) {
+      for (const double side : sides) {
+        for (const double turn_rate : turn_rates) {
+          one.climb_deg = climb;
+          if (by_azimuth) one.azimuth_deg = side;
+          one.sideslip_deg = by_azimuth ? 0 : side;
+          one.turn_rate_degps = turn_rate;
+          one.flight = {0, climb * radian, turn_rate * radian, one.sideslip_deg * radian};
+          for (const TrimTargets& set : targets) {
+            one.targets = set;
+            add_speeds();
+          }
+        }
       }
     }
   }

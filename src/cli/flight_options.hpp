@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "cli/arguments.hpp"
+#include "cli/trim_targets.hpp"
 #include "tiltrotor/analysis/trim/steady_flight.hpp"
 #include "tiltrotor/model/setup/configuration.hpp"
 
@@ -26,6 +26,9 @@ inline const Range kFlapRange = shown_range(SetupField::flap_deg, 1, "deg");
 inline const Range kMassRange = shown_range(SetupField::mass, 1, "kg");
 inline const Range kCgRange = shown_range(SetupField::sl_cg, kInch, "in");
 inline constexpr Range kAngleRange{-60, 60, "deg"};
+inline constexpr Range kClimbRange{-90, 90, "deg"};
+inline constexpr Range kTurnRateRange{-60, 60, "deg/s"};
+inline constexpr Range kAzimuthRange{-180, 360, "deg"};
 
 // The same configuration for any mast angle.
 class SetupOptions {
@@ -33,7 +36,7 @@ class SetupOptions {
   static OptionList list();
   static OptionList rotor_list();  // what concerns an isolated rotor
   explicit SetupOptions(const Arguments& arguments);
-  // One for every combination of --altitude, --mass, --cg-sl and --flap, in that order.
+  // One for every combination of --altitude, --mass, --cg-sl, --flap, --rotor-rpm and --isa-offset, in that order.
   static std::vector<SetupOptions> every_combination(const Arguments& arguments);
 
   FlightSetup<double> flight_setup(double mast_deg) const;
@@ -41,8 +44,12 @@ class SetupOptions {
   Configuration<double> configuration(double mast_deg) const;
   // With another rotor speed, rad/s.
   Configuration<double> configuration(double mast_deg, double rotor_speed) const;
-  // What was given of altitude, mass, CG and flaps, for a message: ", 3000 m, 6000 kg, CG at 300 in".
+  // What was given of altitude, mass, CG, flaps and air, for a message: ", 3000 m, 6000 kg, CG at 300 in".
   std::string text() const;
+  // The aircraft, its switches, air and engines as they differ from the default, for the column `model`.
+  std::string model() const;
+  // Air and engines that were asked for, around a configuration prepared without.
+  void surround(Configuration<double>& c) const;
   const Options& switches() const { return switches_; }
   // What was given for a column of settings, in its unit: 300 for cg_sl_in.
   std::optional<double> given(const std::string& column) const;
@@ -50,12 +57,15 @@ class SetupOptions {
  private:
   struct Common {};
   SetupOptions(const Arguments& arguments, Common);
+  bool some_engines_stand() const;
 
   std::optional<double> altitude_;
   std::optional<double> flap_deg_;
   std::optional<double> rotor_rpm_;
   std::optional<double> mass_;
   std::optional<double> cg_sl_in_;
+  std::optional<double> isa_offset_;
+  int engines_ = 0;  // that run; 0: all
   Options switches_;
 };
 
@@ -70,10 +80,12 @@ struct FlightCase {
   double mast_deg;
   SteadyFlight<double> flight;
   double climb_deg, sideslip_deg, turn_rate_degps;  // as given
+  std::optional<double> azimuth_deg;                // of the wind, instead of the sideslip
+  TrimTargets targets;
 };
 
-// Every combination of so many setups, --mast and --speed, in that order, with the common --climb, --sideslip
-// and --turn-rate.
+// Every combination of so many setups, --climb, --sideslip or --azimuth, --turn-rate, targets, --mast and --speed, in
+// that order.
 OptionList flight_list();
 std::vector<FlightCase> flight_cases(const Arguments& arguments, std::size_t setups = 1);
 

@@ -46,8 +46,9 @@ GivenStates::GivenStates(const Arguments& arguments, const SetupOptions& setup)
     : setup_(setup),
       mast_deg_(arguments.number("--mast", 0, kMastRange)),
       file_(path_of_states(arguments), setup.switches()),
-      model_(model_text(setup.switches())) {
-  for (const char* name : {"--speed", "--climb", "--sideslip", "--turn-rate"}) {
+      model_(setup.model()) {
+  for (const char* name : {"--speed", "--climb", "--sideslip", "--azimuth", "--turn-rate", "--bank",
+                           "--load-factor", "--ball", "--hold", "--free"}) {
     if (arguments.given(name)) throw UsageError(arguments.where(name) + ": cannot be combined with --states");
   }
   for (const Setting& s : settings) {
@@ -90,7 +91,9 @@ Configuration<double> GivenStates::configuration(const StateRow& row) const {
   setup.rotor_speed = row.rotor_speed.value_or(setup.rotor_speed);
   setup.mass = row.mass.value_or(setup.mass);
   setup.sl_cg = row.sl_cg.value_or(setup.sl_cg);
-  return prepared(setup, file_.path() + ":" + std::to_string(row.line) + ": ");
+  Configuration<double> c = prepared(setup, file_.path() + ":" + std::to_string(row.line) + ": ");
+  setup_.surround(c);
+  return c;
 }
 
 }  // namespace tiltrotor::cli

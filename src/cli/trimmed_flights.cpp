@@ -1,23 +1,42 @@
 #include "cli/trimmed_flights.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 #include "cli/errors.hpp"
 #include "cli/state_columns.hpp"
+#include "cli/targeted_trim.hpp"
+#include "cli/wind_trim.hpp"
 #include "text/progress.hpp"
 
 namespace tiltrotor::cli {
 
-namespace {
-
-std::string explanation(const TrimResult<double>& trim) {
+std::string trim_explanation(const TrimResult<double>& trim) {
   char text[256];
   explain(trim, text, sizeof text);
   return text;
 }
 
-}  // namespace
-
 double TrimmedFlight::setting(const std::string& column) const {
-  return setup->given(column).value_or(setting_value(column, configuration.setup));
+  const bool found = std::any_of(targets.begin(), targets.end(),
+                                 [&](const TrimTarget& target) { return target.freed == column; });
+  const double now = setting_value(column, configuration.setup);
+  return found ? now : setup->given(column).value_or(now);
+}
+
+// At rest in axes that turn with it, v' = f/m + g - omega x v = 0.
+double side_force(const State<double>& x) {
+  const double turning = x.rates.z * x.velocity.x - x.rates.x * x.velocity.z;
+  return turning / kGravity<double> - std::sin(x.roll) * std::cos(x.pitch);
+}
+
+void trim_flight(TrimmedFlight& f, Analyses& work) {
+  if (f.azimuth_deg) {
+    trim_in_wind(f.configuration, f.flight, *f.azimuth_deg * kRadPerDeg<double>, work, f.trim);
+    f.sideslip_deg = f.trim.sideslip / kRadPerDeg<double>;
+    return;
+  }
+  (void)trim(f.configuration, f.flight, work, f.trim);
 }
 
 std::string flight_text(const std::string& command, double mast_deg, double speed) {
@@ -44,13 +63,17 @@ int for_each_trim(const Arguments& arguments, const std::vector<SetupOptions>& s
     trimmed.climb_deg = cases[i].climb_deg;
     trimmed.sideslip_deg = cases[i].sideslip_deg;
     trimmed.turn_rate_degps = cases[i].turn_rate_degps;
+    trimmed.azimuth_deg = cases[i].azimuth_deg;
+    trimmed.targets = cases[i].targets;
     const SetupOptions& setup = setups[cases[i].setup];
     trimmed.setup = &setup;
     trimmed.configuration = setup.configuration(trimmed.mast_deg);
     trimmed.where = flight_text(arguments.command(), trimmed.mast_deg, trimmed.flight.speed) + setup.text();
-    const TrimStatus status = trim(trimmed.configuration, trimmed.flight, work, trimmed.trim);
+    const std::string unreached = trim_to_targets(trimmed.targets, work, trimmed);
+    const TrimStatus status = trimmed.trim.status;
     if (status != TrimStatus::ok && !trimmed.is_preliminary) {
-      progress.message(trimmed.where + ": " + trim_status_word(status) + ": " + explanation(trimmed.trim));
+      progress.message(trimmed.where + ": " + trim_status_word(status) + ": " +
+                       (unreached.empty() ? trim_explanation(trimmed.trim) : unreached));
       exit_status = exit_case_failed;
     }
     const int visited = visit(trimmed);

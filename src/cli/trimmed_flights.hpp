@@ -16,12 +16,14 @@ struct TrimmedFlight {
   std::string where;    // beginning of a message: "trim: mast 30 deg, 10 m/s, 3000 m"
   double mast_deg;
   SteadyFlight<double> flight;
-  double climb_deg, sideslip_deg, turn_rate_degps;  // of the flight, as given
+  double climb_deg, sideslip_deg, turn_rate_degps;  // of the flight, as given or as found for a target
+  std::optional<double> azimuth_deg;                // of the wind
   const SetupOptions* setup;
   Configuration<double> configuration;
   TrimResult<double> trim;
+  TrimTargets targets;  // that it was trimmed to
 
-  // A setting as it was given, or that of the aircraft; the name of its column.
+  // A setting as it was given, or that of the aircraft or found for a target; the name of its column.
   double setting(const std::string& column) const;
 };
 
@@ -35,6 +37,13 @@ using Connected = std::function<bool(const FlightCase&, const FlightCase&)>;
 int for_each_trim(const Arguments& arguments, const std::vector<SetupOptions>& setups, const Shard& shard,
                   Analyses& work, const std::function<int(const TrimmedFlight&)>& visit,
                   const Connected& connected = nullptr);
+
+// One trim of the flight as it stands: straight ahead with its sideslip, or with the wind from its azimuth.
+void trim_flight(TrimmedFlight& flight, Analyses& work);
+std::string trim_explanation(const TrimResult<double>& trim);
+
+// Specific force to the right at the CG over g, of a steady flight.
+double side_force(const State<double>& x);
 
 // Beginning of a message: "trim: mast 30 deg, 10 m/s"
 std::string flight_text(const std::string& command, double mast_deg, double speed);

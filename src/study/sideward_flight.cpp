@@ -10,25 +10,24 @@ namespace tiltrotor::study {
 
 namespace {
 
-constexpr int kStages = 5;       // of speed, each from the one before
+constexpr int kStages = 5;        // at least: of speed or azimuth, each from the one before
+constexpr double kSpeedStep = 4;  // largest of a stage, m/s
+constexpr double kAzimuthStep = 10 * kRadPerDeg<double>;
 constexpr int kIterations = 12;  // of a stage
 constexpr double kAtRest = 1e-9;
 
-struct Track {
-  double north, east;  // m/s; the nose points north
-};
-
-Vec3<double> velocity_of(const Track& t, double roll, double pitch) {
-  const double down = t.north * std::sin(pitch);
-  return {t.north * std::cos(pitch), down * std::sin(roll) + t.east * std::cos(roll),
-          down * std::cos(roll) - t.east * std::sin(roll)};
+// A vector of axes level with the ground, in body axes.
+Vec3<double> in_body_axes(const Vec3<double>& v, double roll, double pitch) {
+  const double down = v.x * std::sin(pitch) + v.z * std::cos(pitch);
+  return {v.x * std::cos(pitch) - v.z * std::sin(pitch), down * std::sin(roll) + v.y * std::cos(roll),
+          down * std::cos(roll) - v.y * std::sin(roll)};
 }
 
 // Its derivatives by the angles.
-Vec3<double> by_roll(const Vec3<double>& velocity) { return {0, velocity.z, -velocity.y}; }
-Vec3<double> by_pitch(const Track& t, double roll, double pitch) {
-  return {-t.north * std::sin(pitch), t.north * std::cos(pitch) * std::sin(roll),
-          t.north * std::cos(pitch) * std::cos(roll)};
+Vec3<double> by_roll(const Vec3<double>& in_body) { return {0, in_body.z, -in_body.y}; }
+Vec3<double> by_pitch(const Vec3<double>& in_body, double roll) {
+  const double down = in_body.y * std::sin(roll) + in_body.z * std::cos(roll);
+  return {-down, in_body.x * std::sin(roll), in_body.x * std::cos(roll)};
 }
 
 // Row and column of a rigid-body state, which stand first in a linear model.
@@ -40,6 +39,9 @@ constexpr int place(int state) {
 constexpr int kU = place(kStateIndex.velocity.x);
 constexpr int kV = place(kStateIndex.velocity.y);
 constexpr int kW = place(kStateIndex.velocity.z);
+constexpr int kP = place(kStateIndex.rates.x);
+constexpr int kQ = place(kStateIndex.rates.y);
+constexpr int kR = place(kStateIndex.rates.z);
 constexpr int kRoll = place(kStateIndex.roll);
 constexpr int kPitch = place(kStateIndex.pitch);
 
@@ -62,23 +64,27 @@ void each_unknown(const Linear& m, SidewardFlight& f, Visit&& visit) {
 // One step: the equations are the rates of every state but the two angles. Gives the largest rate before it;
 // NaN when the equations are singular.
 double newton_step(const Configured& c, const Track& track, SidewardFlight& f) {
-  f.state.velocity = velocity_of(track, f.state.roll, f.state.pitch);
-  f.state.rates = {};
+  const double roll = f.state.roll, pitch = f.state.pitch;
+  const Vec3<double> level{track.speed * std::cos(track.azimuth), track.speed * std::sin(track.azimuth),
+                           track.down};
+  f.state.velocity = in_body_axes(level, roll, pitch);
+  f.state.rates = in_body_axes({0, 0, track.turn_rate}, roll, pitch);
   const Linear m = linear_model(c, f.state, f.controls, kInceptors);
-  const Vec3<double> roll = by_roll(f.state.velocity);
-  const Vec3<double> pitch = by_pitch(track, f.state.roll, f.state.pitch);
+  const Vec3<double> velocity_by_pitch = by_pitch(f.state.velocity, roll);
+  const Vec3<double> rates_by_pitch = by_pitch(f.state.rates, roll);
   Matrix<double, kMaxLinearStates, kMaxLinearStates> equations{};
   Matrix<double, kMaxLinearStates, 1> rates{};
   int row = 0;
   double largest = 0;
   for (int i = 0; i < m.states; ++i) {
     if (i == kRoll || i == kPitch) continue;
-    const auto turned = [&](int angle, const Vec3<double>& by) {
-      return m.a(i, angle) + m.a(i, kU) * by.x + m.a(i, kV) * by.y + m.a(i, kW) * by.z;
+    const auto turned = [&](int angle, const Vec3<double>& v, const Vec3<double>& w) {
+      return m.a(i, angle) + m.a(i, kU) * v.x + m.a(i, kV) * v.y + m.a(i, kW) * v.z + m.a(i, kP) * w.x +
+             m.a(i, kQ) * w.y + m.a(i, kR) * w.z;
     };
     int column = 0;
-    equations(row, column++) = turned(kRoll, roll);
-    equations(row, column++) = turned(kPitch, pitch);
+    equations(row, column++) = turned(kRoll, by_roll(f.state.velocity), by_roll(f.state.rates));
+    equations(row, column++) = turned(kPitch, velocity_by_pitch, rates_by_pitch);
     for (int j = kRigidStates; j < m.states; ++j) equations(row, column++) = m.a(i, j);
     for (int j = 0; j < m.controls; ++j) equations(row, column++) = m.b(i, j);
     rates(row++, 0) = m.rates[i];
@@ -93,19 +99,44 @@ double newton_step(const Configured& c, const Track& track, SidewardFlight& f) {
   return largest;
 }
 
-}  // namespace
-
-SidewardFlight sideward_flight(const Configured& c, double speed_mps, double track_rad) {
-  const Trimmed hover = trimmed_persistently(c, 0);
-  SidewardFlight f{is_trimmed(hover.status), hover.state, hover.controls};
-  for (int stage = 1; stage <= kStages && f.found; ++stage) {
-    const double speed = speed_mps * stage / kStages;
-    const Track track{speed * std::cos(track_rad), speed * std::sin(track_rad)};
-    double rate = HUGE_VAL;
-    for (int k = 0; k < kIterations && rate > kAtRest; ++k) rate = newton_step(c, track, f);
-    f.found = rate <= kAtRest;
+// From one flight to another in stages; `at`: the track at a part of the way.
+template <class At>
+SidewardFlight in_stages(const Configured& c, int stages, const SidewardFlight& from, At&& at) {
+  SidewardFlight f = from;
+  for (int stage = 1; stage <= stages && f.found; ++stage) {
+    const Track track = at(stage);
+    f.rate = HUGE_VAL;
+    for (int k = 0; k < kIterations && f.rate > kAtRest; ++k, ++f.iterations)
+      f.rate = newton_step(c, track, f);
+    f.found = f.rate <= kAtRest;
   }
   return f;
+}
+
+int stages_of(double way, double step) {
+  return std::max(kStages, static_cast<int>(std::ceil(std::fabs(way) / step)));
+}
+
+}  // namespace
+
+SidewardFlight flight_along(const Configured& c, const Track& track) {
+  const Trimmed hover = trimmed_persistently(c, 0);
+  const int stages = stages_of(std::hypot(track.speed, track.down), kSpeedStep);
+  return in_stages(c, stages, {is_trimmed(hover.status), hover.state, hover.controls}, [&](int stage) {
+    return Track{track.speed * stage / stages, track.azimuth, track.down * stage / stages,
+                 track.turn_rate * stage / stages};
+  });
+}
+
+SidewardFlight flight_aside(const Configured& c, const Track& track, const SidewardFlight& ahead) {
+  const int stages = stages_of(track.azimuth, kAzimuthStep);
+  return in_stages(c, stages, ahead, [&](int stage) {
+    return Track{track.speed, track.azimuth * stage / stages, track.down, track.turn_rate};
+  });
+}
+
+SidewardFlight sideward_flight(const Configured& c, double speed_mps, double track_rad) {
+  return flight_along(c, {speed_mps, track_rad, 0, 0});
 }
 
 double travel_used(const Configured& c, const Controls<double>& u) {

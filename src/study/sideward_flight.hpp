@@ -10,9 +10,22 @@ struct SidewardFlight {
   bool found;  // every rate is zero
   State<double> state;
   Controls<double> controls;
+  double rate = 0;     // the largest before the last step
+  int iterations = 0;  // of Newton
 };
 
-// From hover towards the track, rad, + right of the nose. Newton's iteration on the exact linear model.
+// Relative to the air, level with the ground: speed over ground, m/s, its azimuth, rad, + right of the nose, speed down,
+// m/s; rate of turn, rad/s, + right.
+struct Track {
+  double speed, azimuth, down, turn_rate;
+};
+
+// From hover towards the track. Newton's iteration on the exact linear model.
+SidewardFlight flight_along(const Configured& c, const Track& track);
+// From a flight straight ahead with the same speed, climb and turn to the azimuth of the track.
+SidewardFlight flight_aside(const Configured& c, const Track& track, const SidewardFlight& ahead);
+
+// Level, along a track, rad, + right of the nose.
 SidewardFlight sideward_flight(const Configured& c, double speed_mps, double track_rad);
 
 // Largest part of the travel of sticks and pedals.

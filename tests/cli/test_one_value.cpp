@@ -38,6 +38,8 @@ const Ranged ranged[] = {
     {"trim --climb @ --speed 40", "1e6"},
     {"trim --sideslip @ --speed 40", "1e6"},
     {"trim --turn-rate @ --speed 40", "1e6"},
+    {"trim --azimuth @ --speed 5 --grid realtime", "1e6"},
+    {"trim --isa-offset @", "1e6"},
     {"trim --altitude @", "1e6"},
     {"trim --mass @", "1e6"},
     {"trim --cg-sl @", "1e6"},
@@ -113,7 +115,7 @@ TEST(cli_bad_stations_and_shards_state_all_that_is_accepted) {
 
 TEST(cli_bad_list_where_one_value_belongs) {
   for (const std::string option :
-       {"trim --climb", "trim --sideslip", "trim --turn-rate", "trim --rotor-rpm", "loads --altitude",
+       {"loads --rotor-rpm", "loads --isa-offset", "performance --wheel-height", "loads --altitude",
         "loads --mass", "loads --cg-sl", "loads --flap", "respond --duration", "respond --dt",
         "respond --modes-every", "rotor --lateral-cyclic", "rotor --long-cyclic", "rotor --mast"}) {
     check_refused(option + " 1,2", "'1,2' is not a number; give ");
@@ -124,7 +126,7 @@ TEST(cli_bad_list_where_one_value_belongs) {
   check_refused("trim --option azimuth_stations=6,12", "one value, not a list");
   check_refused("respond --input pedal=1,2@0", "one value, not a list");
   check_refused("respond --input pedal=1@0,1", "one value, not a list");
-  check_refused("trim --climb one,two", "'one,two' is not a number; give -90..90 deg\n");
+  check_refused("performance --wheel-height one,two", "'one,two' is not a number; give 0..100 m\n");
 }
 
 TEST(cli_bad_list_with_an_empty_item) {
