@@ -139,7 +139,7 @@ OBJECTS            := $(TABLEGEN_OBJECTS) $(sort $(LIBRARY_OBJECTS) $(LIBRARY_ND
                       $(TEST_OBJECTS) $(BENCH_OBJECTS)
 
 GENERATED  := $(if $(TABLEGEN_SOURCE),$(BUILD)/generated/aircraft_tables.inc) $(BUILD)/generated/reference_points.inc \
-              $(BUILD)/generated/identity.inc
+              $(BUILD)/generated/identity.inc $(BUILD)/generated/mission.inc
 # Everything of the program but main(): tests look into it.
 PROGRAM_PARTS := $(filter-out %/main.o,$(PROGRAM_OBJECTS))
 LIBRARIES  := $(BUILD)/libtiltrotor.a $(BUILD)/libtiltrotor-nd.a
@@ -286,6 +286,11 @@ $(BUILD)/generated/reference_points.inc: $(PUBLISHED) $(BUILD)/tables.stamp
 	$(Q)for set in $(PUBLISHED); do \
 	  printf '{"%s", R"csv(' "$$(basename "$$set" .csv)" && cat "$$set" && printf ')csv"},\n' || exit 1; \
 	done > $@.part && mv $@.part $@
+
+# The mission of the report, in the program for the same reason.
+$(BUILD)/generated/mission.inc: src/examples/mission.txt
+	@mkdir -p $(@D)
+	$(Q)(printf 'R"txt(' && cat $< && printf ')txt"\n') > $@.part && mv $@.part $@
 
 # ---- libraries and programs ----
 

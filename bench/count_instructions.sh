@@ -24,6 +24,9 @@ count() {
         echo "$case,$(count "$case")"
         echo "${case}_specification,$(count "$case" specification)"
     done
+    for case in slow_frame systems; do
+        echo "$case,$(count "$case")"
+    done
 } >"$counts.part"
 mv "$counts.part" "$counts"
 

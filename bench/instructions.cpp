@@ -1,9 +1,11 @@
-// One derivative, one configuration remade, one Jacobian, one trim, one frame: what `make bench-instructions` counts, each in a
+// One derivative, one configuration remade, one Jacobian, one trim, one frame, one frame of a rig by the exponential with the
+// roots of the rigid body, one linear model with every system on: what `make bench-instructions` counts, each in a
 // function of its own that callgrind can find. Instructions do not depend on the machine's load or clock.
 #include <cstring>
 #include <memory>
 
 #include "frame.hpp"
+#include "rig.hpp"
 
 using namespace bench;
 
@@ -39,13 +41,27 @@ __attribute__((noinline)) void counted_trim(Workspaces& r) {
   require(is_trimmed(trim(r.c, level(kMiddleSpeed), r.trim, r.again)), "no trim");
 }
 __attribute__((noinline)) void counted_frame(Workspaces& r) { frame(r.c, r.work, r.simulation); }
+// Through the C interface.
+__attribute__((noinline)) void counted_slow_frame(Rig& rig) { require(rig.slow_frame(0.02), "no frame"); }
+__attribute__((noinline)) void counted_systems(Rig& rig) { require(rig.linearize() == TR_OK, "A, B"); }
 }
 
 // Argument: the name of the function to call, without counted_; a second argument chooses the specification
 // grid.
 int main(int argc, char** argv) {
   require(argc == 2 || argc == 3,
-          "usage: bench_instructions derivative|configuration|jacobian|trim|frame [specification]");
+          "usage: bench_instructions derivative|configuration|jacobian|trim|frame [specification]\n"
+          "       bench_instructions slow_frame|systems");
+  if (std::strcmp(argv[1], "slow_frame") == 0 || std::strcmp(argv[1], "systems") == 0) {
+    Rig rig(kMiddleMast, kMiddleSpeed);
+    if (std::strcmp(argv[1], "slow_frame") == 0) {
+      counted_slow_frame(rig);
+    } else {
+      rig.switch_on();
+      counted_systems(rig);
+    }
+    return 0;
+  }
   const auto workspaces = std::make_unique<Workspaces>();
   Workspaces& r = *workspaces;
   r.c = configuration(kMiddleMast, with_grid(argc == 3 ? BladeGrid::specification : BladeGrid::realtime));

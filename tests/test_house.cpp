@@ -43,7 +43,7 @@ constexpr Room kRooms[] = {
     {"text", "generated math systems analysis library " MODEL},
     {"plot", "text"},
     {"study", "generated math systems analysis library text plot " MODEL},
-    {"cli", "math systems analysis library pilot text plot study " MODEL},
+    {"cli", "generated math systems analysis library pilot text plot study " MODEL},
     {"tablegen", "math text " MODEL},
     {"firmware", "interface"},
     {"examples",

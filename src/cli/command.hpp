@@ -19,6 +19,7 @@ Command trim_command();
 Command linearize_command();
 Command modes_command();
 Command bode_command();
+Command qualities_command();
 Command respond_command();
 Command fly_command();
 Command derivative_command();

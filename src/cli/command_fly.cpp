@@ -113,8 +113,9 @@ class Companions {
     if (modes_) modes_->finish();
     if (matrices_) matrices_->finish();
     if (folder_.empty()) return;
-    write("flight.svg", figures_.motion(subject_));
-    write("flight_modes.svg", figures_.modes(subject_));
+    write("flight.svg", study::flight_picture("Flight by " + subject_, figures_.motion()));
+    write("flight_modes.svg",
+          study::flight_modes_picture("Modes along the flight by " + subject_, figures_.modes()));
   }
 
  private:

@@ -2,6 +2,7 @@
 
 #include "cli/command.hpp"
 #include "cli/errors.hpp"
+#include "cli/flown_mission.hpp"
 #include "study/reference_points.hpp"
 #include "study/report.hpp"
 #include "text/sink.hpp"
@@ -18,7 +19,7 @@ int run(const Arguments& arguments) {
   require_writable_folder(folder, arguments.where("--output"));
   const study::ReportSummary summary =
       arguments.given("--validate") ? study::ReportSummary::validation : study::ReportSummary::statements;
-  return study::run_report(folder, summary) ? exit_success : exit_case_failed;
+  return study::run_report(folder, summary, fly_mission) ? exit_success : exit_case_failed;
 }
 
 }  // namespace

@@ -1,10 +1,8 @@
-// Figures of a flight: what it was like, and its modes along the way.
+// What figures of a flight are drawn from: rows of the flight, and its modes along the way.
 #pragma once
 
-#include <string>
-#include <vector>
-
 #include "cli/script_flight.hpp"
+#include "study/mission.hpp"
 #include "tiltrotor/analysis/linear/vehicle_modes.hpp"
 
 namespace tiltrotor::cli {
@@ -13,17 +11,12 @@ class FlightFigures {
  public:
   void add(const FlightMoment& moment);
   void add_modes(double time, const VehicleModes<double>& modes);
-  // `subject`: of the titles. SVG.
-  std::string motion(const std::string& subject) const;
-  std::string modes(const std::string& subject) const;
+  const study::Table& motion() const { return motion_; }
+  const study::Table& modes() const { return modes_; }
 
  private:
-  struct Root {
-    double time, real, imag;
-    std::string name;
-  };
-  std::vector<FlightMoment> moments_;
-  std::vector<Root> roots_;
+  study::Table motion_ = study::motion_along_flight();
+  study::Table modes_ = study::modes_along_flight();
 };
 
 }  // namespace tiltrotor::cli

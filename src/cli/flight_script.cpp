@@ -85,7 +85,10 @@ std::string series_path(const std::string& script, const std::string& name) {
 
 class ScriptReader {
  public:
-  explicit ScriptReader(const std::string& path) : path_(path), lines_(path) { script_.path = lines_.path(); }
+  explicit ScriptReader(const std::string& path) : ScriptReader(path, LineReader(path)) {}
+  ScriptReader(const std::string& path, LineReader lines) : path_(path), lines_(std::move(lines)) {
+    script_.path = lines_.path();
+  }
 
   FlightScript read() {
     std::string line;
@@ -163,5 +166,8 @@ class ScriptReader {
 }  // namespace
 
 FlightScript read_flight_script(const std::string& path) { return ScriptReader(path).read(); }
+FlightScript read_flight_script_text(const std::string& name, const std::string& text) {
+  return ScriptReader(name, LineReader(name, text)).read();
+}
 
 }  // namespace tiltrotor::cli

@@ -35,5 +35,7 @@ struct FlightScript {
 
 // "-" is standard input; series are sought from the folder of the script. Throws UsageError "<file>:<line>: ...".
 FlightScript read_flight_script(const std::string& path);
+// Of a text that the program holds.
+FlightScript read_flight_script_text(const std::string& name, const std::string& text);
 
 }  // namespace tiltrotor::cli

@@ -13,6 +13,9 @@ class FlightSummary {
   void add(const FlightMoment& moment);
   // A command that was not obeyed.
   void add(const std::string& ignored) { ignored_ += ignored + "\n"; }
+  double height_error() const { return height_error_.value; }                 // m, while a height is held
+  double power_part() const { return power_part_.value; }                     // of take-off power
+  double touch_down() const { return touched_ > 0 ? touch_down_.value : 0; }  // m/s
   // Lines "name: value", each with its end.
   std::string text() const;
 

@@ -12,18 +12,6 @@ OptionList scas_option() {
 
 bool wants_scas(const Arguments& arguments) { return arguments.choice("--scas", "off", {"off", "on"}) == 1; }
 
-SystemFlight<double> governed(const Configuration<double>& c, const State<double>& x, Controls<double>& u,
-                              bool scas) {
-  SystemFlight<double> flight{};
-  flight.vehicle.on.governor = c.setup.options.governor;
-  flight.vehicle.on.augmentation = scas;
-  flight.vehicle.ground.down = std::numeric_limits<double>::infinity();
-  Evaluation<double> now;
-  evaluate_aircraft(c, x, u, now);
-  settle(c, x, now.rotor[right].loads.torque + now.rotor[left].loads.torque, flight.vehicle, flight.state, u);
-  return flight;
-}
-
 Status linearize_governed(const Configuration<double>& c, const State<double>& x, const Controls<double>& u,
                           const ControlSet& columns, Analyses& work, VehicleMatrices& matrices, bool scas) {
   Controls<double> at = u;

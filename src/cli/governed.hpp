@@ -7,12 +7,8 @@
 
 namespace tiltrotor::cli {
 
-// Rotors with their governor at (x, u) of the airframe, in a balance of power. Stick and pedals stay as they are.
-// With `scas` its rate damping is on; attitudes are not held, as while a pilot moves the stick.
-SystemFlight<double> governed(const Configuration<double>& c, const State<double>& x, Controls<double>& u,
-                              bool scas = false);
-
-// A and B of it: the columns of a set, and the throttles of both engines. Without governor and SCAS those of the airframe.
+// A and B at (x, u) of the airframe in a balance of power: the columns of a set, and the throttles of both engines.
+// Without governor and SCAS those of the airframe.
 Status linearize_governed(const Configuration<double>& c, const State<double>& x, const Controls<double>& u,
                           const ControlSet& columns, Analyses& work, VehicleMatrices& matrices,
                           bool scas = false);

@@ -14,6 +14,12 @@ LineReader::LineReader(const std::string& path)
   if (std::fseek(file_.get(), 0, SEEK_SET) != 0) copy();
 }
 
+LineReader::LineReader(const std::string& name, const std::string& text)
+    : path_(name), file_(std::tmpfile()) {
+  if (!file_ || std::fwrite(text.data(), 1, text.size(), file_.get()) != text.size()) fail();
+  std::rewind(file_.get());
+}
+
 bool LineReader::next(std::string& line) {
   constexpr std::size_t longest = 1 << 20;
   line.clear();

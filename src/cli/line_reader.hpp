@@ -13,6 +13,9 @@ class LineReader {
   // ...".
   explicit LineReader(const std::string& path);
 
+  // Lines of a text under a name.
+  LineReader(const std::string& name, const std::string& text);
+
   // The next line without its end, or false at the end of the file. Throws UsageError "<path>:<line>: ...".
   bool next(std::string& line);
   const std::string& path() const { return path_; }

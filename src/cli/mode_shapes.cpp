@@ -52,6 +52,18 @@ NamedShape shape_of(const Eigensystem<double, N>& system, int k, int normalising
   return out;
 }
 
+// At the tip of an arrow, on the inner side, clear of those that are there.
+plot::Label tip_label(double x, double y, const std::string& words, const std::string& color,
+                      const plot::Plot& p) {
+  constexpr double letter = 6.5, row = 13, near = 0.25;
+  plot::Label label{x, y, words, color};
+  if (x > 0) label.dx = -letter * static_cast<double>(words.size());
+  for (const plot::Label& other : p.labels)
+    if (std::abs(other.x - x) < 1 && std::abs(other.y - y) < near)
+      label.dy = std::max(label.dy, other.dy + row);
+  return label;
+}
+
 }  // namespace
 
 OptionList normalise_option() {
@@ -142,7 +154,7 @@ plot::Plot phasor_diagram(const NamedShape& shape, const std::string& where, std
       tip.x = {x};
       tip.y = {y};
       p.series.push_back(tip);
-      p.labels.push_back({x, y, e.state + " " + text::number_text(e.magnitude, 3), arrow.color});
+      p.labels.push_back(tip_label(x, y, e.state + " " + text::number_text(e.magnitude, 3), arrow.color, p));
     }
   }
   return p;

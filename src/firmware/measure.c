@@ -137,6 +137,56 @@ static int measure_trim(text_sink write, instruction_counter count) {
   return failures > 0;
 }
 
+/* Every system on, in flight from a trim, the stick moved at every step. */
+static int measure_systems(text_sink write, instruction_counter count, int states) {
+  static const int mast_deg[] = {0, 30, 60, 90};
+  static const int speed_mps[] = {20, 40, 60, 100};
+  const extremes none = {0xffffffffu, 0};
+  extremes step[3] = {none, none, none}, set = none, trim = none;
+  int governor, place, k, failures = 0;
+  for (governor = TR_GOVERNOR_OFF; governor <= TR_GOVERNOR_PI; ++governor) {
+    for (place = 0; place < 4; ++place) {
+      tr_systems systems;
+      tr_flight flight;
+      tr_state state;
+      uint32_t start;
+      flight.speed_mps = (tr_real)speed_mps[place];
+      flight.climb_rad = flight.turn_rate_radps = flight.sideslip_rad = 0;
+      failures += init((tr_real)mast_deg[place]) != TR_OK || tr_get_systems(&sim, &systems) != TR_OK;
+      systems.governor = governor;
+      systems.conversion = systems.engines = systems.actuators = systems.scas = 1;
+      systems.gear = systems.ground_effect = systems.turbulence = 1;
+      systems.turbulence_w20_mps = 5;
+      start = count();
+      failures += tr_set_systems(&sim, &systems) != TR_OK;
+      add(&set, count() - start);
+      start = count();
+      failures += tr_trim(&sim, &work, &flight, NULL) != TR_OK;
+      add(&trim, count() - start);
+      failures += tr_get_state(&sim, &state) != TR_OK;
+      for (k = 0; k < states / 12; ++k) {
+        tr_real u[TR_CONTROLS];
+        int j;
+        for (j = 0; j < TR_CONTROLS; ++j) u[j] = state.u[j];
+        u[TR_LONG_STICK] += random_between((tr_real)-0.3, (tr_real)0.3);
+        u[TR_LAT_STICK] += random_between((tr_real)-0.3, (tr_real)0.3);
+        failures += tr_set_controls(&sim, u, TR_CONTROLS) != TR_OK;
+        start = count();
+        failures += tr_step(&sim, &work, (tr_real)0.005) != TR_OK;
+        add(&step[governor], count() - start);
+      }
+    }
+  }
+  write_extremes(write, "set_systems_min", "set_systems_max", &set);
+  write_extremes(write, "trim_with_systems_min", "trim_with_systems_max", &trim);
+  write_extremes(write, "step_with_systems_min", "step_with_systems_max", &step[TR_GOVERNOR_OFF]);
+  write_extremes(write, "step_with_ideal_governor_min", "step_with_ideal_governor_max",
+                 &step[TR_GOVERNOR_IDEAL]);
+  write_extremes(write, "step_with_pi_governor_min", "step_with_pi_governor_max", &step[TR_GOVERNOR_PI]);
+  if (failures > 0) write_count(write, "failed calls with systems", (uint64_t)failures);
+  return failures > 0;
+}
+
 static void write_sizes(text_sink write) {
   write_count(write, "sizeof_tr_sim", sizeof(tr_sim));
   write_count(write, "sizeof_tr_work", sizeof(tr_work));
@@ -152,8 +202,9 @@ static void write_sizes(text_sink write) {
 }
 
 int measure(text_sink write, instruction_counter count, int states) {
-  int flight_failed;
+  int flight_failed, systems_failed;
   write_sizes(write);
   flight_failed = measure_flight(write, count, states);
-  return measure_trim(write, count) || flight_failed;
+  systems_failed = measure_systems(write, count, states);
+  return measure_trim(write, count) || flight_failed || systems_failed;
 }

@@ -1,5 +1,6 @@
 #include "library/analyses.hpp"
 
+#include <limits>
 #include <new>
 
 namespace tiltrotor {
@@ -49,6 +50,18 @@ Status advance(const Configuration<double>& c, Analyses& work, Simulation<double
 Status advance_moving(MovingConfiguration<double>& moving, Analyses& work, Simulation<double>& simulation,
                       const double* xdot) {
   return advance_moving(moving, work.simulation, simulation, xdot);
+}
+
+SystemFlight<double> governed(const Configuration<double>& c, const State<double>& x, Controls<double>& u,
+                              bool scas) {
+  SystemFlight<double> flight{};
+  flight.vehicle.on.governor = c.setup.options.governor;
+  flight.vehicle.on.augmentation = scas;
+  flight.vehicle.ground.down = std::numeric_limits<double>::infinity();
+  Evaluation<double> now;
+  evaluate_aircraft(c, x, u, now);
+  settle(c, x, now.rotor[right].loads.torque + now.rotor[left].loads.torque, flight.vehicle, flight.state, u);
+  return flight;
 }
 
 Status linearize_vehicle(const Vehicle<double>& v, Configuration<double>& c, const State<double>& x,

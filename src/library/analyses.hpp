@@ -48,6 +48,12 @@ Status advance(const Configuration<double>& c, Analyses& work, Simulation<double
 Status advance_moving(MovingConfiguration<double>& moving, Analyses& work, Simulation<double>& simulation,
                       const double* xdot = nullptr);
 
+// Rotors with the governor of the configuration's options at (x, u) of the airframe, in a balance of power; no other
+// system. Stick and pedals stay as they are. With `scas` its rate damping is on; attitudes are not held, as while a pilot
+// moves the stick.
+SystemFlight<double> governed(const Configuration<double>& c, const State<double>& x, Controls<double>& u,
+                              bool scas = false);
+
 // The linear model of the vehicle, by rows and columns of its shape.
 struct VehicleMatrices {
   VehicleShape shape;

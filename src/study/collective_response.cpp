@@ -29,12 +29,17 @@ struct Case {
   const char* short_name;  // at its curve
   double flap_deg;
   bool tail_wash;  // the rotors' wash at the horizontal tail
+  Governor governor;
 };
-constexpr Case kCases[] = {{"flap 40/25", "flap 40/25", 40, true},
-                           {"flap 0/0", "flap 0/0", 0, true},
-                           {"flap 40/25, no rotor wash at the tail", "no wash at tail", 40, false}};
-constexpr Line kCaseLine[] = {Line::solid, Line::dashed, Line::dotted};
-constexpr Marker kCaseMarker[] = {Marker::circle, Marker::square, Marker::triangle};
+constexpr Case kCases[] = {
+    {"flap 40/25", "flap 40/25", 40, true, Governor::off},
+    {"flap 0/0", "flap 0/0", 0, true, Governor::off},
+    {"flap 40/25, no rotor wash at the tail", "no wash at tail", 40, false, Governor::off},
+    {"flap 40/25, ideal governor", "ideal governor", 40, true, Governor::ideal}};
+constexpr const char* kIdealNote =
+    " Case ideal governor: rotor speed held, and from 0 s on the power that the degree takes.";
+constexpr Line kCaseLine[] = {Line::solid, Line::dashed, Line::dotted, Line::dashed};
+constexpr Marker kCaseMarker[] = {Marker::circle, Marker::square, Marker::triangle, Marker::diamond};
 
 // The aircraft with its table of rotor wash at the tail, whose sideslip factor multiplies all of it, set to
 // zero.
@@ -76,13 +81,17 @@ void record_modes(const std::string& name, double time, const Linear& model, Tra
 void fly(const Case& which, Records& records) {
   Setup setup = default_setup(0);
   setup.flap_deg = which.flap_deg;
+  setup.options.governor = which.governor;
   const auto changed = std::make_unique<WithoutTailWash>();
-  const Configured c = configured(setup, which.tail_wash ? aircraft_data<double>() : changed->aircraft);
+  Configured c = configured(setup, which.tail_wash ? aircraft_data<double>() : changed->aircraft);
   const Trimmed trim = trimmed_persistently(c, kStepSpeed);
   if (!is_trimmed(trim.status))
     throw std::runtime_error("no trim at 40 m/s, mast 0, " + std::string(which.name));
 
   Simulation<double> flight = collective_step(c, trim, kStep);
+  const bool is_governed = which.governor != Governor::off;
+  Controls<double> stepped = current_controls(flight);
+  SystemFlight<double> systems = governed(c, trim.state, stepped);  // the engines give what that takes
   const auto work = std::make_unique<SimulationWorkspace<double>>();
   Tracker tracker;
   Status status = Status::ok;
@@ -94,10 +103,14 @@ void fly(const Case& which, Records& records) {
     // The input acts from 0 s on: the roots before it are those of the trim.
     const Controls<double> controls = k > 0 ? current_controls(flight) : trim.controls;
     if (k % second == 0) {
-      record_modes(which.name, current_time(flight), linear_model(c, flight.state, controls, kInceptors),
-                   tracker, records.modes);
+      Controls<double> settled = controls;
+      const Linear model = !is_governed ? linear_model(c, flight.state, controls, kInceptors)
+                           : k > 0      ? linear_model(c, systems, flight.state, controls)
+                                   : linear_model(c, governed(c, trim.state, settled), trim.state, settled);
+      record_modes(which.name, current_time(flight), model, tracker, records.modes);
     }
-    if (k < steps) status = advance(c, *work, flight);
+    if (k < steps)
+      status = is_governed ? advance_vehicle(c, systems, analyses(), flight) : advance(c, *work, flight);
   }
   if (status != Status::ok)
     throw std::runtime_error(std::string("response to collective: ") + status_text(status));
@@ -108,7 +121,7 @@ Picture motion_picture(const char* id, const char* title, const char* axis, cons
   Plot plot;
   plot.id = id;
   plot.title = title;
-  plot.note = drawn_with();
+  plot.note = drawn_with() + kIdealNote;
   plot.x.label = "Time after +1 deg collective, s";
   plot.y.label = axis;
   plot.axes_height = 200;
@@ -191,7 +204,7 @@ Picture root_picture(const char* axis, const Table& modes) {
   Plot plot;
   plot.id = std::string("response_modes_") + axis;
   plot.title = capitalized(axis) + " roots before (0) and 1, 2, 3 s after";
-  plot.note = drawn_with();
+  plot.note = drawn_with() + kIdealNote;
   plot.x.label = "Real part, 1/s";
   plot.y.label = "Imaginary part, rad/s";
   plot.x.zero_line = true;
@@ -231,7 +244,8 @@ Section collective_response(const Uncertainty& bands) {
   section.reading =
       "Mast 0, 40 m/s, level flight, then one degree more collective and nothing else; rotor speed is held "
       "at "
-      "589 rpm, no governor acts. Nonlinear model, Runge-Kutta, 5 ms. The roots at 0 s are those of the "
+      "589 rpm, no governor acts but in the last case: there an ideal one keeps the power that the degree takes "
+      "at the beginning, and the collective follows. Nonlinear model, Runge-Kutta, 5 ms. The roots at 0 s are those of the "
       "trim, "
       "before the input; later ones belong to the linear model at the state reached, which is no "
       "equilibrium.";

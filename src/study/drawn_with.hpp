@@ -13,6 +13,7 @@ std::string drawn_with(ComparedAircraft aircraft, const Setup& setup);
 
 // The default aircraft of the program.
 std::string drawn_with();
+std::string drawn_with(Governor governor);
 
 // Where doubtful inputs make a band around the curves.
 inline constexpr const char* kBandNote = " Band: doubtful inputs.";

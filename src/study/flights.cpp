@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <new>
 #include <stdexcept>
 
 namespace tiltrotor::study {
@@ -67,6 +68,13 @@ Evaluation<double> evaluated(const Configured& c, const State<double>& x, const 
   Evaluation<double> e;
   evaluate_aircraft(c, x, u, e);
   return e;
+}
+
+Analyses& analyses() {
+  // Large: one for the whole program, made at first use.
+  static void* const memory = ::operator new(analyses_size(), std::align_val_t(analyses_alignment()));
+  static Analyses* const areas = place_analyses(memory);
+  return *areas;
 }
 
 double shaft_thrust(const Configured& c, const Trimmed& t) {

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "library/analyses.hpp"
 #include "tiltrotor/analysis/trim/trim.hpp"
 #include "tiltrotor/model/aircraft/aircraft_data.hpp"
 
@@ -40,6 +41,9 @@ double shaft_thrust(const Configured& c, const Trimmed& t);
 // Power both rotors may take, W: the transmission's limit of power at helicopter rotor speed. At a lower
 // rotor speed its limit of torque comes first.
 double transmission_power(const Configured& c);
+
+// The analyses of the whole vehicle, of which the program has one for both ways of differentiation.
+Analyses& analyses();
 
 struct LevelFlight {
   double speed_mps;

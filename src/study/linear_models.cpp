@@ -49,6 +49,24 @@ Linear linear_model_at(const Setup& setup, double speed_mps, const ControlSet& c
   return linear_model(c, t.state, t.controls, columns);
 }
 
+Linear linear_model(const Configured& c, const SystemFlight<double>& systems, const State<double>& x,
+                    const Controls<double>& u) {
+  static const auto matrices = std::make_unique<VehicleMatrices>();
+  vehicle_states(systems.vehicle, c.setup.options, matrices->shape);
+  matrices->shape.inputs = 0;
+  Configured put = c;
+  require(linearize_vehicle(systems.vehicle, put, x, systems.state, u, analyses(), *matrices),
+          "linear model with a governor");
+  Linear model;
+  clear(model);
+  linear_states(c.setup.options, model);
+  if (model.states != matrices->shape.states) throw std::logic_error("a governor with states of its own");
+  model.controls = 0;
+  for (int i = 0; i < model.states; ++i)
+    for (int j = 0; j < model.states; ++j) model.a(i, j) = matrices->a(i, j);
+  return model;
+}
+
 Linear quasi_steady(const Linear& full) {
   Linear reduced;
   require(residualise(full, work().reduction, reduced), "quasi-steady linear model");

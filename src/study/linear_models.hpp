@@ -3,6 +3,7 @@
 
 #include <memory>
 
+#include "library/analyses.hpp"
 #include "study/flights.hpp"
 #include "tiltrotor/analysis/linear/linear_model.hpp"
 #include "tiltrotor/analysis/linear/mode_names.hpp"
@@ -21,6 +22,9 @@ Linear linear_model(const Configured& c, const State<double>& x, const Controls<
 Linear quasi_steady(const Linear& full);  // rotors, inflow and downwash in balance
 Linear linear_model(const Configured& c, const Trimmed& trim);
 Linear linear_model_at(const Setup& setup, double speed_mps, const ControlSet& columns);  // of level flight
+// With a governor that keeps the power of the engines: `ideal`, which adds no states. Rows and columns of the states alone.
+Linear linear_model(const Configured& c, const SystemFlight<double>& systems, const State<double>& x,
+                    const Controls<double>& u);
 Modes modes_of(const Linear& model);
 Modes modes_of(const Configured& c, const Trimmed& trim);
 

@@ -18,14 +18,22 @@ constexpr double kShownMasts[] = {0, 30, 60, 90};
 constexpr double kFurthestRoot = -3;        // 1/s: those further left are not drawn
 constexpr double kFurthestSlowRoot = -0.5;  // of the enlarged part
 
-Table sweep_table(const Sweeps& sweeps) {
+Linear model_of(const SpeedSweep& sweep, const LevelFlight& f, Governor governor) {
+  if (governor == Governor::off) return linear_model(sweep.c, f.trim);
+  Configured c = sweep.c;
+  c.setup.options.governor = governor;
+  Controls<double> u = f.trim.controls;
+  return linear_model(c, governed(c, f.trim.state, u), f.trim.state, u);
+}
+
+Table sweep_table(const Sweeps& sweeps, Governor governor) {
   Table table = mode_table({"mast_deg", "speed_mps"});
   for (const SpeedSweep& sweep : sweeps) {
     if (std::find(std::begin(kShownMasts), std::end(kShownMasts), sweep.mast_deg) == std::end(kShownMasts))
       continue;
     Tracker tracker;
     for (const LevelFlight& f : sweep.flights)
-      add_modes(table, {sweep.mast_deg, f.speed_mps}, modes_of(linear_model(sweep.c, f.trim), tracker, true));
+      add_modes(table, {sweep.mast_deg, f.speed_mps}, modes_of(model_of(sweep, f, governor), tracker, true));
   }
   return table;
 }
@@ -109,6 +117,24 @@ Finding::Verdict stability_verdict(const Table& table) {
   return verdict;
 }
 
+// What the governor makes of the phugoid in airplane mode.
+Finding governed_phugoid(const Table& held, const Table& ideal) {
+  constexpr double mast = 90, speed = 100;
+  const auto phugoid = [&](const Table& table) {
+    const Table at =
+        table.where("mast_deg", mast).where("speed_mps", speed).where("mode", std::string("phugoid"));
+    if (at.rows() == 0) return std::string("none");
+    return root_text(at.number(0, "real"), at.number(0, "imag")) + "/s, damping ratio " +
+           fixed(at.number(0, "damping_ratio"), 2);
+  };
+  return {
+      Finding::remark, "The phugoid in airplane mode belongs to its governor.",
+      "Mast 90, 100 m/s: rotor speed and collective held " + phugoid(held) + "; rotor speed and power held " +
+          phugoid(ideal) +
+          ". At fixed pitch and speed the proprotors brake every gain of airspeed; those of the aircraft, "
+          "whose governor keeps the power, do not. The paper's states have no governor."};
+}
+
 std::vector<Finding> statements(const Table& table) {
   const Table hover = table.where("mast_deg", 0.0).where("speed_mps", 0.0);
   const Table cruise = table.where("mast_deg", 90.0).where("speed_mps", 100.0);
@@ -159,8 +185,11 @@ Section mode_map(const Sweeps& sweeps, const Uncertainty& bands) {
       "which depends on the flight alone; stable to the left of the grey line. Of a conjugate pair the upper "
       "root is drawn. Every mast angle has the same axes; beside them the phugoid, and the slow lateral roots "
       "of helicopter mode, enlarged. Rotor modes lie far to the left and are left out. Rotor speed and "
-      "collective are held: no governor acts.";
-  const Table table = sweep_table(sweeps);
+      "collective are held, no governor acts, as in the paper; the last four planes, and the dashed curves over "
+      "speed, have an ideal governor, with which rotor speed and power of the engines are held. Lateral modes of "
+      "level flight are the same with both.";
+  const Table table = sweep_table(sweeps, Governor::off);
+  const Table ideal = sweep_table(sweeps, Governor::ideal);
   for (const char* axis : {"longitudinal", "lateral"}) {
     const Table rows = table.where("axis", std::string(axis));
     const bool along = axis == std::string("longitudinal");
@@ -184,9 +213,25 @@ Section mode_map(const Sweeps& sweeps, const Uncertainty& bands) {
       section.pictures.push_back(mode_picture(plot, rows.where("mast_deg", mast)));
     }
   }
-  for (Picture& p : mode_speed_pictures(table, bands.modes)) section.pictures.push_back(std::move(p));
+  const Table along = ideal.where("axis", std::string("longitudinal"));
+  for (const double mast : kShownMasts) {
+    ModePlot plot;
+    plot.id = "modes_ideal_" + fixed(mast, 0);
+    plot.title = "Longitudinal, ideal governor, " + mast_text(mast);
+    plot.parameter = "speed_mps";
+    plot.unit = "m/s";
+    plot.window = window_around(along, "", kFurthestRoot);
+    plot.note = drawn_with(Governor::ideal);
+    section.pictures.push_back(mode_picture(plot, along.where("mast_deg", mast)));
+  }
+  for (Picture& p : mode_speed_pictures(table, bands.modes, along)) section.pictures.push_back(std::move(p));
   section.findings = statements(table);
-  section.tables.push_back({"modes", "eigenvalues of the complete linear model along speed", table});
+  section.findings.push_back(governed_phugoid(table, ideal));
+  section.tables.push_back(
+      {"modes", "eigenvalues of the complete linear model along speed, rotor speed and collective held",
+       table});
+  section.tables.push_back(
+      {"modes_ideal", "the same with an ideal governor, rotor speed and power held", ideal});
   return section;
 }
 

@@ -62,7 +62,8 @@ Series limit_of(const Table& limits, std::size_t row, const Table& modes) {
   return s;
 }
 
-Plot plot_of(const ModeQuantity& q, const Table& modes, const Table& limits, const Table& spreads) {
+Plot plot_of(const ModeQuantity& q, const Table& modes, const Table& limits, const Table& spreads,
+             const Table& ideal) {
   const std::string kind = q.kind;
   Plot plot;
   plot.id = std::string("mode_speed_") + q.mode + "_" + kind.substr(0, kind.find('_'));
@@ -79,6 +80,8 @@ Plot plot_of(const ModeQuantity& q, const Table& modes, const Table& limits, con
   const std::string column = kind == "real_1_per_s" ? "real" : kind;
   const Table of_mode = spreads.where("mode", std::string(q.mode)).where("quantity", column);
   if (of_mode.rows() > 0) plot.note += kBandNote;
+  const bool has_second = ideal.where("mode", std::string(q.mode)).rows() > 0;
+  if (has_second) plot.note += " In colour dashed: governor ideal, rotor speed and power held.";
   int color = 0;
   for (const std::string& mast : modes.different("mast_deg")) {
     Series s = curve_of(modes, mast, q.mode, column);
@@ -86,6 +89,12 @@ Plot plot_of(const ModeQuantity& q, const Table& modes, const Table& limits, con
     s.color = kLineColor[color++];
     plot.bands.push_back(band_around(s, of_mode.where("mast_deg", mast), "speed_mps"));
     plot.series.push_back(s);
+    if (!has_second) continue;
+    Series second = curve_of(ideal, mast, q.mode, column);
+    second.color = s.color;
+    second.line = Line::dashed;
+    second.width = 1.3;
+    plot.series.push_back(second);
   }
   for (std::size_t i = 0; i < lines.rows(); ++i) plot.series.push_back(limit_of(lines, i, modes));
   const bool grows = std::any_of(plot.series.begin(), plot.series.end(), [](const Series& s) {
@@ -97,11 +106,11 @@ Plot plot_of(const ModeQuantity& q, const Table& modes, const Table& limits, con
 
 }  // namespace
 
-std::vector<Picture> mode_speed_pictures(const Table& modes, const Table& spreads) {
+std::vector<Picture> mode_speed_pictures(const Table& modes, const Table& spreads, const Table& ideal) {
   const Table limits = reference_points("handling_limits");
   std::vector<Picture> pictures;
   for (const ModeQuantity& q : kQuantities) {
-    const Plot plot = plot_of(q, modes, limits, spreads);
+    const Plot plot = plot_of(q, modes, limits, spreads, ideal);
     pictures.push_back({plot.id, svg(plot)});
   }
   return pictures;

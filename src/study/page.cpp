@@ -19,7 +19,7 @@ p { max-width: 75ch; margin: .5em 0; }
 nav { display: flex; flex-wrap: wrap; gap: .3em .9em; margin: 1em 0; }
 a { color: #00588a; }
 .pictures { display: grid; grid-template-columns: repeat(auto-fit, minmax(min(100%, 400px), 1fr)); gap: 12px; }
-.pictures svg { display: block; width: 100%; max-width: 560px; height: auto; }
+.pictures > svg { display: block; width: 100%; max-width: 560px; height: auto; }
 .findings { list-style: none; padding: 0; }
 .findings li { margin: .5em 0; padding-left: .8em; border-left: 4px solid #777; max-width: 80ch; }
 .findings .holds { border-color: #009e73; }

@@ -85,7 +85,10 @@ PageHead page_head(const std::vector<Section>& sections, double seconds) {
           count(Finding::differs) + " differ",
       std::string(
           "aircraft: 13000 lb, centre of gravity at station 301.2 in, sea level, standard day, unless "
-          "said otherwise")};
+          "said otherwise"),
+      std::string(
+          "governor: none, rotor speed and collective held, unless said otherwise; of a trim, rotor speed held "
+          "and power what it takes")};
   return head;
 }
 
@@ -101,7 +104,7 @@ void print_summary(const std::vector<Section>& sections) {
 
 }  // namespace
 
-bool run_report(const std::string& folder, ReportSummary summary) {
+bool run_report(const std::string& folder, ReportSummary summary, const FlyMission& fly_mission) {
   const auto start = std::chrono::steady_clock::now();
   std::vector<Section> sections;
   std::optional<Validation> validation;
@@ -123,6 +126,7 @@ bool run_report(const std::string& folder, ReportSummary summary) {
         [&] { return control_response(sweeps); },
         frequency_responses,
         linear_matrices,
+        [&] { return mission(fly_mission()); },
         [&] { return uncertainty_shares(bands); },
         data_flow,
     };

@@ -1,43 +1,40 @@
 #include "study/transfer_function.hpp"
 
 #include <cmath>
-#include <vector>
+#include <memory>
+#include <stdexcept>
 
 #include "text/number.hpp"
 #include "text/split.hpp"
+#include "tiltrotor/analysis/linear/channel.hpp"
 
 namespace tiltrotor::study {
 
-// By elimination with row pivoting.
+namespace {
+
+struct WorkAreas {
+  VehicleChannel<double> channel;
+  TransferFunctionWorkspace<double, kMaxVehicleStates> roots;
+  VehicleTransfer<double> transfer;
+  ResponseWorkspace<double, kMaxVehicleStates> response;
+};
+
+// Large: one set for the whole program, made at first use.
+WorkAreas& work() {
+  static const auto areas = std::make_unique<WorkAreas>();
+  return *areas;
+}
+
+}  // namespace
+
 Complex response_of(const Linear& model, int output, int input, double omega, bool derivative) {
-  const int n = model.states;
-  const Complex s(0, omega);
-  std::vector<std::vector<Complex>> m(static_cast<std::size_t>(n),
-                                      std::vector<Complex>(static_cast<std::size_t>(n + 1)));
-  int column = 0;
+  int column = 0, row = 0;
   while (model.control[column] != input) ++column;
-  const auto at = [&m](int i, int j) -> Complex& {
-    return m[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)];
-  };
-  for (int i = 0; i < n; ++i) {
-    for (int j = 0; j < n; ++j) at(i, j) = (i == j ? s : Complex(0)) - model.a(i, j);
-    at(i, n) = model.b(i, column);
-  }
-  for (int k = 0; k < n; ++k) {
-    int pivot = k;
-    for (int i = k + 1; i < n; ++i) {
-      if (std::abs(at(i, k)) > std::abs(at(pivot, k))) pivot = i;
-    }
-    std::swap(m[static_cast<std::size_t>(k)], m[static_cast<std::size_t>(pivot)]);
-    for (int i = 0; i < n; ++i) {
-      if (i == k) continue;
-      const Complex factor = at(i, k) / at(k, k);
-      for (int j = k; j <= n; ++j) at(i, j) -= factor * at(k, j);
-    }
-  }
-  int row = 0;
   while (model.state[row] != output) ++row;
-  const Complex x = at(row, n) / at(row, row);
+  set_channel(model, row, column, work().channel);
+  if (transfer_function(work().channel, work().roots, work().transfer) != Status::ok)
+    throw std::runtime_error("transfer function: roots were not found");
+  const Complex s(0, omega), x = response(work().transfer, s, work().response);
   return derivative ? s * x : x;
 }
 

@@ -105,7 +105,7 @@ TEST(transfer_function_margins_are_those_of_an_independent_tool) {
   for (int i = 0; i < octave.rows(); ++i) {
     const std::string what = octave.text(i, "quantity");
     if (what == "zero" || what == "gain" || what == "response") continue;
-    reference_channel(octave.text(i, "point"), octave.text(i, "output"), octave.text(i, "input"), false,
+    reference_channel(octave.text(i, "point"), octave.text(i, "output"), octave.text(i, "input"), true,
                       at.channel);
     CHECK(transfer_function(at.channel, at.roots, at.f) == Status::ok);
     const Bandwidth<double> b = bandwidth(at.f, at.response);
@@ -223,7 +223,7 @@ TEST(modes_shapes_obey_the_kinematics) {
       CHECK_NEAR(total, 1, 1e-12);
       CHECK_NEAR(phasor[largest].magnitude, 1, 0);
       CHECK_NEAR(phasor[largest].angle, 0, 0);
-      if (mode.axis != ModeAxis::longitudinal) continue;
+      if (mode.axis != ModeAxis::longitudinal || phasor[theta].magnitude < 1e-9) continue;
       mode_shape(set.system, mode.eigenvalue, theta, phasor);
       const C ratio = std::polar(phasor[q].magnitude, phasor[q].angle);
       CHECK_LT(std::abs(ratio - C(mode.real, mode.imag)), 1e-8 * (1 + mode.frequency));

@@ -11,8 +11,8 @@ using check::run_tiltrotor;
 
 namespace {
 
-const char* const commands[] = {"trim",  "linearize", "modes",  "respond",     "fly",    "derivative",
-                                "loads", "rotor",     "report", "conventions", "version"};
+const char* const commands[] = {"trim",       "linearize", "modes", "bode",   "qualities",   "respond", "fly",
+                                "derivative", "loads",     "rotor", "report", "conventions", "version"};
 
 bool contains(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;

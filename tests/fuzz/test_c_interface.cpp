@@ -21,7 +21,7 @@ struct Workspace {
   tr_sim bystander;
   tr_work work;
   tr_real a[kSquare + 1];
-  tr_real b[TR_MAX_LINEAR_STATES * TR_CONTROLS + 1];
+  tr_real b[TR_MAX_LINEAR_STATES * TR_INPUTS + 1];
   tr_linear_shape shape;
   tr_mode modes[TR_MAX_LINEAR_STATES];
   bool linear_model;  // a, b and shape belong together
@@ -182,23 +182,24 @@ void measure(tr_sim& sim, fuzz::Bytes& in) {
 }
 
 void differentiate_outputs(const tr_sim& sim, Workspace& workspace, fuzz::Bytes& in) {
-  constexpr std::size_t most = TR_OUTPUTS * TR_MAX_LINEAR_STATES;
-  tr_real c[most + 1], d[TR_OUTPUTS * TR_CONTROLS + 1], dx[TR_STATES] = {}, du[TR_CONTROLS] = {};
-  c[most] = d[TR_OUTPUTS * TR_CONTROLS] = kUntouched;
+  constexpr std::size_t most = TR_OUTPUTS * TR_MAX_LINEAR_STATES, most_d = TR_OUTPUTS * TR_INPUTS;
+  tr_real c[most + 1], d[most_d + 1], dx[TR_STATES] = {}, du[TR_INPUTS] = {};
+  c[most] = d[most_d] = kUntouched;
   const std::size_t c_length = in.below(3) > 0 ? most : 4 * in.byte() % most;
-  const std::size_t d_length = in.below(3) > 0 ? std::size_t{TR_OUTPUTS * TR_CONTROLS} : in.byte();
-  REQUIRE(known(tr_linearize_outputs(&sim, &workspace.work, in.below(5), c, c_length, d, d_length)));
+  const std::size_t d_length = in.below(3) > 0 ? most_d : in.byte();
+  REQUIRE(known(tr_linearize_outputs(&sim, &workspace.work, in.below(6), c, c_length, d, d_length)));
   for (int changes = in.below(4); changes > 0; --changes) {
     dx[in.below(TR_STATES)] = in.number();
-    du[in.below(TR_CONTROLS)] = in.number();
+    du[in.below(TR_INPUTS)] = in.number();
   }
   tr_real rates[TR_STATES + 1];
   rates[TR_STATES] = kUntouched;
   tr_outputs outputs;
-  const tr_status status = tr_directional(&sim, &workspace.work, dx, du, rates, &outputs);
+  const tr_status status = in.below(2) == 0
+                               ? tr_directional(&sim, &workspace.work, dx, du, rates, &outputs)
+                               : tr_directional_inputs(&sim, &workspace.work, dx, du, rates, &outputs);
   REQUIRE(known(status) && (status != TR_OK || all_finite(rates, TR_STATES)));
-  REQUIRE(c[most] == kUntouched && d[TR_OUTPUTS * TR_CONTROLS] == kUntouched &&
-          rates[TR_STATES] == kUntouched);
+  REQUIRE(c[most] == kUntouched && d[most_d] == kUntouched && rates[TR_STATES] == kUntouched);
 }
 
 void trim(tr_sim& sim, Workspace& workspace, fuzz::Bytes& in) {
@@ -228,11 +229,11 @@ void linearize(tr_sim& sim, Workspace& workspace, fuzz::Bytes& in) {
   for (tr_real& rate : control_rates) rate = kind == 2 ? in.number() : 0;
   const tr_status status =
       kind == 2
-          ? tr_linearize_and_step_exponential(&sim, &workspace.work, in.number(), control_rates, in.below(5),
+          ? tr_linearize_and_step_exponential(&sim, &workspace.work, in.number(), control_rates, in.below(6),
                                               &workspace.shape, workspace.a, a_length, workspace.b, b_length)
-      : kind == 0 ? tr_linearize(&sim, &workspace.work, in.below(5), &workspace.shape, workspace.a, a_length,
+      : kind == 0 ? tr_linearize(&sim, &workspace.work, in.below(6), &workspace.shape, workspace.a, a_length,
                                  workspace.b, b_length)
-                  : tr_linearize_and_step(&sim, &workspace.work, in.number(), in.below(5), &workspace.shape,
+                  : tr_linearize_and_step(&sim, &workspace.work, in.number(), in.below(6), &workspace.shape,
                                           workspace.a, a_length, workspace.b, b_length);
   REQUIRE(known(status));
   workspace.linear_model = status == TR_OK;
@@ -276,8 +277,8 @@ void find_eigenvalues(Workspace& workspace, fuzz::Bytes& in) {
   if (status == TR_OK) REQUIRE(all_finite(real, n) && all_finite(imag, n));
 }
 
-void call_with_nothing(Workspace& workspace, fuzz::Bytes& in) {
-  tr_sim* const sim = in.below(2) == 0 ? nullptr : &workspace.sim[0];
+void call_with_nothing(tr_sim& chosen, fuzz::Bytes& in) {
+  tr_sim* const sim = in.below(2) == 0 ? nullptr : &chosen;
   REQUIRE(tr_init(nullptr, in.raw<std::uint32_t>(), nullptr) != TR_OK);
   REQUIRE(tr_set_controls(sim, nullptr, in.byte()) != TR_OK && tr_step(sim, nullptr, 0.01) != TR_OK);
   REQUIRE(tr_get_state(sim, nullptr) != TR_OK && tr_set_state(sim, nullptr) != TR_OK);
@@ -298,6 +299,7 @@ void call_with_nothing(Workspace& workspace, fuzz::Bytes& in) {
   REQUIRE(tr_radio_height_at(sim, nullptr, nullptr) != TR_OK && tr_read_imu(sim, nullptr, 0) != TR_OK);
   REQUIRE(tr_read_air_probe(sim, nullptr, 0, nullptr) != TR_OK);
   REQUIRE(tr_directional(sim, nullptr, nullptr, nullptr, nullptr, nullptr) != TR_OK);
+  REQUIRE(tr_directional_inputs(sim, nullptr, nullptr, nullptr, nullptr, nullptr) != TR_OK);
   REQUIRE(tr_get_configuration(sim, nullptr) != TR_OK && tr_set_configuration(sim, nullptr) != TR_OK);
   REQUIRE(tr_default_environment(nullptr) != TR_OK && tr_set_environment(sim, nullptr) != TR_OK);
   REQUIRE(tr_set_loads(sim, nullptr, 1) != TR_OK);
@@ -385,7 +387,7 @@ FUZZ_TARGET(c_interface) {
         change_systems(sim, in);
         break;
       default:
-        call_with_nothing(workspace, in);
+        call_with_nothing(sim, in);
     }
     REQUIRE(std::memcmp(&other, &workspace.sim[&sim == workspace.sim ? 1 : 0], sizeof other) == 0);
     REQUIRE(std::memcmp(&bystander, &workspace.bystander, sizeof bystander) == 0);

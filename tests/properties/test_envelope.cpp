@@ -56,7 +56,7 @@ TEST(envelope_flights_end_or_are_reported) {
 TEST(envelope_missions_end_or_are_reported) {
   envelope::Breaches breaches;
   envelope::MissionCounts counts;
-  for (std::uint64_t index = 0; index < 10; ++index) envelope::Mission(index, counts, breaches).fly(15);
+  for (std::uint64_t index = 0; index < 5; ++index) envelope::Mission(index, counts, breaches).fly(8);
   check_kept(breaches);
   CHECK_EQ(counts.in_the_air + counts.on_wheels + counts.struck + counts.lost, counts.flown);
   CHECK_LT(0, counts.flown - counts.lost);

@@ -108,8 +108,6 @@ void compare(const Matrices& m, bool governed, Column&& column_of, Worst& worst)
   }
 }
 
-// An ideal governor's search ends within 1e-12 of an engine's power, at which of two neighbouring collectives is left
-// to roundings: its matrices agree to that over the slope of the power.
 void compare_with_complex_step(unsigned seed, int count) {
   Dice dice(seed);
   Worst worst[3];
@@ -128,9 +126,7 @@ void compare_with_complex_step(unsigned seed, int count) {
   for (const Worst& w : worst)
     NOTE("worst of " << compared << " points, governor off, ideal, pi: " << w.error << " of the column, row "
                      << w.row << " column " << w.column);
-  CHECK_LT(worst[static_cast<int>(Governor::off)].error, 1e-11);
-  CHECK_LT(worst[static_cast<int>(Governor::ideal)].error, 1e-9);
-  CHECK_LT(worst[static_cast<int>(Governor::pi)].error, 1e-11);
+  for (const Worst& w : worst) CHECK_LT(w.error, 1e-11);
   CHECK_LT(0.75 * count, compared);
 }
 

@@ -10,6 +10,7 @@
 #include "check.hpp"
 #include "tiltrotor/model/aircraft/aircraft_data.hpp"
 #include "tiltrotor/model/preparation.hpp"
+#include "tiltrotor/sensors.h"
 #include "tiltrotor/tiltrotor.h"
 
 using namespace tiltrotor;
@@ -98,9 +99,14 @@ TEST(arithmetic_other_rounding_is_found_by_every_call_that_computes) {
   tr_motion motion;
   tr_air_data air;
   const tr_real station[3] = {7, 0, 2};
+  const double position[3] = {1, 2, 3};
+  tr_geodetic place = {};
+  tr_lag lag = {};
+  tr_imu imu = {};
+  tr_air_probe probe = {};
   std::uint32_t bits;
   for (const int mode : kModes) {
-    tr_status found[13];
+    tr_status found[18];
     {
       const Rounding rounding(mode);
       if (!rounding.changed()) continue;
@@ -117,6 +123,11 @@ TEST(arithmetic_other_rounding_is_found_by_every_call_that_computes) {
       found[10] = tr_motion_at(&sim, station, &motion);
       found[11] = tr_air_data_at(&sim, station, &air);
       found[12] = tr_directional(&sim, &work, rates, rates, rates, &outputs);
+      found[13] = tr_geodetic_at(&place, position, &place);
+      found[14] = tr_radio_height_at(&sim, station, real);
+      found[15] = tr_step_lag(&lag, 1, static_cast<tr_real>(0.005));
+      found[16] = tr_read_imu(&sim, &imu, static_cast<tr_real>(0.005));
+      found[17] = tr_read_air_probe(&sim, &probe, static_cast<tr_real>(0.005), &air);
     }
     for (const tr_status status : found) CHECK_EQ(status, TR_BAD_ARITHMETIC);
   }

@@ -40,8 +40,7 @@ const std::string kLibrary = quoted(TILTROTOR_BINARY_DIR "/libtiltrotor.a");
 bool has(const std::string& tool) { return run_program("command -v " + tool).exit_status == 0; }
 
 std::string every_function(const std::string& flags) {
-  return run_program(kCxx + flags + "-E -P -x c++ - <" +
-                     quoted(source_path("include/tiltrotor/tiltrotor.h")) +
+  return run_program(kCxx + flags + "-E -P -x c++ - <" + quoted(source_path("include/tiltrotor/sensors.h")) +
                      " | grep -o 'tr_[a-z_]*[0-9a-z_]*(' | tr -d '(' | sort -u")
       .out;
 }

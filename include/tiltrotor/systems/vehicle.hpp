@@ -233,15 +233,16 @@ void airframe_demand(const Vehicle<Real<T>>& v, const Configuration<Real<T>>& c,
 }
 
 // The ideal governor: the collective at which the rotors take the power of the engines, by the secant method, its slope
-// kept where two points lie too near to give one. Dual numbers, whose value is the solution already, need one round,
-// and gain the derivative of the implicit function. False where there is none: rotors that hover take some power at any
+// kept where two points lie too near to give one. Dual numbers, whose value is the solution already, gain the
+// derivative of the implicit function. False where there is none: rotors that hover take some power at any
 // collective. A search that ends within a thousandth of an engine's power counts, its next one begins there.
 template <class T, class Airframe>
 bool hold_power(const Configuration<Real<T>>& c, const T& guess, const T& power, Airframe&& airframe,
                 AirframeDemand<T>& demand, AirframeAnswer<T>& answer, T& governed) {
   using R = Real<T>;
   constexpr int rounds = 6;
-  const R step = R(1e-3), apart = R(1e-6);  // rad
+  // Derivatives come by rounds with one slope, each of which leaves the part by which the slope is wrong: P''/P' step/2.
+  const R step = kIsPlain<T> ? R(1e-3) : R(1e-5), apart = R(1e-6);  // rad
   const R near = R(1e-12) * c.aircraft->controls.engine_power;
   const R efficiency = c.aircraft->controls.transmission_efficiency;
   const T collective = demand.controls.collective;

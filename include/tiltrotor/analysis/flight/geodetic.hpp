@@ -66,8 +66,7 @@ GeodeticPlace<R> geodetic_place(const GeodeticPlace<R>& origin, const Vec3<R>& p
   const R p = length_of(x, position.y);
 
   const SineCosine<R> l = latitude_of(p, z);
-  const R turned = p > R(0) ? arctangent2(position.y, x) : R(0);
-  const R east = origin.longitude + turned;
+  const R east = origin.longitude + arctangent2(position.y, x);
   const R whole = R(2) * kPi<R>;
   GeodeticPlace<R> place;
   place.latitude = arctangent2(l.sine, l.cosine);

@@ -216,7 +216,7 @@ bool put_columns(const Evaluation<T>& e, int first, int last, ConfigurationSensi
 // The columns of a set of parameters at (x, u), trimmed or not. The arguments are not changed.
 // Status: ok; not_finite (a number in state, controls or result is not finite: `out` is then what was found);
 // bad_argument (`columns` names an unknown parameter or too many, or c is not prepared: `out` is empty).
-// `azimuth`: rad, for individual blades alone. Cost: one pass for every 8 parameters, each some 3 derivatives of
+// `azimuth`: rad, for individual blades alone. Cost: one pass for every 8 parameters, each some 4 derivatives of
 // the grid.
 template <class R>
 Status configuration_sensitivity(const Configuration<R>& c, const State<R>& x, const Controls<R>& u,

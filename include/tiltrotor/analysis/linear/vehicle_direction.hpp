@@ -91,7 +91,7 @@ void evaluate_seeded(const Vehicle<R>& v, const Configuration<R>& c, const Confi
 
 // dxdot[vehicle_state_count] and dy[Instruments::kCount] along dx[vehicle_state_count] and du[vehicle_input_count].
 // `c`: as in linearize_vehicle(). Status: ok; not_finite (what was found is then written); bad_argument (c is not
-// prepared); not_converged (an ideal governor finds no collective). Cost: some 3 derivatives, whatever is on.
+// prepared); not_converged (an ideal governor finds no collective). Cost: some 4 derivatives, and the search of an ideal governor.
 template <class R>
 Status vehicle_direction(const Vehicle<R>& v, Configuration<R>& c, const State<R>& x, const SystemState<R>& s,
                          const Controls<R>& u, const R* dx, const R* du, VehicleDirectionWorkspace<R>& work,
@@ -123,7 +123,7 @@ Status vehicle_direction(const Vehicle<R>& v, Configuration<R>& c, const State<R
 }
 
 // put_c(i, j, dy_i/dx_j) and put_d(i, j, dy_i/du_j), columns as `shape` says, rows in the order of Instruments. Arguments
-// and status as vehicle_direction(). Cost: some 3 derivatives for every 7 columns.
+// and status as vehicle_direction(). Cost: some 4 derivatives for every 7 columns.
 template <class R, class PutC, class PutD>
 Status linearize_vehicle_outputs(const Vehicle<R>& v, Configuration<R>& c, const State<R>& x,
                                  const SystemState<R>& s, const Controls<R>& u, const VehicleShape& shape,

@@ -77,11 +77,13 @@ Status transmission_zeros(const Channel<R, N>& channel, ZerosWorkspace<R, N>& wo
   }
   const R rounding = R(8) * static_cast<R>(n + 1) * std::numeric_limits<R>::epsilon();
   R least_d = R(0), least_c = R(0);  // what was given is given
+  R turned = R(1);                   // how far rounding turns the direction of c, over that of A
   while (std::fabs(s.d) <= least_d) {
     R size = R(0);
     for (int i = 0; i < n; ++i) size = larger_of(size, std::fabs(s.c[i]));
     if (!is_finite(size)) return Status::not_finite;
     if (size <= least_c) return Status::ok;
+    if (least_c > R(0)) turned = larger_of(turned, largest_a / size);
     R tau;
     product *= z::reflect_to_last(s.c, n, tau);
     if (tau != R(0)) {
@@ -100,7 +102,7 @@ Status transmission_zeros(const Channel<R, N>& channel, ZerosWorkspace<R, N>& wo
     --n;
     for (int j = 0; j < n; ++j) s.c[j] = s.a(n, j);
     s.d = s.b[n];
-    least_d = rounding * largest_b;
+    least_d = rounding * largest_b * turned;
     least_c = rounding * largest_a;
   }
   gain = product * s.d;
