@@ -186,7 +186,7 @@ format: ## lay out every source with clang-format
 FORMAT_FLAGS ?= -i
 
 ifdef PORTABLE_INSTALL
-install: ## copy headers, libraries, program and pkg-config file to DESTDIR/PREFIX; portable code unless ARCH is given
+install: ## copy headers, libraries, program, files for pkg-config, CMake and Python to DESTDIR/PREFIX; portable code unless ARCH is given
 	+$(Q)$(MAKE) --no-print-directory ARCH= BUILD='$(BUILD)/portable' install
 else
 install: all $(BUILD)/libtiltrotor-aircraft.a
@@ -196,6 +196,7 @@ install: all $(BUILD)/libtiltrotor-aircraft.a
 	  install -d "$$to/$$(dirname $$header)"; install -m 644 $$header "$$to/$$header"; done; \
 	install -m 644 $(LIBRARIES) $(BUILD)/libtiltrotor-aircraft.a "$$to/lib"; \
 	$(if $(SHARED),install -m 755 $(SHARED) "$$to/lib"; ln -sf $(notdir $(SHARED)) "$$to/lib/libtiltrotor.so";) \
+	$(INSTALL_PACKAGES) \
 	$(if $(PROGRAMS),install -d "$$to/bin"; install -m 755 $(BUILD)/tiltrotor "$$to/bin";) \
 	printf '%s\n' "prefix=$$prefix" 'includedir=$${prefix}/include' 'libdir=$${prefix}/lib' '' \
 	  'Name: tiltrotor' 'Description: Tilt-rotor flight mechanics with exact derivatives' 'Version: $(VERSION)' \
@@ -359,7 +360,7 @@ $(BUILD)/host/%.o: src/%.cpp $(BUILD)/host.stamp
 	@echo "  compile $< (host)"; mkdir -p $(@D)
 	$(Q)$(HOST_CXX) $(HOST_FLAGS) $(DEPENDENCIES) -c $< -o $@
 
-include src/firmware/firmware.mk src/fmu/fmu.mk src/examples/examples.mk tests/budget/budget.mk tests/verification.mk
+include src/library/packages.mk src/firmware/firmware.mk src/fmu/fmu.mk src/examples/examples.mk tests/budget/budget.mk tests/verification.mk
 
 # A header that needs another one included first is broken; C headers must also please a C99 compiler.
 .PHONY: $(HEADERS:%=alone/%)

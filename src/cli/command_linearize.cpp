@@ -26,16 +26,22 @@ class Linearizer {
         controls_(control_set(arguments)),
         output_(arguments, single),
         model_(std::make_unique<LinearModel<double>>()),
-        matrices_(std::make_unique<VehicleMatrices>()) {}
+        matrices_(std::make_unique<VehicleMatrices>()),
+        outputs_(std::make_unique<OutputMatrices>()) {}
 
   const Shard& shard() const { return output_.shard(); }
   Analyses& work() const { return *work_; }
 
+  // `which` with the settings of its flight, if any, before those of `c`.
   int add(LinearCase which, const Configuration<double>& c, const State<double>& x,
           const Controls<double>& u) {
     ShownModel shown;
     const Status status = find(c, x, u, shown);
     which.valid = status == Status::ok;
+    const LinearSettings flight = which.settings;
+    which.settings = LinearSettings(c.setup);
+    which.settings.numbers.insert(which.settings.numbers.end(), flight.numbers.begin(), flight.numbers.end());
+    which.settings.switches.emplace_back("reduce", reduce_word(rigid_, order_));
     if (!which.valid) {
       which.status = status_word(status);
       std::fprintf(stderr, "tiltrotor: %s, case %s: %s\n",
@@ -62,7 +68,10 @@ class Linearizer {
     Status status = linearize(c, x, u, controls_, *work_, *model_);
     if (status == Status::ok && rigid_) status = reduce_to_rigid(*model_, order_);
     shown = ShownModel(*model_);
-    return status;
+    if (status != Status::ok || rigid_ || !output_.wants_outputs()) return status;
+    const Status of_outputs = linearize_outputs(c, x, u, controls_, *work_, *outputs_);
+    if (of_outputs == Status::ok) shown.add_outputs(*outputs_);
+    return of_outputs;
   }
 
   bool rigid_;
@@ -71,6 +80,7 @@ class Linearizer {
   LinearOutput output_;  // last of what arguments can refuse, since it begins to write
   std::unique_ptr<LinearModel<double>> model_;
   std::unique_ptr<VehicleMatrices> matrices_;
+  std::unique_ptr<OutputMatrices> outputs_;
   AnalysesWorkspace work_;
 };
 
@@ -82,7 +92,8 @@ int at_given_states(const Arguments& arguments, const SetupOptions& setup) {
     // In the digits that files of states have.
     double speed = 0;
     read_number(number_text(airspeed(row.state, row.controls), Output::to_read), speed);
-    const LinearCase which{row.name, configuration.setup.mast_deg, speed, usable ? "ok" : "no_state", usable};
+    const LinearCase which{row.name, configuration.setup.mast_deg, speed, usable ? "ok" : "no_state", usable,
+                           {}};
     if (usable) return linearizer.add(which, configuration, row.state, row.controls);
     linearizer.add_without_model(which);
     return exit_case_failed;
@@ -97,8 +108,11 @@ int at_trim(const Arguments& arguments, const SetupOptions& setup) {
   const int exit_status = for_each_trim(
       arguments, {setup}, linearizer.shard(), linearizer.work(), [&](const TrimmedFlight& flight) -> int {
         const bool trimmed = is_trimmed(flight.trim.status);
-        const LinearCase which{std::to_string(flight.number), flight.mast_deg, flight.flight.speed,
-                               trim_status_word(flight.trim.status), trimmed};
+        LinearCase which{std::to_string(flight.number),        flight.mast_deg, flight.flight.speed,
+                         trim_status_word(flight.trim.status), trimmed,         {}};
+        which.settings.numbers = {{"climb_deg", flight.climb_deg},
+                                  {"sideslip_deg", flight.sideslip_deg},
+                                  {"turn_rate_degps", flight.turn_rate_degps}};
         if (trimmed)
           return linearizer.add(which, flight.configuration, flight.trim.state, flight.trim.controls);
         linearizer.add_without_model(which);
@@ -117,17 +131,20 @@ int run(const Arguments& arguments) {
 }  // namespace
 
 Command linearize_command() {
-  return {"linearize",
-          "exact linear models A, B at trim or at given states",
-          "A = df/dx and B = df/du with names and units of every row and column, at every combination of "
-          "--mast and\n"
-          "--speed or at the states of a file. JSON is an object for one case and an array for several:\n"
-          "  case mast_deg speed_mps status program{name,version,aircraft} states[{name,unit}] "
-          "controls[{name,unit}] x0 u0 A B\n",
-          "tiltrotor linearize --mast 90 --speed 80 --format json",
-          reduce_option() + control_set_option() + states_option() + flight_list() + SetupOptions::list() +
-              LinearOutput::list(),
-          run};
+  return {
+      "linearize",
+      "exact linear models A, B at trim or at given states",
+      "A = df/dx and B = df/du with names and units of every row and column, at every combination of "
+      "--mast and\n"
+      "--speed or at the states of a file. JSON is an object for one case and an array for several:\n"
+      "  case mast_deg speed_mps status program{name,version,aircraft,commit,derivatives}\n"
+      "  settings{mast_deg,flap_deg,rotor_rpm,mass_kg,...,switches{NAME}} states[{name,unit}]\n"
+      "  controls[{name,unit}] x0 u0 A B, and with neither governor nor --reduce outputs[{name,unit}] y0 C D.\n"
+      "The matlab script makes `model`, with the same members, and of every case model(k).ss where ss() is known.\n",
+      "tiltrotor linearize --mast 90 --speed 80 --format json",
+      reduce_option() + control_set_option() + states_option() + flight_list() + SetupOptions::list() +
+          LinearOutput::list(),
+      run};
 }
 
 }  // namespace tiltrotor::cli

@@ -24,6 +24,10 @@ Reduction reduction_order(const Arguments& arguments) {
   return reduce_choice(arguments) == 2 ? Reduction::quasi_steady : Reduction::first_order;
 }
 
+const char* reduce_word(bool rigid, Reduction order) {
+  return !rigid ? "none" : order == Reduction::first_order ? "rigid" : "quasi_steady";
+}
+
 OptionList control_set_option() {
   return {{"--control-set", "SET",
            "inceptors: collective, sticks, pedal; blades: blade angles and\n"

@@ -9,6 +9,7 @@ namespace tiltrotor::cli {
 OptionList reduce_option();
 bool wants_rigid(const Arguments& arguments);
 Reduction reduction_order(const Arguments& arguments);  // of --reduce rigid and quasi_steady
+const char* reduce_word(bool rigid, Reduction order);   // as given to --reduce
 
 OptionList control_set_option();
 const ControlSet& control_set(const Arguments& arguments);

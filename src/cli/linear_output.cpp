@@ -37,6 +37,23 @@ std::string matlab_text(const std::string& text) {
 }
 std::string unchanged(const std::string& text) { return text; }
 
+std::string settings_json(const LinearSettings& settings) {
+  std::vector<JsonMember> members, switches;
+  for (const LinearSettings::Number& n : settings.numbers) members.emplace_back(n.name, json_number(n.value));
+  for (const auto& [name, value] : settings.switches) switches.emplace_back(name, json_text(value));
+  members.emplace_back("switches", json_object(switches));
+  return json_object(members);
+}
+
+// The system object of MATLAB and of Octave's control package, whose states are its outputs where the model has none.
+std::string matlab_system(const std::string& name, bool has_outputs) {
+  const std::string n = name;
+  const std::string c = has_outputs ? n + "C, " + n + "D" : "eye(size(" + n + "A)), zeros(size(" + n + "B))";
+  return "if exist('ss')\n  " + n + "ss = ss(" + n + "A, " + n + "B, " + c + ", 'StateName', " + n +
+         "states, 'InputName', " + n + "controls, 'OutputName', " + n + (has_outputs ? "outputs" : "states") +
+         ");\nend\n";
+}
+
 }  // namespace
 
 OptionList LinearOutput::list() {
@@ -118,22 +135,33 @@ void LinearOutput::add_json(const LinearCase& which, const Model& model) {
   std::string text = count_ > 0 ? ",\n" : "";
   text += "{\n\"case\": " + json_text(which.name) + ",\n\"mast_deg\": " + json_number(which.mast_deg) +
           ",\n\"speed_mps\": " + json_number(which.speed) + ",\n\"status\": " + json_text(which.status) +
-          ",\n\"program\": " + program_json();
+          ",\n\"program\": " + program_and_commit_json();
   if (which.valid) {
-    const auto a = [&](int i, int j) { return model.a(i, j); };
-    const auto b = [&](int i, int j) { return model.b(i, j); };
     const int n = model.states;
     const int m = model.controls;
-    text += ",\n\"states\": [" +
-            joined(n, ", ", [&](int i) { return named(model.state_name(i), model.state_unit(i)); }) +
-            "],\n\"controls\": [" +
-            joined(m, ", ", [&](int j) { return named(model.control_name(j), model.control_unit(j)); }) +
-            "],\n\"x0\": [" +
-            joined(n, ", ", [&](int i) { return json_number(model.x[static_cast<std::size_t>(i)]); }) +
-            "],\n\"u0\": [" +
-            joined(m, ", ", [&](int j) { return json_number(model.u[static_cast<std::size_t>(j)]); }) +
-            "],\n\"A\": [\n" + matrix_text(n, n, ",\n", ", ", a, bracketed) + "\n],\n\"B\": [\n" +
-            matrix_text(n, m, ",\n", ", ", b, bracketed) + "\n]";
+    const int k = model.outputs;
+    const auto names = [&](const char* member, int count, const std::function<std::string(int)>& item) {
+      text += ",\n\"" + std::string(member) + "\": [" + joined(count, ", ", item) + "]";
+    };
+    const auto matrix = [&](const char* member, int rows, int columns,
+                            const std::function<double(int, int)>& entry) {
+      text += ",\n\"" + std::string(member) + "\": [\n" +
+              matrix_text(rows, columns, ",\n", ", ", entry, bracketed) + "\n]";
+    };
+    const auto vector = [&](const char* member, const std::vector<double>& values) {
+      text += ",\n\"" + std::string(member) + "\": " + json_array(values);
+    };
+    text += ",\n\"settings\": " + settings_json(which.settings);
+    names("states", n, [&](int i) { return named(model.state_name(i), model.state_unit(i)); });
+    names("controls", m, [&](int j) { return named(model.control_name(j), model.control_unit(j)); });
+    if (k > 0) names("outputs", k, [&](int i) { return named(model.output_name(i), model.output_unit(i)); });
+    vector("x0", model.x);
+    vector("u0", model.u);
+    if (k > 0) vector("y0", model.y);
+    matrix("A", n, n, [&](int i, int j) { return model.a(i, j); });
+    matrix("B", n, m, [&](int i, int j) { return model.b(i, j); });
+    if (k > 0) matrix("C", k, n, [&](int i, int j) { return model.c(i, j); });
+    if (k > 0) matrix("D", k, m, [&](int i, int j) { return model.d(i, j); });
   }
   sink_.write(text + "\n}");
 }
@@ -141,7 +169,7 @@ void LinearOutput::add_json(const LinearCase& which, const Model& model) {
 void LinearOutput::add_matlab(const LinearCase& which, const Model& model) {
   const std::string name = "model(" + std::to_string(count_ + 1) + ").";
   std::string text =
-      (count_ == 0 ? "% " + program_text() + "\n" : "") + "% case " + which.name + ": mast " +
+      (count_ == 0 ? "% " + identity_text() + "\n" : "") + "% case " + which.name + ": mast " +
       number_text(which.mast_deg) + " deg, " + number_text(which.speed) +
       " m/s; xdot = A (x - x0) + B (u - u0)\n" + name + "case_name = " + matlab_text(which.name) + ";\n" +
       name + "mast_deg = " + number_text(which.mast_deg) + ";\n" + name +
@@ -149,6 +177,10 @@ void LinearOutput::add_matlab(const LinearCase& which, const Model& model) {
   if (which.valid) {
     const int n = model.states;
     const int m = model.controls;
+    for (const LinearSettings::Number& s : which.settings.numbers)
+      text += name + "settings." + s.name + " = " + number_text(s.value) + ";\n";
+    for (const auto& [word, value] : which.settings.switches)
+      text += name + "settings.switches." + word + " = " + matlab_text(value) + ";\n";
     const auto words = [&](const char* member, int count, const std::function<const char*(int)>& word) {
       text += name + member + " = {" +
               joined(count, ", ", [&](int i) { return "'" + std::string(word(i)) + "'"; }) + "};\n";
@@ -161,10 +193,17 @@ void LinearOutput::add_matlab(const LinearCase& which, const Model& model) {
     words("state_units", n, [&](int i) { return model.state_unit(i); });
     words("controls", m, [&](int j) { return model.control_name(j); });
     words("control_units", m, [&](int j) { return model.control_unit(j); });
+    const int k = model.outputs;
+    if (k > 0) words("outputs", k, [&](int i) { return model.output_name(i); });
+    if (k > 0) words("output_units", k, [&](int i) { return model.output_unit(i); });
     numbers("x0", n, 1, [&](int i, int) { return model.x[static_cast<std::size_t>(i)]; });
     numbers("u0", m, 1, [&](int j, int) { return model.u[static_cast<std::size_t>(j)]; });
+    if (k > 0) numbers("y0", k, 1, [&](int i, int) { return model.y[static_cast<std::size_t>(i)]; });
     numbers("A", n, n, [&](int i, int j) { return model.a(i, j); });
     numbers("B", n, m, [&](int i, int j) { return model.b(i, j); });
+    if (k > 0) numbers("C", k, n, [&](int i, int j) { return model.c(i, j); });
+    if (k > 0) numbers("D", k, m, [&](int i, int j) { return model.d(i, j); });
+    text += matlab_system(name, k > 0);
   }
   sink_.write(text);
 }

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "cli/arguments.hpp"
+#include "cli/linear_settings.hpp"
 #include "cli/shard.hpp"
 #include "cli/shown_model.hpp"
 #include "text/sink.hpp"
@@ -16,6 +17,7 @@ struct LinearCase {
   double speed;  // m/s
   std::string status;
   bool valid;  // there is a model
+  LinearSettings settings;
 };
 
 class LinearOutput {
@@ -25,6 +27,8 @@ class LinearOutput {
   LinearOutput(const Arguments& arguments, bool single);
 
   const Shard& shard() const { return shard_; }
+  // Whether the file has outputs, C and D: json and matlab.
+  bool wants_outputs() const { return kind_ == Kind::json || kind_ == Kind::matlab; }
   void add(const LinearCase& which, const ShownModel& model);
   void finish();
 

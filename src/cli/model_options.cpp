@@ -170,6 +170,13 @@ std::string model_text(const Options& options) {
   return text;
 }
 
+std::vector<std::pair<std::string, std::string>> model_switches(const Options& options) {
+  std::vector<std::pair<std::string, std::string>> all;
+  for (const Switch& s : switches())
+    if (s.value) all.emplace_back(s.name, s.value(options));
+  return all;
+}
+
 void set_model_option(Options& options, const std::string& name, const std::string& value,
                       const std::string& where) {
   const auto place =

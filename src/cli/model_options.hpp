@@ -2,6 +2,8 @@
 #pragma once
 
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "tiltrotor/model/variables/options.hpp"
 
@@ -13,6 +15,9 @@ std::string model_options_help();
 // The aircraft and what differs from the defaults, "XV-15 grid=realtime": rows of states carry it in this column.
 inline constexpr const char* kModelColumn = "model";
 std::string model_text(const Options& options);
+
+// Every switch and its value.
+std::vector<std::pair<std::string, std::string>> model_switches(const Options& options);
 
 // Throws UsageError "<where>: ..." for an unknown name or value.
 void set_model_option(Options& options, const std::string& name, const std::string& value,

@@ -20,6 +20,21 @@ ShownModel::ShownModel(const LinearModel<double>& exact) : states(exact.states),
   }
 }
 
+void ShownModel::add_outputs(const OutputMatrices& found) {
+  outputs = OutputMatrices::outputs;
+  constexpr double point_terms = 1;
+  for (int i = 0; i < outputs; ++i) {
+    double terms = 0;
+    const auto state_size = [&](int j) { return state(j).facts().bend; };
+    const auto control_size = [&](int j) { return control(j).facts().bend; };
+    for (int j = 0; j < states; ++j) terms += std::abs(found.c(i, j)) * state_size(j);
+    for (int j = 0; j < controls; ++j) terms += std::abs(found.d(i, j)) * control_size(j);
+    y.push_back(without_rounding(found.y[i], point_terms));
+    for (int j = 0; j < states; ++j) c_.push_back(without_rounding(found.c(i, j), terms / state_size(j)));
+    for (int j = 0; j < controls; ++j) d_.push_back(without_rounding(found.d(i, j), terms / control_size(j)));
+  }
+}
+
 ShownModel::ShownModel(const VehicleMatrices& m, const State<double>& of_airframe,
                        const SystemState<double>& s, const Controls<double>& of_pilot,
                        const Commands<double>& commands)

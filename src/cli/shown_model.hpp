@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "cli/output_names.hpp"
 #include "library/analyses.hpp"
 
 namespace tiltrotor::cli {
@@ -15,15 +16,22 @@ class ShownModel {
   ShownModel(const VehicleMatrices& matrices, const State<double>& x, const SystemState<double>& s,
              const Controls<double>& u, const Commands<double>& commands);
 
-  int states = 0, controls = 0;
-  std::vector<double> x, u;
+  // The outputs of the same point beside it; none before.
+  void add_outputs(const OutputMatrices& found);
+
+  int states = 0, controls = 0, outputs = 0;
+  std::vector<double> x, u, y;
 
   double a(int i, int j) const { return a_[place(i, states, j)]; }
   double b(int i, int j) const { return b_[place(i, controls, j)]; }
+  double c(int i, int j) const { return c_[place(i, states, j)]; }
+  double d(int i, int j) const { return d_[place(i, controls, j)]; }
   const char* state_name(int i) const { return state(i).name; }
   const char* state_unit(int i) const { return state(i).unit(); }
   const char* control_name(int j) const { return control(j).name; }
   const char* control_unit(int j) const { return control(j).unit(); }
+  const char* output_name(int i) const { return kOutputNames[i].name; }
+  const char* output_unit(int i) const { return kOutputNames[i].unit; }
 
  private:
   static std::size_t place(int row, int width, int column) {
@@ -33,7 +41,7 @@ class ShownModel {
   const Variable& control(int j) const { return vehicle_input(control_[static_cast<std::size_t>(j)]); }
 
   std::vector<int> state_, control_;
-  std::vector<double> a_, b_;
+  std::vector<double> a_, b_, c_, d_;
 };
 
 }  // namespace tiltrotor::cli

@@ -6,6 +6,7 @@ here=$(cd "$(dirname "$0")" && pwd)
 room=$(mktemp -d)
 trap 'kill $(jobs -p) 2>/dev/null || true; rm -rf "$room"' EXIT
 cp "$here"/*.c "$here"/*.h "$here"/*.cpp "$here"/hop.txt "$room"
+cp -r "$here"/cmake "$here"/python "$room"
 cd "$room"
 
 # pkg-config when there is one; its file is simple enough to read without.
@@ -33,6 +34,31 @@ build "${CXX:-c++} -std=c++17 $strict" trim_curve.cpp trim_curve
 ${RUNNER:-} ./trim_and_fly
 ${RUNNER:-} ./trim_curve
 ${RUNNER:-} ./autopilot 2
+
+# The same by CMake, and from Python; what is not installed is left out in one line.
+if [ -n "${RUNNER:-}" ]; then
+    echo "cmake, python: libraries of another machine, left out"
+elif ! command -v cmake >/dev/null; then
+    echo "cmake: not installed: cmake (Debian: cmake), left out"
+else
+    cmake -S cmake -B cmake/built -DCMAKE_PREFIX_PATH="$prefix" -DCMAKE_C_COMPILER="${CC:-cc}" \
+        -DCMAKE_CXX_COMPILER="${CXX:-c++}" >cmake.txt && cmake --build cmake/built >>cmake.txt || { cat cmake.txt; exit 1; }
+    ./trim_and_fly >by_hand.txt
+    cmake/built/trim_and_fly | cmp - by_hand.txt
+    cmake/built/trim_curve >/dev/null
+    echo "cmake: find_package(tiltrotor), shared and static"
+fi
+if [ -z "${RUNNER:-}" ] && [ -e "$prefix/lib/python" ]; then
+    if ! command -v python3 >/dev/null; then
+        echo "python: not installed: python3 (Debian: python3), left out"
+    else
+        for example in trim_curve lqr closed_loop; do
+            PYTHONPATH=$prefix/lib/python python3 python/$example.py >python.txt 2>&1 ||
+                grep 'not installed, left out' python.txt || { cat python.txt; exit 1; }
+        done
+        echo "python: the examples"
+    fi
+fi
 
 # One second in real time with controls that change, recorded; then three replays as fast as possible.
 { echo "0.17 1.0 0.0 0.0"; sleep 0.3; echo "0.175 1.2 0.1 0.0"; sleep 0.3; echo "0.175 nonsense"; echo "0.17 1 0 9"; } |

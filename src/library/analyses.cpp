@@ -7,7 +7,7 @@ namespace tiltrotor {
 
 struct Analyses {
   TrimWorkspace<double> trim;
-  LinearizationWorkspace<double> linearization;
+  OutputModelWorkspace<double> outputs;  // with that of A and B
   SimulationWorkspace<double> simulation;
   VehicleModelWorkspace<double> vehicle;
   VehicleModesWorkspace<double> vehicle_modes;
@@ -26,7 +26,20 @@ TrimStatus trim(const Configuration<double>& c, const SteadyFlight<double>& flig
 
 Status linearize(const Configuration<double>& c, const State<double>& x, const Controls<double>& u,
                  const ControlSet& columns, Analyses& work, LinearModel<double>& model, double azimuth) {
-  return linearize(c, x, u, columns, work.linearization, model, azimuth);
+  return linearize(c, x, u, columns, work.outputs.linear, model, azimuth);
+}
+
+Status linearize_outputs(const Configuration<double>& c, const State<double>& x, const Controls<double>& u,
+                         const ControlSet& columns, Analyses& work, OutputMatrices& found) {
+  DerivativeSteps<double> steps;
+  State<double> rates;
+  derivative(c, x, u, steps, rates, 0.0);
+  Instruments<double> readings;
+  read_instruments(c, x, steps, rates, readings);
+  flatten(readings, found.y);
+  return linearize_outputs(
+      c, x, u, columns, work.outputs, found.point, [&](int i, int j, double slope) { found.c(i, j) = slope; },
+      [&](int i, int j, double slope) { found.d(i, j) = slope; });
 }
 
 Status advance(const Configuration<double>& c, Analyses& work, Simulation<double>& simulation,

@@ -12,6 +12,7 @@
 #include <cstddef>
 
 #include "tiltrotor/analysis/instances.hpp"
+#include "tiltrotor/analysis/linear/output_model.hpp"
 #include "tiltrotor/analysis/linear/vehicle_modes.hpp"
 
 namespace tiltrotor {
@@ -30,6 +31,18 @@ TrimStatus trim(const Configuration<double>& c, const SteadyFlight<double>& flig
                 TrimResult<double>& result);
 Status linearize(const Configuration<double>& c, const State<double>& x, const Controls<double>& u,
                  const ControlSet& columns, Analyses& work, LinearModel<double>& model, double azimuth = 0);
+
+// What the instruments read, and C and D beside A and B of linearize().
+struct OutputMatrices {
+  static constexpr int outputs = Instruments<double>::kCount;
+  LinearPoint<double> point;
+  double y[outputs];
+  Matrix<double, outputs, kMaxLinearStates> c;
+  Matrix<double, outputs, control_count> d;
+};
+Status linearize_outputs(const Configuration<double>& c, const State<double>& x, const Controls<double>& u,
+                         const ControlSet& columns, Analyses& work, OutputMatrices& found);
+
 Status advance(const Configuration<double>& c, Analyses& work, Simulation<double>& simulation,
                const double* xdot = nullptr);
 Status advance_moving(MovingConfiguration<double>& moving, Analyses& work, Simulation<double>& simulation,

@@ -15,6 +15,12 @@ constexpr const char* commit_of_sources =
 #include "identity.inc"
     ;
 
+std::vector<JsonMember> program_members() {
+  return {{"name", json_text("tiltrotor")},
+          {"version", json_text(TILTROTOR_VERSION)},
+          {"aircraft", json_text(aircraft_identity().name)}};
+}
+
 }  // namespace
 
 std::string program_text() {
@@ -28,10 +34,15 @@ std::string identity_text() {
 }
 
 const std::string& program_json() {
-  static const std::string text = json_object({{"name", json_text("tiltrotor")},
-                                               {"version", json_text(TILTROTOR_VERSION)},
-                                               {"aircraft", json_text(aircraft_identity().name)}});
+  static const std::string text = json_object(program_members());
   return text;
+}
+
+std::string program_and_commit_json() {
+  std::vector<JsonMember> members = program_members();
+  members.emplace_back("commit", json_text(commit_of_sources));
+  members.emplace_back("derivatives", json_text(differentiation_name()));
+  return json_object(members);
 }
 
 std::string date_text() {

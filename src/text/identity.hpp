@@ -14,6 +14,10 @@ std::string identity_text();
 std::string program_text();
 const std::string& program_json();
 
+// With the commit and the kind of derivatives, for models that are kept: {"name": ..., "commit": "0123456789ab",
+// "derivatives": "automatic"}; the commit empty where unknown.
+std::string program_and_commit_json();
+
 // Day of the run, UTC, "2026-11-25"; of SOURCE_DATE_EPOCH where that is set.
 std::string date_text();
 

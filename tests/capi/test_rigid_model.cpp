@@ -6,6 +6,7 @@
 #include "tiltrotor/math/algebra/lu.hpp"
 
 using namespace capi;
+using namespace tiltrotor;
 
 namespace {
 

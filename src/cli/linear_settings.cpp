@@ -1,0 +1,16 @@
+#include "cli/linear_settings.hpp"
+
+#include "cli/flight_options.hpp"
+#include "cli/model_options.hpp"
+#include "cli/state_columns.hpp"
+
+namespace tiltrotor::cli {
+
+LinearSettings::LinearSettings(const FlightSetup<double>& setup) : switches(model_switches(setup.options)) {
+  for (const char* column : {"mast_deg", "flap_deg", "rotor_rpm", "mass_kg", "cg_sl_in"})
+    numbers.push_back({column, setting_value(column, setup)});
+  numbers.push_back({"cg_wl_in", setup.wl_cg / kInch});
+  numbers.push_back({"altitude_m", setting_value("altitude_m", setup)});
+}
+
+}  // namespace tiltrotor::cli

@@ -1,0 +1,21 @@
+# What `make install` copies for CMake and Python beside headers and libraries, and the source archive.
+
+# $$to is the folder of the prefix.
+CMAKE_FILE = sed -e 's|@VERSION@|$(VERSION)|' -e 's|@SHARED@|$(notdir $(SHARED))|' \
+    -e 's|@OPTIONS@|$(subst $(space),;,$(strip $(TARGET_$(TARGET))))|' \
+    -e 's|@DEFINITIONS@|$(if $(filter single,$(PRECISION)),TR_SINGLE_PRECISION)|'
+INSTALL_PACKAGES = install -d "$$to/lib/cmake/tiltrotor"; \
+  for file in tiltrotorConfig tiltrotorConfigVersion; do \
+    $(CMAKE_FILE) src/library/$$file.cmake.in > "$$to/lib/cmake/tiltrotor/$$file.cmake"; done; \
+  $(if $(SHARED),install -d "$$to/lib/python"; install -m 644 src/python/tiltrotor.py "$$to/lib/python";)
+space := $(subst ,, )
+
+# The tracked files of the last commit: two archives of one commit have the same bytes.
+ARCHIVE := tiltrotor-$(VERSION)
+.PHONY: dist
+dist: ## write build/tiltrotor-VERSION.tar.gz, the sources of the last commit, the same bytes every time
+	$(Q)tests/tool.sh dist git git || exit 0; \
+	[ -n '$(COMMIT)' ] || { echo "dist: this is no git tree; the archive is made of a commit"; exit 1; }; \
+	case '$(COMMIT)' in *+) echo "dist: changes that are not committed are left out" ;; esac; \
+	mkdir -p $(BUILD) && git archive --format=tar --prefix=$(ARCHIVE)/ HEAD | gzip -9 -n >$(BUILD)/$(ARCHIVE).tar.gz.part && \
+	mv $(BUILD)/$(ARCHIVE).tar.gz.part $(BUILD)/$(ARCHIVE).tar.gz && echo "$(BUILD)/$(ARCHIVE).tar.gz"

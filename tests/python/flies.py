@@ -1,0 +1,93 @@
+"""The library by Python. Expected: sizes of the library itself, central differences, the same flight twice, and refusals
+with the library's sentence. Ends with status 0 and nothing printed when all is well."""
+import ctypes
+import math
+
+import tiltrotor as t
+
+
+def near(a, b, tolerance):
+    assert abs(a - b) <= tolerance, (a, b)
+
+
+def refused(error, words, call, *arguments, **named):
+    try:
+        call(*arguments, **named)
+    except error as found:
+        assert all(word in str(found) for word in words), str(found)
+    else:
+        raise AssertionError(f"accepted: {arguments} {named}")
+
+
+single = t.tr_real is ctypes.c_float
+assert t.tr_sim_size() <= ctypes.sizeof(t.tr_sim) == t.TR_SIM_SIZE
+assert t.tr_work_size() <= ctypes.sizeof(t.tr_work) == t.TR_WORK_SIZE
+assert ctypes.sizeof(t.tr_outputs) >= 8 + t.TR_OUTPUTS * ctypes.sizeof(t.tr_real)
+for name in dir(t):
+    if name.startswith("tr_") and not isinstance(getattr(t, name), type):
+        assert getattr(t, name).__doc__.startswith(("tr_status ", "const char* ", "size_t ", "int32_t ")), name
+
+aircraft = t.Aircraft(mast_deg=30, mass_kg=5500)
+assert aircraft.setup.mass_kg == 5500 and aircraft.trim(speed_mps=40).status == t.TR_OK
+near(aircraft.outputs.airspeed_mps, 40, 1e-4 if single else 1e-9)
+near(aircraft.outputs.load_factor, 1, 1e-3 if single else 1e-9)
+
+# A and C by differences of rates and outputs.
+model = aircraft.linearize(outputs=True)
+assert model.states[:4] == ["u", "w", "q", "theta"] and model.controls == ["collective", "long_stick", "lat_stick", "pedal"]
+assert len(model.A) == 23 and len(model.B[0]) == 4 and len(model.C) == t.TR_OUTPUTS and len(model.D[0]) == 4
+assert model.state_units[0] == "m/s" and model.control_units[1] == "in"
+near(model.y0[0], 40, 1e-4 if single else 1e-9)
+place, step, ways = t.TR_W, 1e-2 if single else 1e-4, []
+for sign in (1, -1):
+    moved = aircraft.state
+    moved.x[place] += sign * step
+    aircraft.state = moved
+    rates = (t.tr_real * t.TR_STATES)()
+    aircraft.call(t.tr_derivative, rates, len(rates))
+    ways.append((rates[t.TR_Q], aircraft.outputs.airspeed_mps))
+    moved.x[place] -= sign * step
+    aircraft.state = moved
+tolerance = 2e-3 if single else 1e-7
+near(model.A[2][1], (ways[0][0] - ways[1][0]) / (2 * step), tolerance)
+near(model.C[0][1], (ways[0][1] - ways[1][1]) / (2 * step), 10 * tolerance)
+
+# Modes are the roots of A: their sum, a conjugate pair counted twice, is its trace.
+modes = aircraft.modes()
+trace = sum(model.A[k][k] for k in range(23))
+near(sum(m.eigenvalue.real * (2 if m.eigenvalue.imag else 1) for m in modes), trace, abs(trace) * (1e-4 if single else 1e-10))
+assert {"phugoid", "short_period", "dutch_roll"} <= {m.name for m in modes}
+
+# A saved aircraft flies on bit for bit; systems and configuration by name.
+aircraft.set(long_stick=0.2)
+aircraft.change(scas=1, governor=t.TR_GOVERNOR_PI, flap_deg=20, throttle=(0.4, 0.4))
+assert aircraft.systems.scas == 1 and aircraft.configuration.flap_deg == 20
+saved = aircraft.save()
+aircraft.step(0.005, 20)
+flown = bytes(aircraft.state)
+again = t.Aircraft().load(saved)
+again.step(0.005, 20)
+assert bytes(again.state) == flown
+full = aircraft.linearize(t.TR_ALL_INPUTS, outputs=True)
+assert len(full.u0) == t.TR_INPUTS and full.controls[-1] == "throttle_L" and len(full.states) > 23
+near(full.u0[14], math.radians(30), 1e-6)
+motion = t.tr_motion()
+aircraft.call(t.tr_motion_at, (t.tr_real * 3)(5, 0, 2), motion)
+near(sum(q * q for q in motion.quaternion), 1, 1e-5 if single else 1e-12)
+
+refused(t.Error, ["mass 2000 kg", "3000..10000"], t.Aircraft, mass_kg=2000)
+refused(t.Error, ["mast angle 95 deg", "0..90"], t.Aircraft, mast_deg=95)
+refused(TypeError, ["mas_kg", "did you mean mass_kg"], t.Aircraft, mas_kg=2000)
+refused(t.Error, ["aircraft=7"], t.Aircraft, aircraft=7)
+refused(t.Error, ["500 m/s", "0..150 m/s"], aircraft.trim, 500)
+refused(t.Error, ["trim at 20 m/s", "no trim"], t.Aircraft(mast_deg=90).trim, 20)
+refused(t.Error, ["tr_set_controls, long_stick", "range"], aircraft.set, long_stick=20)
+refused(t.Error, ["tr_set_controls, pedal", "NaN"], aircraft.set, pedal=math.nan)
+refused(TypeError, ["no control stick", "long_stick"], aircraft.set, stick=1)
+refused(TypeError, ["did you mean flap_deg"], aircraft.change, flap=1)
+refused(ValueError, ["throttle takes 2 numbers"], aircraft.change, throttle=(1,))
+refused(t.Error, ["0.1 s", "0..0.02 s"], aircraft.step, 0.1)
+refused(t.Error, ["changed since"], aircraft.load, saved[:-1] + bytes([saved[-1] ^ 1]))
+refused(t.Error, ["tr_linearize"], aircraft.linearize, 77)
+refused(ctypes.ArgumentError, [], t.tr_step, aircraft.sim, aircraft.work, "fast")
+assert bytes(aircraft.state) == flown
