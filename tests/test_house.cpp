@@ -46,6 +46,7 @@ constexpr Room kRooms[] = {
     {"cli", "generated math systems analysis library pilot text plot study " MODEL},
     {"tablegen", "math text " MODEL},
     {"firmware", "interface"},
+    {"fmu", "interface"},
     {"examples",
      "interface facade math systems analysis " MODEL},  // a user's, with the installed headers alone
 };
@@ -204,10 +205,10 @@ TEST(house_details_stay_in_their_header) {
       for (const std::string& file : files) NOTE(name << " in " << file);
 }
 
-// Enumerations of the headers are scoped, so that no enumerator counts as a number unasked: but for sides, which
-// are places in arrays.
+// Enumerations of the headers are scoped, so that no enumerator counts as a number unasked: but for sides and the
+// settings of the FMU, which are places in arrays.
 TEST(house_enumerations_are_scoped) {
-  const std::regex open("\\s*enum (?!class |Side \\{)[^;]*\\{?.*");
+  const std::regex open("\\s*enum (?!class |(Side|Setting) \\{)[^;]*\\{?.*");
   for (const std::string& file : sources({"include", "src", "bench"}, "\\w+\\.hpp"))
     for (const std::string& line : lines_of(file))
       if (!CHECK(!std::regex_match(line, open))) NOTE(file << ": " << line);

@@ -34,6 +34,7 @@ const char* const kPages[] = {"README.md",
                               "tables/README.md",
                               "src/cli/README.md",
                               "src/examples/README.md",
+                              "src/fmu/README.md",
                               "bench/README.md"};
 
 std::string content(const std::string& name) {

@@ -19,10 +19,10 @@ fmi3Status refused(fmi3Instance instance, const char* call) {
 }  // namespace
 
 #define REFERENCES fmi3Instance instance, const fmi3ValueReference[], size_t references
-#define ABSENT(type)                                                                                          \
-  fmi3Status fmi3Get##type(REFERENCES, fmi3##type[], size_t) { return absent(instance, references, #type); }  \
-  fmi3Status fmi3Set##type(REFERENCES, const fmi3##type[], size_t) {                                          \
-    return absent(instance, references, #type);                                                               \
+#define ABSENT(type)                                                                                         \
+  fmi3Status fmi3Get##type(REFERENCES, fmi3##type[], size_t) { return absent(instance, references, #type); } \
+  fmi3Status fmi3Set##type(REFERENCES, const fmi3##type[], size_t) {                                         \
+    return absent(instance, references, #type);                                                              \
   }
 ABSENT(Float32)
 ABSENT(Int8)

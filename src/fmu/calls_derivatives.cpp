@@ -30,8 +30,8 @@ const tr_sim& with_air(Instance& i) {
   tr_sim& copy = i.before.sim;
   tr_systems s;
   if (tr_get_systems(&i.flight.sim, &s) != TR_OK) return i.flight.sim;
-  const bool any = s.governor != 0 || s.conversion != 0 || s.engines != 0 || s.actuators != 0 || s.scas != 0 ||
-                   s.gear != 0 || s.ground_effect != 0 || s.turbulence != 0;
+  const bool any = s.governor != 0 || s.conversion != 0 || s.engines != 0 || s.actuators != 0 ||
+                   s.scas != 0 || s.gear != 0 || s.ground_effect != 0 || s.turbulence != 0;
   if (any || i.flight.setting[kEnvironment] == 0) return i.flight.sim;
   copy = i.flight.sim;
   s.ground_effect = 1;
@@ -47,7 +47,9 @@ fmi3Status along(Instance& i, const tr_sim& sim, Direction& d) {
 
 double& seed_of(Direction& d, Place p) { return p.role == Role::state ? d.dx[p.index] : d.du[p.index]; }
 double result_of(const Direction& d, Place p) {
-  return p.role == Role::rate ? d.dxdot[p.index] : p.role == Role::output ? d.doutput[p.index] : d.dx[p.index];
+  return p.role == Role::rate     ? d.dxdot[p.index]
+         : p.role == Role::output ? d.doutput[p.index]
+                                  : d.dx[p.index];
 }
 
 Instance* with_directions(fmi3Instance instance, const fmi3ValueReference unknown[], size_t unknowns,
@@ -57,7 +59,8 @@ Instance* with_directions(fmi3Instance instance, const fmi3ValueReference unknow
   Instance* const i = opened(instance, kEquations, "a partial derivative");
   if (i == nullptr) return nullptr;
   if ((unknowns > 0 && unknown == nullptr) || (knowns > 0 && known == nullptr) || seeds != expected_seeds ||
-      (seeds > 0 && seed == nullptr) || sensitivities != expected || (expected > 0 && sensitivity == nullptr)) {
+      (seeds > 0 && seed == nullptr) || sensitivities != expected ||
+      (expected > 0 && sensitivity == nullptr)) {
     say(*i, fmi3Error, "a partial derivative: counts that differ, or a null pointer");
     return nullptr;
   }
@@ -66,7 +69,8 @@ Instance* with_directions(fmi3Instance instance, const fmi3ValueReference unknow
     return nullptr;
   };
   for (size_t k = 0; k < unknowns; ++k)
-    if (!is_unknown(place_of(unknown[k]))) return refuse(unknown[k], "no derivative, output or continuous state");
+    if (!is_unknown(place_of(unknown[k])))
+      return refuse(unknown[k], "no derivative, output or continuous state");
   for (size_t k = 0; k < knowns; ++k)
     if (!is_known(place_of(known[k]))) return refuse(known[k], "no continuous state or continuous input");
   if (!are_finite(*i, seed, seeds, "seed")) return nullptr;
@@ -102,9 +106,10 @@ fmi3Status fmi3GetDirectionalDerivative(fmi3Instance instance, const fmi3ValueRe
 }
 
 // By columns: a direction for every known.
-fmi3Status fmi3GetAdjointDerivative(fmi3Instance instance, const fmi3ValueReference unknown[], size_t unknowns,
-                                    const fmi3ValueReference known[], size_t knowns, const fmi3Float64 seed[],
-                                    size_t seeds, fmi3Float64 sensitivity[], size_t sensitivities) {
+fmi3Status fmi3GetAdjointDerivative(fmi3Instance instance, const fmi3ValueReference unknown[],
+                                    size_t unknowns, const fmi3ValueReference known[], size_t knowns,
+                                    const fmi3Float64 seed[], size_t seeds, fmi3Float64 sensitivity[],
+                                    size_t sensitivities) {
   Instance* const i = with_directions(instance, unknown, unknowns, known, knowns, seed, seeds, unknowns,
                                       sensitivity, sensitivities, knowns);
   if (i == nullptr) return fmi3Error;
@@ -134,7 +139,8 @@ fmi3Status fmi3GetNumberOfVariableDependencies(fmi3Instance instance, fmi3ValueR
 
 fmi3Status fmi3GetVariableDependencies(fmi3Instance instance, fmi3ValueReference dependent,
                                        size_t dependent_element[], fmi3ValueReference independent[],
-                                       size_t independent_element[], fmi3DependencyKind kind[], size_t count) {
+                                       size_t independent_element[], fmi3DependencyKind kind[],
+                                       size_t count) {
   size_t found = 0;
   if (fmi3GetNumberOfVariableDependencies(instance, dependent, &found) != fmi3OK) return fmi3Error;
   Instance& i = *static_cast<Instance*>(instance);

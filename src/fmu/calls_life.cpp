@@ -41,7 +41,7 @@ fmi3Instance instantiate(bool co_simulation, fmi3String name, fmi3String token, 
 
 // Into another mode, from one of `from`.
 fmi3Status enter(fmi3Instance instance, unsigned from, bool of_co_simulation, bool of_model_exchange,
-                 Mode to, const char* call) {
+                 unsigned to, const char* call) {
   Instance* const i = opened(instance, from, call);
   if (i == nullptr) return fmi3Error;
   if (i->co_simulation ? !of_co_simulation : !of_model_exchange)
@@ -109,8 +109,9 @@ void fmi3FreeInstance(fmi3Instance instance) {
   std::free(i);
 }
 
-fmi3Status fmi3EnterInitializationMode(fmi3Instance instance, fmi3Boolean, fmi3Float64, fmi3Float64 start_time,
-                                       fmi3Boolean stop_time_defined, fmi3Float64 stop_time) {
+fmi3Status fmi3EnterInitializationMode(fmi3Instance instance, fmi3Boolean, fmi3Float64,
+                                       fmi3Float64 start_time, fmi3Boolean stop_time_defined,
+                                       fmi3Float64 stop_time) {
   Instance* const i = opened(instance, kInstantiated, "fmi3EnterInitializationMode");
   if (i == nullptr) return fmi3Error;
   if (!std::isfinite(start_time) || (stop_time_defined && !(stop_time >= start_time)))
@@ -171,11 +172,13 @@ fmi3Status fmi3DoStep(fmi3Instance instance, fmi3Float64 time, fmi3Float64 step,
   Flight& f = i->flight;
   constexpr double kLongest = 1e6;  // s
   if (!std::isfinite(time) || !(step > 0 && step <= kLongest))
-    return say(*i, fmi3Error, "a step of %g s at %g s: both must be finite, the step 0..%g s", step, time, kLongest);
+    return say(*i, fmi3Error, "a step of %g s at %g s: both must be finite, the step 0..%g s", step, time,
+               kLongest);
   if (std::abs(time - f.time) > 1e-9 * (1 + std::abs(f.time)))
     return say(*i, fmi3Error, "the step begins at %.17g s, the aircraft is at %.17g s", time, f.time);
   if (time + step > i->stop_time + 1e-9 * (1 + std::abs(i->stop_time)))
-    return say(*i, fmi3Error, "the step ends at %.17g s, after the stop time %.17g s", time + step, i->stop_time);
+    return say(*i, fmi3Error, "the step ends at %.17g s, after the stop time %.17g s", time + step,
+               i->stop_time);
   *event_handling_needed = *terminate = *early_return = false;
   *last_successful_time = time;
   i->before = f;

@@ -40,19 +40,22 @@ fmi3Status fmi3CompletedIntegratorStep(fmi3Instance instance, fmi3Boolean, fmi3B
 fmi3Status fmi3SetTime(fmi3Instance instance, fmi3Float64 time) {
   Instance* const i = opened(instance, kEvent | kContinuous, "fmi3SetTime");
   if (i == nullptr) return fmi3Error;
-  if (i->co_simulation || !std::isfinite(time)) return say(*i, fmi3Error, "fmi3SetTime: no time of an integrator");
+  if (i->co_simulation || !std::isfinite(time))
+    return say(*i, fmi3Error, "fmi3SetTime: no time of an integrator");
   i->flight.time = time;
   return fmi3OK;
 }
 
 fmi3Status fmi3SetContinuousStates(fmi3Instance instance, const fmi3Float64 states[], size_t count) {
-  Instance* const i = with_states(instance, kContinuous, states, count, kContinuousStates, "fmi3SetContinuousStates");
+  Instance* const i =
+      with_states(instance, kContinuous, states, count, kContinuousStates, "fmi3SetContinuousStates");
   if (i == nullptr || !are_finite(*i, states, count, "continuous state")) return fmi3Error;
   return put_states(*i, states);
 }
 
 fmi3Status fmi3GetContinuousStates(fmi3Instance instance, fmi3Float64 states[], size_t count) {
-  Instance* const i = with_states(instance, kEquations, states, count, kContinuousStates, "fmi3GetContinuousStates");
+  Instance* const i =
+      with_states(instance, kEquations, states, count, kContinuousStates, "fmi3GetContinuousStates");
   if (i == nullptr) return fmi3Error;
   tr_state state;
   const tr_status status = tr_get_state(&i->flight.sim, &state);
@@ -61,8 +64,8 @@ fmi3Status fmi3GetContinuousStates(fmi3Instance instance, fmi3Float64 states[], 
 }
 
 fmi3Status fmi3GetContinuousStateDerivatives(fmi3Instance instance, fmi3Float64 derivatives[], size_t count) {
-  Instance* const i =
-      with_states(instance, kEquations, derivatives, count, kContinuousStates, "fmi3GetContinuousStateDerivatives");
+  Instance* const i = with_states(instance, kEquations, derivatives, count, kContinuousStates,
+                                  "fmi3GetContinuousStateDerivatives");
   if (i == nullptr) return fmi3Error;
   double rates[TR_STATES];
   const tr_status status = tr_derivative(&i->flight.sim, rates, TR_STATES);
@@ -71,8 +74,8 @@ fmi3Status fmi3GetContinuousStateDerivatives(fmi3Instance instance, fmi3Float64 
 }
 
 fmi3Status fmi3GetNominalsOfContinuousStates(fmi3Instance instance, fmi3Float64 nominals[], size_t count) {
-  Instance* const i =
-      with_states(instance, kEquations, nominals, count, kContinuousStates, "fmi3GetNominalsOfContinuousStates");
+  Instance* const i = with_states(instance, kEquations, nominals, count, kContinuousStates,
+                                  "fmi3GetNominalsOfContinuousStates");
   if (i == nullptr) return fmi3Error;
   for (int k = 0; k < kContinuousStates; ++k) nominals[k] = nominal_of(unit_of({Role::state, k}));
   return fmi3OK;

@@ -89,7 +89,8 @@ fmi3Status fmi3SerializeFMUState(fmi3Instance instance, fmi3FMUState state, fmi3
   if (i == nullptr) return fmi3Error;
   const Slot* const slot = slot_of(*i, state);
   if (slot == nullptr) return say(*i, fmi3Error, "the state is none of this instance");
-  if (bytes == nullptr || size < kSerialized) return say(*i, fmi3Error, "a state takes %zu bytes", kSerialized);
+  if (bytes == nullptr || size < kSerialized)
+    return say(*i, fmi3Error, "a state takes %zu bytes", kSerialized);
   std::memset(bytes, 0, size);
   std::memcpy(bytes + sizeof(Head), &slot->flight, kPlain);
   Head head = {};
@@ -109,7 +110,8 @@ fmi3Status fmi3DeserializeFMUState(fmi3Instance instance, const fmi3Byte bytes[]
   Instance* const i = opened(instance, kAlive, "fmi3DeserializeFMUState");
   Slot* slot = nullptr;
   if (i == nullptr || find_slot(*i, state, slot) != fmi3OK) return fmi3Error;
-  if (bytes == nullptr || size < kSerialized) return say(*i, fmi3Error, "a state takes %zu bytes", kSerialized);
+  if (bytes == nullptr || size < kSerialized)
+    return say(*i, fmi3Error, "a state takes %zu bytes", kSerialized);
   Head head;
   std::memcpy(&head, bytes, sizeof head);
   char token[64];

@@ -42,7 +42,10 @@ fmi3Status read(Instance& i, Place place, Reading& r, double& value) {
     default:
       if (!r.outputs_read) status = tr_get_outputs(&f.sim, &r.outputs);
       r.outputs_read = true;
-      std::memcpy(&value, reinterpret_cast<const char*>(&r.outputs.airspeed_mps) + sizeof value * static_cast<size_t>(place.index), sizeof value);
+      std::memcpy(&value,
+                  reinterpret_cast<const char*>(&r.outputs.airspeed_mps) +
+                      sizeof value * static_cast<size_t>(place.index),
+                  sizeof value);
   }
   return answer(i, status, name_of(place), fmi3Discard);
 }
@@ -122,8 +125,7 @@ fmi3Status set(fmi3Instance instance, const fmi3ValueReference reference[], size
   if (i == nullptr) return fmi3Error;
   for (size_t k = 0; k < references; ++k) {
     const Place place = place_of(reference[k]);
-    if (!is_settable(*i, place))
-      return say(*i, fmi3Error, "%s cannot be set in this mode", name_of(place));
+    if (!is_settable(*i, place)) return say(*i, fmi3Error, "%s cannot be set in this mode", name_of(place));
     const double number = static_cast<double>(value[k]);
     if (!std::isfinite(number)) return say(*i, fmi3Error, "%s is no finite number", name_of(place));
   }
@@ -141,14 +143,14 @@ fmi3Status set(fmi3Instance instance, const fmi3ValueReference reference[], size
 
 }  // namespace
 
-#define VALUES(name, type)                                                                                    \
-  fmi3Status fmi3Get##name(fmi3Instance instance, const fmi3ValueReference reference[], size_t references,    \
-                           fmi3##name value[], size_t values) {                                               \
-    return get(instance, reference, references, value, values, type);                                         \
-  }                                                                                                           \
-  fmi3Status fmi3Set##name(fmi3Instance instance, const fmi3ValueReference reference[], size_t references,    \
-                           const fmi3##name value[], size_t values) {                                         \
-    return set(instance, reference, references, value, values, type);                                         \
+#define VALUES(name, type)                                                                                 \
+  fmi3Status fmi3Get##name(fmi3Instance instance, const fmi3ValueReference reference[], size_t references, \
+                           fmi3##name value[], size_t values) {                                            \
+    return get(instance, reference, references, value, values, type);                                      \
+  }                                                                                                        \
+  fmi3Status fmi3Set##name(fmi3Instance instance, const fmi3ValueReference reference[], size_t references, \
+                           const fmi3##name value[], size_t values) {                                      \
+    return set(instance, reference, references, value, values, type);                                      \
   }
 VALUES(Float64, Type::float64)
 VALUES(Boolean, Type::boolean)

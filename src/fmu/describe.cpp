@@ -23,7 +23,8 @@ std::string number(double value) {
 
 std::string attribute(const char* name, const std::string& value) {
   std::string text = std::string(" ") + name + "=\"";
-  for (const char c : value) text += c == '&' ? "&amp;" : c == '<' ? "&lt;" : c == '"' ? "&quot;" : std::string(1, c);
+  for (const char c : value)
+    text += c == '&' ? "&amp;" : c == '<' ? "&lt;" : c == '"' ? "&quot;" : std::string(1, c);
   return text + "\"";
 }
 
@@ -79,9 +80,11 @@ void write_variable(Place p, double start) {
   const std::string name = name_of(p);
   const std::string unit = unit_of(p);
   std::string line;
-  const auto opening = [&](const char* type, const std::string& named, const char* causality, const char* variability) {
-    line = std::string("    <") + type + attribute("name", named) + reference("valueReference", p.role, p.index) +
-           attribute("causality", causality) + attribute("variability", variability);
+  const auto opening = [&](const char* type, const std::string& named, const char* causality,
+                           const char* variability) {
+    line = std::string("    <") + type + attribute("name", named) +
+           reference("valueReference", p.role, p.index) + attribute("causality", causality) +
+           attribute("variability", variability);
   };
   switch (p.role) {
     case Role::time:
@@ -92,7 +95,8 @@ void write_variable(Place p, double start) {
       const bool begins = p.index < kContinuousStates;
       opening("Float64", "state." + name, is_rigid(p.index) ? "output" : "local", "continuous");
       line += attribute("initial", begins ? "exact" : "calculated") + with_unit(unit);
-      if (begins) line += attribute("start", number(start)) + attribute("nominal", number(nominal_of(unit_of(p))));
+      if (begins)
+        line += attribute("start", number(start)) + attribute("nominal", number(nominal_of(unit_of(p))));
       break;
     }
     case Role::rate:
@@ -125,8 +129,9 @@ void write_variable(Place p, double start) {
         if (facts.least > -1e100) line += attribute("min", number(facts.least));
         if (facts.most < 1e100) line += attribute("max", number(facts.most));
       }
-      line += attribute("start", facts.type == Type::boolean ? (start != 0 ? "true" : "false") : number(start)) +
-              attribute("description", facts.text);
+      line +=
+          attribute("start", facts.type == Type::boolean ? (start != 0 ? "true" : "false") : number(start)) +
+          attribute("description", facts.text);
     }
   }
   std::printf("%s/>\n", line.c_str());
@@ -149,7 +154,8 @@ void write_unknown(const char* element, Place unknown) {
 int describe_model() {
   char token[64];
   instantiation_token(token);
-  const fmi3Instance begun = fmi3InstantiateModelExchange("describe", token, nullptr, false, false, nullptr, nullptr);
+  const fmi3Instance begun =
+      fmi3InstantiateModelExchange("describe", token, nullptr, false, false, nullptr, nullptr);
   if (begun == nullptr) return 1;
   const auto start_of = [&](Place p) {
     const fmi3ValueReference at = reference_of(p.role, p.index);
@@ -160,10 +166,11 @@ int describe_model() {
   constexpr const char* kCapabilities =
       "modelIdentifier=\"tiltrotor\" canGetAndSetFMUState=\"true\" canSerializeFMUState=\"true\" "
       "providesDirectionalDerivatives=\"true\" providesAdjointDerivatives=\"true\"";
-  std::printf("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<fmiModelDescription fmiVersion=\"3.0\" "
-              "modelName=\"tiltrotor\"%s%s%s generationTool=\"tiltrotor\" variableNamingConvention=\"structured\">\n",
-              attribute("instantiationToken", token).c_str(), attribute("version", tr_version()).c_str(),
-              attribute("description", tr_aircraft_description(tr_aircraft_at(0))).c_str());
+  std::printf(
+      "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<fmiModelDescription fmiVersion=\"3.0\" "
+      "modelName=\"tiltrotor\"%s%s%s generationTool=\"tiltrotor\" variableNamingConvention=\"structured\">\n",
+      attribute("instantiationToken", token).c_str(), attribute("version", tr_version()).c_str(),
+      attribute("description", tr_aircraft_description(tr_aircraft_at(0))).c_str());
   std::printf("  <ModelExchange %s/>\n  <CoSimulation %s canHandleVariableCommunicationStepSize=\"true\"/>\n",
               kCapabilities, kCapabilities);
   std::printf("  <UnitDefinitions>\n");
@@ -171,18 +178,19 @@ int describe_model() {
     std::printf("    <Unit name=\"%s\"><BaseUnit %s/>%s%s%s</Unit>\n", unit.name, unit.base,
                 unit.display != nullptr ? "<DisplayUnit " : "", unit.display != nullptr ? unit.display : "",
                 unit.display != nullptr ? "/>" : "");
-  std::printf("  </UnitDefinitions>\n  <TypeDefinitions>\n"
-              "    <EnumerationType name=\"Grid\"><Item name=\"realtime\" value=\"1\"/>"
-              "<Item name=\"specification\" value=\"2\"/></EnumerationType>\n"
-              "    <EnumerationType name=\"Tables\"><Item name=\"smooth\" value=\"1\"/>"
-              "<Item name=\"linear\" value=\"2\"/></EnumerationType>\n"
-              "    <EnumerationType name=\"Governor\"><Item name=\"off\" value=\"0\"/><Item name=\"ideal\" value=\"1\"/>"
-              "<Item name=\"pi\" value=\"2\"/></EnumerationType>\n"
-              "  </TypeDefinitions>\n  <LogCategories>\n"
-              "    <Category name=\"logEvents\"/>\n    <Category name=\"logStatusWarning\"/>\n"
-              "    <Category name=\"logStatusDiscard\"/>\n    <Category name=\"logStatusError\"/>\n"
-              "  </LogCategories>\n  <DefaultExperiment startTime=\"0\" stopTime=\"3\" stepSize=\"0.005\"/>\n"
-              "  <ModelVariables>\n");
+  std::printf(
+      "  </UnitDefinitions>\n  <TypeDefinitions>\n"
+      "    <EnumerationType name=\"Grid\"><Item name=\"realtime\" value=\"1\"/>"
+      "<Item name=\"specification\" value=\"2\"/></EnumerationType>\n"
+      "    <EnumerationType name=\"Tables\"><Item name=\"smooth\" value=\"1\"/>"
+      "<Item name=\"linear\" value=\"2\"/></EnumerationType>\n"
+      "    <EnumerationType name=\"Governor\"><Item name=\"off\" value=\"0\"/><Item name=\"ideal\" value=\"1\"/>"
+      "<Item name=\"pi\" value=\"2\"/></EnumerationType>\n"
+      "  </TypeDefinitions>\n  <LogCategories>\n"
+      "    <Category name=\"logEvents\"/>\n    <Category name=\"logStatusWarning\"/>\n"
+      "    <Category name=\"logStatusDiscard\"/>\n    <Category name=\"logStatusError\"/>\n"
+      "  </LogCategories>\n  <DefaultExperiment startTime=\"0\" stopTime=\"3\" stepSize=\"0.005\"/>\n"
+      "  <ModelVariables>\n");
   for (int role = 0; role < static_cast<int>(Role::none); ++role)
     for (int k = 0; k < kCount[role]; ++k) {
       const Place p = {static_cast<Role>(role), k};
@@ -203,10 +211,12 @@ int describe_model() {
 }
 
 int describe_build(int count, char** sources) {
-  std::printf("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<fmiBuildDescription fmiVersion=\"3.0\">\n"
-              "  <BuildConfiguration modelIdentifier=\"tiltrotor\">\n    <SourceFileSet language=\"C++17\" "
-              "compiler=\"gcc\" compilerOptions=\"-ffp-contract=off\">\n");
-  for (int k = 0; k < count; ++k) std::printf("      <SourceFile%s/>\n", attribute("name", sources[k]).c_str());
+  std::printf(
+      "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<fmiBuildDescription fmiVersion=\"3.0\">\n"
+      "  <BuildConfiguration modelIdentifier=\"tiltrotor\">\n    <SourceFileSet language=\"C++17\" "
+      "compiler=\"gcc\" compilerOptions=\"-ffp-contract=off\">\n");
+  for (int k = 0; k < count; ++k)
+    std::printf("      <SourceFile%s/>\n", attribute("name", sources[k]).c_str());
   std::printf("      <PreprocessorDefinition name=\"TILTROTOR_VERSION\"%s/>\n",
               attribute("value", std::string("\"") + tr_version() + "\"").c_str());
   for (const char* const folder : {"include", "src", "generated"})

@@ -99,10 +99,10 @@ FMI3_EXPORT fmi3Status fmi3UpdateDiscreteStates(fmi3Instance instance, fmi3Boole
 
 /* ---- values: reference[references], then value[values] ---- */
 
-#define FMI3_VALUES(type)                                                                                     \
-  FMI3_EXPORT fmi3Status fmi3Get##type(fmi3Instance instance, const fmi3ValueReference reference[],           \
-                                       size_t references, fmi3##type value[], size_t values);                 \
-  FMI3_EXPORT fmi3Status fmi3Set##type(fmi3Instance instance, const fmi3ValueReference reference[],           \
+#define FMI3_VALUES(type)                                                                           \
+  FMI3_EXPORT fmi3Status fmi3Get##type(fmi3Instance instance, const fmi3ValueReference reference[], \
+                                       size_t references, fmi3##type value[], size_t values);       \
+  FMI3_EXPORT fmi3Status fmi3Set##type(fmi3Instance instance, const fmi3ValueReference reference[], \
                                        size_t references, const fmi3##type value[], size_t values)
 FMI3_VALUES(Float32);
 FMI3_VALUES(Float64);
@@ -160,11 +160,11 @@ FMI3_EXPORT fmi3Status fmi3DeserializeFMUState(fmi3Instance instance, const fmi3
 
 /* ---- clocks ---- */
 
-#define FMI3_TIMES(call, type)                                                                                \
-  FMI3_EXPORT fmi3Status call##Decimal(fmi3Instance instance, const fmi3ValueReference reference[],           \
-                                       size_t references, type fmi3Float64 time[]);                           \
-  FMI3_EXPORT fmi3Status call##Fraction(fmi3Instance instance, const fmi3ValueReference reference[],          \
-                                        size_t references, type fmi3UInt64 counter[],                         \
+#define FMI3_TIMES(call, type)                                                                       \
+  FMI3_EXPORT fmi3Status call##Decimal(fmi3Instance instance, const fmi3ValueReference reference[],  \
+                                       size_t references, type fmi3Float64 time[]);                  \
+  FMI3_EXPORT fmi3Status call##Fraction(fmi3Instance instance, const fmi3ValueReference reference[], \
+                                        size_t references, type fmi3UInt64 counter[],                \
                                         type fmi3UInt64 resolution[])
 #define FMI3_AS_THEY_ARE
 FMI3_TIMES(fmi3GetShift, FMI3_AS_THEY_ARE);

@@ -271,8 +271,7 @@ fmi3Status put_setting(Instance& i, int index, double value) {
     return fmi3OK;
   }
   if (value == before) return fmi3OK;
-  const fmi3Status status =
-      index <= kWindDown ? put_environment(i) : put_systems(i, true);
+  const fmi3Status status = index <= kWindDown ? put_environment(i) : put_systems(i, true);
   if (status != fmi3OK) f.setting[index] = before;
   f.jumped = f.jumped || status == fmi3OK;
   return status;

@@ -9,21 +9,14 @@
 namespace tiltrotor_fmu {
 
 // Modes of the standard, as bits, so that a call may name those it is allowed in.
-enum Mode : unsigned {
-  kInstantiated = 1,
-  kInitialization = 2,
-  kEvent = 4,
-  kContinuous = 8,
-  kStep = 16,
-  kTerminated = 32,
-  kAlive = 63
-};
+constexpr unsigned kInstantiated = 1, kInitialization = 2, kEvent = 4, kContinuous = 8, kStep = 16,
+                   kTerminated = 32, kAlive = 63;
 
 // What a copy keeps and restores.
 struct Flight {
   std::uint32_t mode;
-  bool changed;   // a parameter, since the aircraft was made
-  bool jumped;    // states, by an input, since the last event
+  bool changed;  // a parameter, since the aircraft was made
+  bool jumped;   // states, by an input, since the last event
   double time;
   double setting[kSettings];
   bool state_given[kContinuousStates], input_given[TR_INPUTS];
@@ -46,7 +39,7 @@ struct Instance {
   fmi3LogMessageCallback log_message;
   fmi3InstanceEnvironment environment;
   double stop_time;
-  Flight flight, before;     // a step that fails leads back
+  Flight flight, before;  // a step that fails leads back
   double start_state[kContinuousStates], start_input[TR_INPUTS], start_setting[kSettings];
   tr_work work;
   Slot slot[kSlots];

@@ -15,7 +15,8 @@ constexpr Type F = Type::float64, B = Type::boolean, E = Type::enumeration;
 constexpr SettingFacts kSettingFacts[] = {
     {"mast", "rad", F, 0, 0, kRightAngle, "mast angle, 0 helicopter, 90 deg airplane"},
     {"flap", "rad", F, 0, 0, kRightAngle, "flaps; the start value stands for the default by mast angle"},
-    {"rotor_speed", "rad/s", F, 0, -kAny, kAny, "rotor speed; the start value stands for the default by mast angle"},
+    {"rotor_speed", "rad/s", F, 0, -kAny, kAny,
+     "rotor speed; the start value stands for the default by mast angle"},
     {"mass", "kg", F, 0, -kAny, kAny, "mass"},
     {"cg_station", "m", F, 0, -kAny, kAny, "station of the centre of gravity, masts at 0"},
     {"altitude", "m", F, 0, -kAny, kAny, "of the air's density; of down = 0 where the environment is on"},
@@ -42,8 +43,10 @@ constexpr SettingFacts kSettingFacts[] = {
     {"ground_effect", "", B, 0, 0, 1, "ground effect; needs the environment"},
     {"turbulence", "", B, 0, 0, 1, "Dryden turbulence; in Co-Simulation"},
     {"turbulence_seed", "", Type::uint32, 0, 0, 4294967295.0, "of the turbulence"},
-    {"turbulence_w20", "m/s", F, 0, 0, 50, "wind 20 ft above the ground, which says how strong the turbulence is"},
-    {"longest_step", "s", F, 0.01, 1e-6, 0.02, "of Co-Simulation: longer communication steps are cut into equal parts"},
+    {"turbulence_w20", "m/s", F, 0, 0, 50,
+     "wind 20 ft above the ground, which says how strong the turbulence is"},
+    {"longest_step", "s", F, 0.01, 1e-6, 0.02,
+     "of Co-Simulation: longer communication steps are cut into equal parts"},
     {"wind_north", "m/s", F, 0, -100, 100, "wind; needs the environment"},
     {"wind_east", "m/s", F, 0, -100, 100, "wind; needs the environment"},
     {"wind_down", "m/s", F, 0, -100, 100, "wind; needs the environment"},
@@ -128,9 +131,7 @@ Place place_of(std::uint32_t reference) {
 const SettingFacts& facts_of(int setting) { return kSettingFacts[setting]; }
 const OutputFacts& output_facts(int output) { return kOutputFacts[output]; }
 
-Type type_of(Place place) {
-  return place.role == Role::setting ? facts_of(place.index).type : Type::float64;
-}
+Type type_of(Place place) { return place.role == Role::setting ? facts_of(place.index).type : Type::float64; }
 
 const char* name_of(Place place) {
   switch (place.role) {
@@ -179,9 +180,10 @@ bool depends(Place unknown, Place known) {
     const std::uint64_t states = states_of_rate(unknown.index);
     return states == kEverything || (state && among(index, states));
   }
-  // Velocity relative to the air at the aircraft.
+  // Velocity of the airframe relative to the air; moving masts move it against the centre of gravity.
   if (unknown.role == Role::output && unknown.index < 3)
-    return state ? among(index, kSpeeds) : index >= TR_GUST_U && index <= TR_GUST_W;
+    return state ? among(index, kSpeeds | bit(TR_MAST) | bit(TR_MAST_RATE))
+                 : index >= TR_GUST_U && index <= TR_GUST_W;
   return unknown.role == Role::output;
 }
 
