@@ -67,11 +67,13 @@ Command performance_command() {
       "speeds of least power and best range, top speeds, climb, ceilings, one engine out",
       "One row for every figure, searched among the trims at each combination of mast angle and setting:\n"
       "  least_power, best_range (least power over speed)          level flight\n"
+      "  top_speed                                                 inside every limit\n"
       "  top_speed_power, top_speed_torque                         take-off power; steady torque of a mast\n"
       "  best_climb                                                rate of climb with all of both\n"
       "  hover_ceiling, hover_ceiling_in_ground                    the same, wheels at --wheel-height in the latter\n"
       "  one_engine_least_speed, _top_speed, _ceiling, _hover_ceiling   contingency power of one engine\n"
-      "`limit` is what decides: power, torque; where a figure has no value, what ends the flights before it.\n"
+      "`limit` is what the next flight would exceed (power, torque, or another word of trim); where a figure\n"
+      "has no value, what ends the flights before it.\n"
       "Ceilings are of all altitudes, whatever --altitude. Flights are inside every other limit of `trim`. Speed\n"
       "and power are those of the flight, which is at flight_altitude_m.\n",
       "tiltrotor performance --mast 0,90 --format csv",

@@ -23,17 +23,11 @@ struct Words {
   const char* name;
   const char* unit;
 };
-constexpr Words words[] = {{"least_power", "kW"},
-                           {"best_range", "kJ/m"},
-                           {"top_speed_power", "m/s"},
-                           {"top_speed_torque", "m/s"},
-                           {"best_climb", "m/s"},
-                           {"hover_ceiling", "m"},
-                           {"hover_ceiling_in_ground", "m"},
-                           {"one_engine_least_speed", "m/s"},
-                           {"one_engine_top_speed", "m/s"},
-                           {"one_engine_ceiling", "m"},
-                           {"one_engine_hover_ceiling", "m"}};
+constexpr Words words[] = {
+    {"least_power", "kW"},           {"best_range", "kJ/m"},           {"top_speed", "m/s"},
+    {"top_speed_power", "m/s"},      {"top_speed_torque", "m/s"},      {"best_climb", "m/s"},
+    {"hover_ceiling", "m"},          {"hover_ceiling_in_ground", "m"}, {"one_engine_least_speed", "m/s"},
+    {"one_engine_top_speed", "m/s"}, {"one_engine_ceiling", "m"},      {"one_engine_hover_ceiling", "m"}};
 static_assert(sizeof words / sizeof words[0] == kFigures, "a name for each figure");
 
 // What the flight may take: engines that run at a rating, and the masts' torque where it counts.
@@ -49,13 +43,13 @@ struct Flight {
   std::string limit;  // why it does not fly
 };
 
-// The lowest f between a and b, f having one minimum there.
+// The lowest f between a and b, f having one minimum there, perhaps beyond a part where it is infinite.
 double lowest(const std::function<double(double)>& f, double a, double b, double width) {
   constexpr int most = 60;
   double inner[2] = {a + golden * (b - a), b - golden * (b - a)};
   double at[2] = {f(inner[0]), f(inner[1])};
   for (int k = 0; k < most && b - a > width; ++k) {
-    if (at[0] <= at[1]) {
+    if (at[0] < at[1]) {
       b = inner[1];
       inner[1] = inner[0];
       at[1] = at[0];
@@ -73,7 +67,11 @@ double lowest(const std::function<double(double)>& f, double a, double b, double
 class Performer {
  public:
   Performer(const Configuration<double>& c, double wheel_height, Analyses& work)
-      : c_(c), given_altitude_(c.setup.altitude), wheel_height_(wheel_height), work_(work) {
+      : c_(c),
+        given_altitude_(c.setup.altitude),
+        given_density_(c.air.density),
+        wheel_height_(wheel_height),
+        work_(work) {
     const Aircraft<double>& a = *c.aircraft;
     all_ = {a.controls.engines, a.controls.engine_power};
     one_ = {1, a.systems.drive.contingency};
@@ -83,17 +81,18 @@ class Performer {
     look();
     add_minimum(Figure::least_power, [this](double v) { return level(v).power; });
     add_minimum(Figure::best_range, [this](double v) { return level(v).power / v; });
+    add_speed(Figure::top_speed, all_, true);
     add_speed(Figure::top_speed_power, {all_.engines, all_.rating, true, false}, true);
     add_speed(Figure::top_speed_torque, {all_.engines, all_.rating, false, true}, true);
     add_climb();
-    add_ceiling(Figure::hover_ceiling, all_, [this](double) { return level(0); });
+    add_ceiling(Figure::hover_ceiling, all_, [this] { return level(0); });
     in_ground_ = true;
-    add_ceiling(Figure::hover_ceiling_in_ground, all_, [this](double) { return level(0); });
+    add_ceiling(Figure::hover_ceiling_in_ground, all_, [this] { return level(0); });
     in_ground_ = false;
     add_speed(Figure::one_engine_least_speed, one_, false);
     add_speed(Figure::one_engine_top_speed, one_, true);
-    add_ceiling(Figure::one_engine_ceiling, one_, [this](double) { return easiest(); });
-    add_ceiling(Figure::one_engine_hover_ceiling, one_, [this](double) { return level(0); });
+    add_ceiling(Figure::one_engine_ceiling, one_, [this] { return easiest(); });
+    add_ceiling(Figure::one_engine_hover_ceiling, one_, [this] { return level(0); });
     return found_;
   }
 
@@ -163,22 +162,19 @@ class Performer {
     found_.push_back({figure, std::nullopt, nothing, nothing, nothing, limit});
   }
 
-  // Level flights at the steps of speed; those that fly lie together around the one of least power.
+  // Level flights at the steps of speed: those next to each other that lead to the one of least power.
   void look() {
-    flights_.clear();
-    beyond_.clear();
-    for (double v = 0; v <= c_.aircraft->limits.speed; v += speed_step) {
-      const Flight f = level(v);
-      if (f.flies) {
-        flights_.push_back(f);
-      } else if (!flights_.empty()) {
-        beyond_ = f.limit;
-        break;
-      } else {
-        below_ = f.limit;
-      }
-    }
-    if (beyond_.empty()) beyond_ = "speed_max";
+    std::vector<Flight> all;
+    for (double v = 0; v <= c_.aircraft->limits.speed; v += speed_step) all.push_back(level(v));
+    std::size_t best = 0;
+    for (std::size_t k = 0; k < all.size(); ++k)
+      if (all[k].flies && !(all[k].power >= all[best].power)) best = k;
+    std::size_t first = best, last = best;
+    while (first > 0 && all[first - 1].flies) --first;
+    while (last + 1 < all.size() && all[last + 1].flies) ++last;
+    if (all[best].flies)
+      flights_.assign(all.begin() + static_cast<long>(first), all.begin() + static_cast<long>(last) + 1);
+    below_ = first > 0 || flights_.empty() ? all[first > 0 ? first - 1 : 0].limit : "";
   }
 
   // Speeds beside the flight that is least in f.
@@ -200,28 +196,47 @@ class Performer {
     add(figure, f(v) / kilo, there, "");
   }
 
-  // Where what is needed meets what there is, beyond or below the flight that needs least.
+  // The last flight inside every limit on the way from one that is to one that is not, and what stops the next.
+  // `at`: the flight at a place of the way.
+  Flight last_inside(const Supply& supply, double inside, double outside, double width,
+                     const std::function<Flight(double)>& at, std::string& limit) const {
+    constexpr int most = 60;
+    for (int k = 0; k < most && std::fabs(outside - inside) > width; ++k) {
+      const double middle = (inside + outside) / 2;
+      const Flight f = at(middle);
+      (is_inside(f, supply) ? inside : outside) = middle;
+    }
+    limit = what_stops(at(outside), supply);
+    return at(inside);
+  }
+  bool is_inside(const Flight& f, const Supply& supply) const { return f.flies && share(f, supply) <= 1; }
+  std::string what_stops(const Flight& f, const Supply& supply) const {
+    const char* decides = "";
+    if (f.flies) (void)share(f, supply, &decides);
+    return f.flies ? decides : f.limit;
+  }
+
+  // The fastest or slowest flight; of one limit alone: none where another one comes first.
   void add_speed(Figure figure, const Supply& supply, bool upwards) {
     if (flights_.empty()) return add_none(figure, below_);
-    const auto excess = [&](const Flight& f) { return share(f, supply) - 1; };
-    std::size_t k = 0;
-    for (std::size_t j = 0; j < flights_.size(); ++j)
-      if (excess(flights_[j]) < excess(flights_[k])) k = j;
-    if (excess(flights_[k]) > 0) return add_none(figure, "power");
-    const std::size_t end = upwards ? flights_.size() - 1 : 0;
-    while (k != end && excess(flights_[k]) <= 0) upwards ? ++k : --k;
-    if (excess(flights_[k]) <= 0) {
-      // The slowest flight there is needs no more than there is.
-      if (!upwards && flights_[k].speed == 0) return add(figure, 0, flights_[k], "");
-      return add_none(figure, upwards ? beyond_ : below_);
+    const Flight* easy = &flights_.front();
+    for (const Flight& f : flights_)
+      if (share(f, supply) < share(*easy, supply)) easy = &f;
+    if (!is_inside(*easy, supply)) return add_none(figure, what_stops(*easy, supply));
+    double inside = easy->speed;
+    Flight next = *easy;
+    const double end = upwards ? c_.aircraft->limits.speed : 0;
+    while (is_inside(next, supply) && inside != end) {
+      inside = next.speed;
+      next = level(upwards ? std::min(inside + speed_step, end) : std::max(inside - speed_step, 0.0));
+      if (next.speed == end && is_inside(next, supply)) inside = end;
     }
-    const double v =
-        bracketed_root([&](double at) { return excess(level(at)); }, flights_[upwards ? k - 1 : k + 1].speed,
-                       flights_[k].speed, speed_width / 10);
-    const char* decides = "";
-    const Flight there = level(v);
-    (void)share(there, supply, &decides);
-    add(figure, v, there, decides);
+    if (inside == end) return upwards ? add_none(figure, "speed_max") : add(figure, end, level(end), "");
+    std::string limit;
+    const Flight f = last_inside(
+        supply, inside, next.speed, speed_width / 10, [this](double v) { return level(v); }, limit);
+    const bool other = supply.power != supply.torque && limit != (supply.power ? "power" : "torque");
+    other ? add_none(figure, limit) : add(figure, f.speed, f, limit);
   }
 
   // Climb angle at which the flight takes all there is; none below level flight.
@@ -267,8 +282,9 @@ class Performer {
     if (flights_.empty()) return {};
     double low = 0, high = 0;
     around([](const Flight& f) { return f.power; }, low, high);
-    low = std::max(low - speed_step, 0.0);
-    high += 3 * speed_step;  // faster in thin air
+    const double faster = std::sqrt(given_density_ / c_.air.density);  // in thin air, at the same lift
+    low = std::max(faster * low - speed_step, 0.0);
+    high = std::min(faster * high + speed_step, c_.aircraft->limits.speed);
     const auto power = [this](double v) {
       const Flight f = level(v);
       return f.flies ? f.power : HUGE_VAL;
@@ -276,43 +292,42 @@ class Performer {
     return level(lowest(power, low, high, 10 * speed_width));
   }
 
-  void add_ceiling(Figure figure, const Supply& supply, const std::function<Flight(double)>& flight) {
-    const auto excess = [&](double altitude) {
+  // The highest altitude of a flight, from the lowest on.
+  void add_ceiling(Figure figure, const Supply& supply, const std::function<Flight()>& flight) {
+    const auto at = [&](double altitude) {
       set_altitude(altitude);
-      return share(flight(altitude), supply) - 1;
+      return flight();
     };
     const Bounds<double> range = c_.aircraft->limits.altitude;
-    double below = nothing, altitude = range.low;
-    double now = excess(altitude);
-    const Flight lowest_flight = flight(altitude);
-    std::string limit = lowest_flight.flies ? "power" : lowest_flight.limit;
-    while (now <= 0 && altitude < range.high) {
-      below = altitude;
-      altitude = std::min(altitude + altitude_step, range.high);
-      now = excess(altitude);
-      limit = now <= 0 ? "altitude_max" : flight(altitude).limit;
-    }
-    if (!(now > 0) || std::isnan(below)) {
+    double inside = range.low, next = range.low;
+    Flight f = at(next);
+    std::string limit = what_stops(f, supply);
+    if (!is_inside(f, supply)) {
       add_none(figure, limit);
     } else {
-      const double ceiling = bracketed_root(excess, below, altitude, altitude_width);
-      const char* decides = "";
-      set_altitude(ceiling);
-      const Flight there = flight(ceiling);
-      (void)share(there, supply, &decides);
-      add(figure, ceiling, there, decides);
+      while (is_inside(f, supply) && next < range.high) {
+        inside = next;
+        next = std::min(inside + altitude_step, range.high);
+        f = at(next);
+      }
+      if (is_inside(f, supply)) {
+        add_none(figure, "altitude_max");
+      } else {
+        const Flight there = last_inside(supply, inside, next, altitude_width, at, limit);
+        add(figure, there.altitude, there, limit);
+      }
     }
     set_altitude(given_altitude_);
   }
 
   Configuration<double> c_;
-  double given_altitude_, wheel_height_;
+  double given_altitude_, given_density_, wheel_height_;
   Analyses& work_;
   Supply all_{}, one_{};
   bool in_ground_ = false;
   TrimResult<double> trim_{};
   std::vector<Flight> flights_;
-  std::string below_, beyond_;  // what ends the flights
+  std::string below_;  // what ends the flights on the slow side
   std::vector<Performance> found_;
 };
 

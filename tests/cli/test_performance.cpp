@@ -65,9 +65,8 @@ TEST(cli_performance_has_the_least_power_of_a_sweep) {
 // The status of trims a little slower and faster, lower and higher.
 TEST(cli_performance_top_speed_and_ceilings_part_the_trims) {
   const Figures airplane("--mast 90");
-  const double top =
-      std::min(airplane.value.count("top_speed_power") ? airplane.value["top_speed_power"] : 1e9,
-               airplane.value.at("top_speed_torque"));
+  const double top = airplane.value.at("top_speed");
+  CHECK_EQ(top, std::min(airplane.value.at("top_speed_power"), airplane.value.at("top_speed_torque")));
   CHECK_EQ(trims("--mast 90 --speed " + exactly(top - 0.01)).text(0, "status"), std::string("ok"));
   const std::string beyond = trims("--mast 90 --speed " + exactly(top + 0.01)).text(0, "status");
   CHECK(beyond == "power_limit" || beyond == "torque_limit");
@@ -77,14 +76,14 @@ TEST(cli_performance_top_speed_and_ceilings_part_the_trims) {
   CHECK_EQ(trims("--altitude " + exactly(ceiling - 1)).text(0, "status"), std::string("ok"));
   const std::string above = trims("--altitude " + exactly(ceiling + 1)).text(0, "status");
   CHECK_EQ(above, heli.limit.at("hover_ceiling") + "_limit");
-  CHECK_GT(heli.value.at("hover_ceiling_in_ground"), ceiling + 500);
+  CHECK_LT(ceiling + 500, heli.value.at("hover_ceiling_in_ground"));
   // Contingency power of one engine.
   const tiltrotor::Aircraft<double>& a = this_aircraft::numbers();
   const double one = a.systems.drive.contingency * a.controls.transmission_efficiency / 1000;
   CHECK_NEAR(heli.power.at("one_engine_least_speed"), one, 0.01);
   CHECK_NEAR(trims("--speed " + exactly(heli.value.at("one_engine_least_speed"))).number(0, "power_kw"), one,
              0.05);
-  CHECK_GT(heli.value.at("one_engine_top_speed"), heli.speed.at("least_power"));
+  CHECK_LT(heli.speed.at("least_power"), heli.value.at("one_engine_top_speed"));
   CHECK_EQ(heli.value.count("one_engine_hover_ceiling"), std::size_t{0});
   CHECK_EQ(heli.limit.at("one_engine_hover_ceiling"), std::string("power"));
 }
@@ -97,6 +96,7 @@ TEST(cli_performance_best_climb_is_beaten_by_no_trim) {
   for (const double aside : {-6.0, -1.0, 0.0, 1.0, 6.0}) {
     const CsvText t = trims("--mass 6000 --climb 5 --hold power_kw=" + power + " --free climb_deg --speed " +
                             exactly(speed + aside));
+    if (t.text(0, "status") == "not_converged") continue;  // faster than straight up
     const double rate = (speed + aside) * std::sin(t.number(0, "climb_deg") * 3.14159265358979 / 180);
     CHECK_LT(rate, best + 1e-4);
     if (aside == 0.0) CHECK_NEAR(rate, best, 1e-4);
