@@ -213,7 +213,7 @@ clean: ## remove the build directory
 	rm -rf $(BUILD)
 
 # Goals by what they are for; "use" is all the others.
-HELP_check   := test test-cross trace envelope fuzz coverage mutate headers lint format
+HELP_check   := test test-cross trace envelope fuzz coverage mutate headers lint format test-page
 HELP_measure := bench bench-peers bench-instructions
 HELP_target  := hash firmware test-firmware budget
 help: ## list the goals
@@ -241,7 +241,7 @@ STAMP_sources := $(AR) $(LDFLAGS) $(LDLIBS) $(OBJECTS)
 STAMP_c        = $(call COMPILER,$(CC)) $(C_FLAGS)
 STAMP_bench    = $(BENCH_FLAGS) $(foreach peer,$(PEERS),$(PEER_FLAGS_$(peer)))
 STAMP_stack    = $(STACK_FLAGS)
-STAMPS        := $(foreach kind,flags tests host tables sources c bench stack,$(BUILD)/$(kind).stamp)
+STAMPS        := $(foreach kind,flags tests host tables sources c bench stack page,$(BUILD)/$(kind).stamp)
 
 $(STAMPS): $(BUILD)/%.stamp: FORCE
 	@mkdir -p $(@D)
@@ -360,7 +360,7 @@ $(BUILD)/host/%.o: src/%.cpp $(BUILD)/host.stamp
 	@echo "  compile $< (host)"; mkdir -p $(@D)
 	$(Q)$(HOST_CXX) $(HOST_FLAGS) $(DEPENDENCIES) -c $< -o $@
 
-include src/library/packages.mk src/firmware/firmware.mk src/fmu/fmu.mk src/examples/examples.mk tests/budget/budget.mk tests/verification.mk
+include src/library/packages.mk src/firmware/firmware.mk src/fmu/fmu.mk src/page/page.mk src/examples/examples.mk tests/budget/budget.mk tests/verification.mk
 
 # A header that needs another one included first is broken; C headers must also please a C99 compiler.
 .PHONY: $(HEADERS:%=alone/%)

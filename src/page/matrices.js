@@ -1,0 +1,37 @@
+// A and B as a picture: blue adds, orange takes away, darker is more.
+
+class Matrices {
+  constructor(canvas) {
+    this.canvas = canvas;
+    this.pen = canvas.getContext('2d');
+    canvas.addEventListener('pointermove', (event) => this.point(event), {capture: true});
+  }
+  shade(value) {
+    if (value === 0) return '#ffffff';
+    const part = clamp((Math.log10(Math.abs(value)) + 4) / 7, 0.06, 1);  // of four decades below 1 to three above
+    return value > 0 ? `rgba(0, 90, 150, ${part})` : `rgba(200, 85, 0, ${part})`;
+  }
+  show(linear) {
+    const {pen, canvas} = this, {n, m} = linear;
+    this.linear = linear;
+    this.cell = Math.min((canvas.width - 8) / (n + m), canvas.height / n);
+    pen.clearRect(0, 0, canvas.width, canvas.height);
+    for (let i = 0; i < n; ++i) {
+      for (let j = 0; j < n + m; ++j) {
+        pen.fillStyle = this.shade(j < n ? linear.a[i * n + j] : linear.b[i * m + j - n]);
+        pen.fillRect(j * this.cell + (j < n ? 0 : 8), i * this.cell, this.cell - 0.5, this.cell - 0.5);
+      }
+    }
+  }
+  point(event) {
+    if (!this.linear) return;
+    const box = this.canvas.getBoundingClientRect(), {n, m, a, b, states, controls} = this.linear;
+    const x = (event.clientX - box.left) / box.width * this.canvas.width;
+    const i = Math.floor((event.clientY - box.top) / box.height * this.canvas.height / this.cell);
+    const inA = x < n * this.cell;
+    const j = Math.floor((inA ? x : x - 8 - n * this.cell) / this.cell);
+    if (i < 0 || i >= n || j < 0 || j >= (inA ? n : m)) delete this.canvas.dataset.tip;
+    else this.canvas.dataset.tip = `d(d${states[i]}/dt)/d${inA ? states[j] : controls[j]} = ` +
+        significant(inA ? a[i * n + j] : b[i * m + j]);
+  }
+}

@@ -1,0 +1,96 @@
+// Roots of the linear model in a plane, with names, where they were before, and lines of equal damping ratio.
+
+const kDampingLine = 0.35;  // least of the short period for level 1, MIL-F-83330 and MIL-F-8785C
+const kTrail = 240;         // roots kept
+
+class Roots {
+  constructor(element, isNear) {
+    this.isNear = isNear;
+    this.chart = new Chart(element, this.axes([-3, 1], [0, 3]));
+    this.trail = svg('g', {class: 'trail'});
+    this.lines = svg('g', {class: 'damping'});
+    this.now = svg('g');
+    this.chart.below.append(this.lines);
+    this.chart.marks.append(this.trail, this.now);
+    this.before = [];
+    this.rule();
+  }
+  axes(x, y) {
+    return {x, y, xLabel: 'Real part, 1/s', yLabel: 'Imaginary part, rad/s', width: 400, height: this.isNear ? 300 : 260};
+  }
+  rule() {
+    const {chart} = this, far = 2 * Math.max(chart.axes.y[1], -chart.axes.x[0]);
+    const slope = Math.sqrt(1 - kDampingLine ** 2) / kDampingLine;
+    const title = `Damping ratio ${kDampingLine}: the least of a short period for level 1 (MIL-F-83330, MIL-F-8785C)`;
+    this.lines.replaceChildren(svg('line', {x1: chart.x(0), y1: chart.y(0), x2: chart.x(-far), y2: chart.y(far * slope),
+      'data-tip': title}),
+    svg('rect', {x: chart.x(0), y: chart.top, width: Math.max(0, chart.right - chart.x(0)),
+      height: chart.bottom - chart.top, class: 'unstable_side'}));
+  }
+  // Axes that hold all roots, in steps so that they stand still while a point is dragged a little.
+  fit(modes) {
+    const wide = (size) => {
+      const power = 10 ** Math.floor(Math.log10(Math.max(size, 1)));
+      return power * [1, 2, 4, 6, 10].find((step) => step * power >= size);
+    };
+    const least = wide(Math.max(...modes.map((mode) => -mode.real)) * 1.05);
+    const most = Math.max(0.1 * least, wide(Math.max(...modes.map((mode) => mode.real), 0.1)));
+    const high = wide(Math.max(...modes.map((mode) => mode.imag), 1) * 1.1);
+    const {x, y} = this.chart.axes;
+    if (x[0] === -least && x[1] === most && y[1] === high) return;
+    this.chart.setAxes(this.axes([-least, most], [0, high]));
+    this.before = [];
+    this.trail.replaceChildren();
+    this.rule();
+  }
+  clear() {
+    this.before = [];
+    this.trail.replaceChildren();
+    this.now.replaceChildren();
+  }
+  show(modes) {
+    if (!this.isNear && modes.length > 0) this.fit(modes);
+    const {chart} = this;
+    const [x0, x1] = chart.axes.x, [y0, y1] = chart.axes.y;
+    const inside = modes.filter((m) => m.real >= x0 && m.real <= x1 && m.imag >= y0 && m.imag <= y1);
+    for (const root of this.before) this.trail.append(svg('circle', {cx: root.x, cy: root.y, r: 1.6}));
+    while (this.trail.childNodes.length > kTrail) this.trail.firstChild.remove();
+    this.before = inside.map((m) => ({x: chart.x(m.real), y: chart.y(m.imag)}));
+    this.now.replaceChildren();
+    const taken = this.before.map(({x, y}) => ({x0: x - 6, x1: x + 6, y0: y - 6, y1: y + 6}));
+    inside.forEach((mode, k) => this.now.append(this.mark(mode, this.before[k])));
+    inside.forEach((mode, k) => {
+      const label = this.label(mode, this.before[k], taken);
+      if (label) this.now.append(label);
+    });
+  }
+  // Round: dies out. Square: grows.
+  mark(mode, {x, y}) {
+    const common = {'data-tip': modeText(mode), tabindex: 0, role: 'img', 'aria-label': modeText(mode)};
+    return mode.real <= 0 ? svg('circle', {cx: x, cy: y, r: 5.5, class: 'stable', ...common})
+      : svg('rect', {x: x - 5.5, y: y - 5.5, width: 11, height: 11, class: 'unstable', ...common});
+  }
+  // Beside its root where no other mark or name stands; else nowhere, and the list has it.
+  label(mode, {x, y}, taken) {
+    const width = 6.1 * mode.name.length, {chart} = this;
+    const places = [[9, 4], [-9 - width, 4], [-width / 2, -10], [-width / 2, 17], [9, -8], [-9 - width, -8], [9, 16],
+      [-9 - width, 16], [-width / 2, -22], [-width / 2, 29]];
+    for (const [dx, dy] of places) {
+      const box = {x0: x + dx, x1: x + dx + width, y0: y + dy - 10, y1: y + dy + 3};
+      const fits = box.x0 > chart.left && box.x1 < chart.right && box.y0 > chart.top && box.y1 < chart.bottom;
+      const free = taken.every((t) => t.x1 < box.x0 || t.x0 > box.x1 || t.y1 < box.y0 || t.y0 > box.y1);
+      if (!fits || !free) continue;
+      taken.push(box);
+      return svg('text', {x: box.x0, y: y + dy, class: 'name', 'pointer-events': 'none', textLength: width}, mode.name);
+    }
+    return null;
+  }
+}
+
+// The same as a table, for all who do not see planes.
+function listModes(body, modes) {
+  body.replaceChildren(...modes.map((mode) => html('tr', {'data-tip': modeText(mode)},
+    html('th', {scope: 'row'}, mode.name), html('td', {}, fixed(mode.real, 3)),
+    html('td', {}, mode.imag > 0 ? fixed(mode.imag, 3) : ''), html('td', {}, mode.imag > 0 ? fixed(mode.damping, 2) : ''),
+    html('td', {}, significant(Math.abs(mode.half)) + (mode.half < 0 ? ' ×2' : '')))));
+}

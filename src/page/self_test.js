@@ -1,0 +1,73 @@
+// #self_test: the reference flight and a scripted hand on every control; the results stand in the page as text.
+
+function selfTest(library) {
+  const lines = [];
+  const check = (name, holds, found) => lines.push(`${holds ? 'ok' : 'FAILED'} ${name}: ${found}`);
+  const press = (target, key) => {
+    for (const type of ['keydown', 'keyup']) target.dispatchEvent(new KeyboardEvent(type, {key, bubbles: true}));
+  };
+  const place = (name, value) => {
+    const input = document.querySelector(name);
+    if (input.type === 'checkbox') input.checked = value;
+    else input.value = value;
+    input.dispatchEvent(new Event('input', {bubbles: true}));
+  };
+
+  const explore = new Explore(library, readAddress('#mast=30&speed=60'));
+  const shown = () => { explore.compute(); return explore.found; };
+  check('trim', shown().isClean, explore.found.text);
+  check('modes', explore.found.linear.modes.length > 8, explore.found.linear.modes.map((m) => m.name).join(', '));
+  press(explore.corridor.handle, 'ArrowRight');
+  check('arrow key', explore.point.speed === 61, explore.point.speed);
+  const box = byId('corridor').getBoundingClientRect();
+  const drag = (type, x, y) => byId('corridor').dispatchEvent(new PointerEvent(type, {pointerId: 1, bubbles: true,
+    clientX: box.left + x * box.width, clientY: box.top + y * box.height}));
+  byId('corridor').setPointerCapture = () => {};
+  drag('pointerdown', 0.5, 0.5);
+  drag('pointermove', 0.7, 0.2);
+  drag('pointerup', 0.7, 0.2);
+  check('drag', explore.point.speed > 80 && explore.point.mast > 50, `mast ${explore.point.mast}, ${explore.point.speed} m/s`);
+  explore.change({mast: 30, speed: 60});
+  const unaugmented = shown().linear.n;
+  place('#choices [name=governor]', 2);
+  place('#choices [name=scas]', true);
+  check('systems', shown().isClean && explore.found.linear.n > unaugmented, `${explore.found.linear.n} states`);
+  place('#choices [name=mass]', 5000);
+  check('mass', shown().seen.conf[kConf.mass] === 5000, explore.found.text);
+  const again = readAddress(writeAddress(explore.point));
+  check('address', JSON.stringify(again) === JSON.stringify(explore.point), writeAddress(explore.point));
+  check('bad address', readAddress('#mast=x&speed=1e9&cg=').speed === 140, JSON.stringify(readAddress('#mast=x&cg=')));
+  explore.change({mast: 90, speed: 10});
+  check('no trim', shown().seen === undefined && explore.found.text.startsWith('No level flight'), explore.found.text);
+  explore.corridor.start(loading(explore.point));
+  explore.corridor.slice(20);
+  check('map', Object.keys(explore.corridor.cell).length > 0, `${Object.keys(explore.corridor.cell).length} cells`);
+
+  const fly = new Fly(library);
+  byId('fly').hidden = false;
+  check('begin', fly.begin(readAddress('#mast=0&speed=40')), byId('flight_sentence').textContent);
+  let flies = true;
+  for (let k = 0; k < 100 && flies; ++k) flies = fly.advance(2);
+  check('stays in trim', flies && Math.abs(fly.seen.out[kOut.airspeed] - 40) < 0.5 && fly.steps === 200,
+    `${fixed(fly.seen.out[kOut.airspeed], 3)} m/s, ${fly.steps} steps`);
+  document.dispatchEvent(new KeyboardEvent('keydown', {key: 'ArrowRight', bubbles: true}));
+  for (let k = 0; k < 50 && flies; ++k) flies = fly.advance(2);
+  check('stick to the right', flies && fly.seen.x[kX.roll] > 0.05, `bank ${fixed(degrees(fly.seen.x[kX.roll]), 1)} deg`);
+  document.dispatchEvent(new KeyboardEvent('keyup', {key: 'ArrowRight', bubbles: true}));
+  press(document.body, 'e');
+  place('#levers [name=w20]', '15.4');
+  place('#levers [name=wind]', 5);
+  place('#levers [name=flap]', 20);
+  place('#levers [name=scas]', false);
+  for (let k = 0; k < 100 && flies; ++k) flies = fly.advance(2);
+  check('masts', flies && fly.seen.conf[kConf.mast] > 4, `${fixed(fly.seen.conf[kConf.mast], 2)} deg`);
+  fly.draw();
+  lines.push(`state ${Array.from(fly.seen.x.slice(0, 31)).join(' ')}`);
+  lines.push('script', fly.recorder.script(fly.steps), 'series', fly.recorder.series(), 'end of series');
+  fly.sticks.rest.long = 4.8;
+  for (let k = 0; k < 3000 && fly.advance(2); ++k);
+  check('a flight that fails says so', fly.isOver && /^The flight ended at/.test(byId('flight_sentence').textContent),
+    byId('flight_sentence').textContent);
+  lines.push('reference flight', library.referenceFlight(600), 'done');
+  return lines.join('\n');
+}

@@ -1,0 +1,53 @@
+// The page begins: the module, then both rooms, then a frame of the screen after the other.
+
+function openRoom(isFlying) {
+  document.body.classList.toggle('flying', isFlying);
+  byId('explore').hidden = isFlying;
+  byId('fly').hidden = !isFlying;
+  byId('tab_explore').setAttribute('aria-selected', String(!isFlying));
+  byId('tab_fly').setAttribute('aria-selected', String(isFlying));
+}
+
+function begin(instance) {
+  const library = new Library(instance);
+  byId('about').textContent += ` Version ${library.version()}.`;
+  followPointer();
+  if (location.hash.startsWith('#self_test')) {
+    byId('self_test').hidden = false;
+    byId('self_test').textContent = selfTest(library);
+    return;
+  }
+  const explore = new Explore(library, readAddress(location.hash));
+  let fly = null;
+  const takeOff = (point) => {
+    openRoom(true);
+    if (fly === null) fly = new Fly(library);
+    fly.begin(point);
+    byId('cockpit').focus({preventScroll: true});
+  };
+  byId('tab_explore').addEventListener('click', () => {
+    if (fly !== null) fly.run(false);
+    openRoom(false);
+    explore.compute();
+  });
+  byId('tab_fly').addEventListener('click', () => (fly === null ? takeOff(explore.point) : openRoom(true)));
+  byId('fly_here').addEventListener('click', () => takeOff(explore.point));
+  window.addEventListener('hashchange', () => { explore.change(readAddress(location.hash)); });
+  if (new URLSearchParams(location.hash.slice(1)).has('fly')) takeOff(explore.point);
+  const frame = (now) => {
+    if (byId('fly').hidden) explore.idle();
+    else fly.frame(now);
+    requestAnimationFrame(frame);
+  };
+  requestAnimationFrame(frame);
+}
+
+function fail(reason) {
+  byId('failure').hidden = false;
+  byId('failure').textContent = `This page does not work here: ${reason}`;
+}
+
+// At once in a test, which does not wait.
+if (typeof WebAssembly !== 'object') fail('the browser has no WebAssembly.');
+else if (location.hash.startsWith('#self_test')) begin(new WebAssembly.Instance(new WebAssembly.Module(moduleBytes()), {}));
+else WebAssembly.instantiate(moduleBytes(), {}).then((made) => begin(made.instance)).catch((error) => fail(error.message));
