@@ -212,7 +212,8 @@ Command bode_command() {
       "taken with the sign to which the attitude follows; of the loop input = -K output the margins nearest to\n"
       "instability and the unstable roots without and with it. Crossings are looked for in 0.01..1000 rad/s.\n"
       "A status of no_response: the input does not act on the output.\n"
-      "--mast, --speed, --altitude, --mass, --cg-sl and --flap take a value, a list or a range.\n",
+      "Everything that describes the flight takes a value, a list or a range; so do --altitude, --mass, --cg-sl,\n"
+      "--flap, --rotor-rpm and --isa-offset.\n",
       "tiltrotor bode --mast 90 --speed 100 --from elevator --to theta,q --show margins",
       channel_options() +
           OptionList{frequency_option(),

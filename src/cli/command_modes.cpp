@@ -282,7 +282,8 @@ Command modes_command() {
       "--show shapes: one row for every mode and state: magnitude and angle (ahead positive) of the eigenvector\n"
       "over those of the state `normalised_by`, in the units of the model, and how much the state takes part,\n"
       "all states together 1. Rotors stand as mean and difference of right and left.\n"
-      "--mast, --speed, --altitude, --mass, --cg-sl and --flap take a value, a list or a range.\n",
+      "Everything that describes the flight takes a value, a list or a range; so do --altitude, --mass, --cg-sl,\n"
+      "--flap, --rotor-rpm and --isa-offset.\n",
       "tiltrotor modes --mast 30,60,90 --speed 60",
       OptionList{{"--show", "KIND", "modes or shapes (modes)"}} + normalise_option() +
           figure_option("phasor diagrams of the rigid body's modes as SVG") + reduce_option() +

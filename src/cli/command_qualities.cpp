@@ -125,7 +125,8 @@ Command qualities_command() {
       "last limit there is; `met` or `not met` where a requirement has no levels; `not defined`: the flight has no such mode.\n"
       "From the linear model: sensitivity and damping with rotors, wash and series actuators in their balance; attitudes\n"
       "after an inch of stick or pedal; control power from trim to the nearer stop; bank with all the stick there is to it.\n"
-      "--mast, --speed, --altitude, --mass, --cg-sl and --flap take a value, a list or a range.\n",
+      "Everything that describes the flight takes a value, a list or a range; so do --altitude, --mass, --cg-sl,\n"
+      "--flap, --rotor-rpm and --isa-offset.\n",
       "tiltrotor qualities --mast 90 --speed 80:20:120 --scas on --option governor=pi",
       OptionList{
           {"--category", "A|B|C", "flight phase of forward flight: A precise, B cruise, C landing (B)"}} +

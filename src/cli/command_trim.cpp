@@ -164,10 +164,10 @@ Command trim_command() {
   return {
       "trim",
       "equilibrium at every combination of mast angle, speed, altitude, mass, CG and flaps",
-      "Level, climbing, turning or sideslipping flight, each from a cold start. --mast, --speed, "
-      "--altitude,\n"
-      "--mass, --cg-sl and --flap take a value, a list or a range. A `status` that is not ok is explained on "
-      "stderr and\n"
+      "Level, climbing, turning or sideslipping flight, with the wind from any side, or with a result held\n"
+      "by letting something go (--hold, --free), each from a cold start. What describes the flight takes a\n"
+      "value, a list or a range; so do --altitude, --mass, --cg-sl, --flap, --rotor-rpm and --isa-offset.\n"
+      "A `status` that is not ok is explained on stderr and\n"
       "makes the exit status 1: trimmed beyond a limit (vortex_ring, wing_stall, control_limit, "
       "flap_limit,\n"
       "power_limit, torque_limit: the first that holds; `limits` lists all), or no trim\n"

@@ -33,7 +33,7 @@ struct Performance {
   Figure figure;
   std::optional<double> value;         // in its unit
   double speed, power_kw, altitude_m;  // of the flight
-  std::string limit;                   // that the next flight exceeds: power, torque, another of trim's; "" where none does
+  std::string limit;  // that the next flight exceeds: power, torque, another of trim's; "" where none does
 };
 
 // Every figure, in order. `c`: prepared. Take-off power of the engines that run, contingency power of one with the

@@ -187,7 +187,7 @@ TEST_OF_XV15(cli_bad_usage_is_one_line_and_status_2) {
       {"trim --speed 40,", "'' is not a number"},
       {"trim --speed ,", "'' is not a number"},
       {"trim --speed '1;5'", "'1;5' is not a number"},
-      {"trim --climb 1,5", "'1,5' is not a number"},
+      {"loads --altitude 1,5", "'1,5' is not a number"},
       {"trim --speed 0:1e-300:150", "has more than 100000 values"},
       {"trim --speed 0:nan:5", "'nan' is not a finite number"},
       {"trim --shard 1/1e9", "is not a whole number"},
