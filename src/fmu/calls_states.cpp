@@ -1,4 +1,5 @@
 // Calls of the standard: copies of an instance's state, also as bytes. They lie in the instance.
+#include <cmath>
 #include <cstring>
 #include <type_traits>
 
@@ -42,6 +43,19 @@ fmi3Status find_slot(Instance& i, const fmi3FMUState* state, Slot*& found) {
       return fmi3OK;
     }
   return say(i, fmi3Error, "%d states are held already: free one", kSlots);
+}
+
+// Bytes with the right hash may be made by hand.
+bool is_possible(const Flight& f) {
+  const unsigned mode = f.mode;
+  if (mode == 0 || mode > kTerminated || (mode & (mode - 1)) != 0 || !std::isfinite(f.time)) return false;
+  for (int k = 0; k < kSettings; ++k)
+    if (!(f.setting[k] >= facts_of(k).least && f.setting[k] <= facts_of(k).most)) return false;
+  for (const double number : f.state)
+    if (!std::isfinite(number)) return false;
+  for (const double number : f.input)
+    if (!std::isfinite(number)) return false;
+  return true;
 }
 
 }  // namespace
@@ -127,6 +141,7 @@ fmi3Status fmi3DeserializeFMUState(fmi3Instance instance, const fmi3Byte bytes[]
                                          static_cast<size_t>(head.bytes_of_aircraft));
   if (loaded != TR_OK) return answer(*i, loaded, "state", fmi3Error);
   std::memcpy(static_cast<void*>(&flight), bytes + sizeof(Head), kPlain);
+  if (!is_possible(flight)) return say(*i, fmi3Error, "bytes that are damaged");
   slot->flight = flight;
   slot->used = true;
   *state = slot;

@@ -91,7 +91,7 @@ bool is_settable(const Instance& i, Place place) {
   const bool before = (i.flight.mode & (kInstantiated | kInitialization)) != 0;
   switch (place.role) {
     case Role::state:
-      return place.index < kContinuousStates && (before || (!i.co_simulation && i.flight.mode == kEvent));
+      return place.index < kContinuousStates && before;
     case Role::input:
       return true;
     case Role::setting:
@@ -102,19 +102,13 @@ bool is_settable(const Instance& i, Place place) {
 }
 
 fmi3Status put(Instance& i, Place place, double value) {
-  Flight& f = i.flight;
   if (place.role == Role::setting) return put_setting(i, place.index, value);
   if (place.role == Role::input) return put_input(i, place.index, value);
-  if ((f.mode & (kInstantiated | kInitialization)) != 0) {
-    f.state_given[place.index] = value != i.start_state[place.index];
-    f.state[place.index] = value;
-    f.changed = true;
-    return fmi3OK;
-  }
-  tr_state state;
-  tr_get_state(&f.sim, &state);
-  state.x[place.index] = value;
-  return put_states(i, state.x);
+  Flight& f = i.flight;
+  f.state_given[place.index] = value != i.start_state[place.index];
+  f.state[place.index] = value;
+  f.changed = true;
+  return fmi3OK;
 }
 
 template <class T>

@@ -97,6 +97,7 @@ void write_variable(Place p, double start) {
       line += attribute("initial", begins ? "exact" : "calculated") + with_unit(unit);
       if (begins)
         line += attribute("start", number(start)) + attribute("nominal", number(nominal_of(unit_of(p))));
+      if (p.index <= TR_W) line += attribute("reinit", "true");  // the wind jumps
       break;
     }
     case Role::rate:

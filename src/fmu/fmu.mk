@@ -42,14 +42,16 @@ $(FMU_FOLDER)/sources/buildDescription.xml: $(BUILD)/describe_fmu $(FMU_SOURCES)
 # The tests load it.
 $(BUILD)/run_tests: | $(FMU_BINARY) $(FMU_FOLDER)/modelDescription.xml
 
+# A copy of one date, in one order: two builds give the same bytes.
 fmu-archive: $(FMU_BINARY) $(FMU_FOLDER)/modelDescription.xml $(FMU_FOLDER)/sources/buildDescription.xml
-	$(Q)set -e; mkdir -p $(FMU_FOLDER)/documentation/licenses; cp LICENSE $(FMU_FOLDER)/documentation/licenses/license.txt; \
-	cp src/fmu/README.md $(FMU_FOLDER)/documentation/index.md; \
-	to="$$(pwd)/$(FMU)"; case '$(FMU)' in /*) to='$(FMU)' ;; esac; rm -f "$$to"; cd $(FMU_FOLDER); \
-	parts='modelDescription.xml binaries sources documentation'; \
-	if command -v zip >/dev/null; then zip -q -X -r "$$to" $$parts; \
-	elif command -v python3 >/dev/null; then python3 -m zipfile -c "$$to" $$parts; \
-	else echo "fmu: not installed: zip (Debian: zip), left as the folder $(FMU_FOLDER)"; exit 0; fi; \
+	$(Q)set -e; to="$$(pwd)/$(FMU)"; case '$(FMU)' in /*) to='$(FMU)' ;; esac; \
+	packed=$(FMU_FOLDER)/packed; rm -rf "$$to" "$$packed"; mkdir -p "$$packed/documentation/licenses"; \
+	cp -R $(FMU_FOLDER)/modelDescription.xml $(FMU_FOLDER)/binaries $(FMU_FOLDER)/sources "$$packed"; \
+	cp src/fmu/README.md "$$packed/documentation"; cp LICENSE "$$packed/documentation/licenses/license.txt"; \
+	find "$$packed" -exec touch -t 198001010000 {} +; cd "$$packed"; \
+	if command -v zip >/dev/null; then find . -type f | LC_ALL=C sort | zip -q -X -@ "$$to"; \
+	elif command -v python3 >/dev/null; then python3 -m zipfile -c "$$to" *; \
+	else echo "fmu: not installed: zip (Debian: zip), left as the folder $(FMU_FOLDER)/packed"; exit 0; fi; \
 	echo "  fmu     $(FMU)"
 else
 fmu-archive:

@@ -267,13 +267,13 @@ fmi3Status put_setting(Instance& i, int index, double value) {
   const double before = f.setting[index];
   f.setting[index] = value;
   if ((f.mode & kBeforeFlight) != 0) {
-    f.changed = f.changed || value != before;
+    if (value != before) f.changed = true;
     return fmi3OK;
   }
   if (value == before) return fmi3OK;
   const fmi3Status status = index <= kWindDown ? put_environment(i) : put_systems(i, true);
   if (status != fmi3OK) f.setting[index] = before;
-  f.jumped = f.jumped || status == fmi3OK;
+  if (status == fmi3OK && index <= kWindDown) f.jumped = true;
   return status;
 }
 

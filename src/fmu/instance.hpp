@@ -15,11 +15,11 @@ constexpr unsigned kInstantiated = 1, kInitialization = 2, kEvent = 4, kContinuo
 // What a copy keeps and restores.
 struct Flight {
   std::uint32_t mode;
-  bool changed;  // a parameter, since the aircraft was made
-  bool jumped;   // states, by an input, since the last event
+  std::uint8_t changed;  // a parameter, since the aircraft was made
+  std::uint8_t jumped;   // states, by the wind, since the last event
   double time;
   double setting[kSettings];
-  bool state_given[kContinuousStates], input_given[TR_INPUTS];
+  std::uint8_t state_given[kContinuousStates], input_given[TR_INPUTS];
   double state[kContinuousStates];  // begun with
   double input[TR_INPUTS];          // as they are
   tr_sim sim;
@@ -51,7 +51,7 @@ Instance* opened(fmi3Instance instance, unsigned modes, const char* call);
 
 /// Says it to the importer and hands `status` back.
 fmi3Status say(Instance& i, fmi3Status status, const char* format, ...)
-#ifdef __GNUC__
+#if defined(__GNUC__) && !defined(_WIN32)
     __attribute__((format(printf, 3, 4)))
 #endif
     ;

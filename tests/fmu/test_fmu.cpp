@@ -224,7 +224,7 @@ TEST(fmu_derivative_by_altitude_knows_the_air) {
   const std::vector<double> below = m.rates(x);
   x[TR_DOWN] -= 4;
   const std::vector<double> above = m.rates(x);
-  const int row[] = {TR_W, TR_Q, TR_DOWN};
+  const std::size_t row[] = {TR_W, TR_Q, TR_DOWN};
   for (std::size_t k = 0; k < 3; ++k) CHECK_NEAR(exact[k], (below[row[k]] - above[row[k]]) / 4, 1e-8);
   CHECK_LT(1e-4, std::abs(exact[0]));
 }
@@ -296,6 +296,35 @@ TEST(fmu_saved_states_replay_bit_for_bit) {
     CHECK_EQ(FMI(fmi3DeserializeFMUState)(other.instance, changed.data(), size, &none), fmi3Error);
     CHECK(none == nullptr);
   }
+}
+
+// In Model Exchange an event: velocity over the ground stays. Expected: tr_set_environment.
+TEST(fmu_wind_is_an_event) {
+  Own own(0, 0);
+  tr_environment e;
+  CHECK_EQ(tr_default_environment(&e), TR_OK);
+  CHECK_EQ(tr_set_environment(&own.sim, &e), TR_OK);
+  own.trim(40);
+  e.wind_mps[0] = 5;
+  CHECK_EQ(tr_set_environment(&own.sim, &e), TR_OK);
+  Master m(Master::model_exchange);
+  CHECK_EQ(m.set_switch(kEnvironment, true), fmi3OK);
+  CHECK_EQ(m.start(0, 40), fmi3OK);
+  const auto states_changed = [&m] {
+    bool flag = true, changed = false;
+    double next = 0;
+    CHECK_EQ(FMI(fmi3UpdateDiscreteStates)(m.instance, &flag, &flag, &flag, &changed, &flag, &next), fmi3OK);
+    return changed;
+  };
+  CHECK_EQ(FMI(fmi3EnterEventMode)(m.instance), fmi3OK);
+  CHECK(!states_changed());
+  CHECK_EQ(m.set(setting(kWindNorth), 5), fmi3OK);
+  CHECK(states_changed());
+  CHECK(!states_changed());
+  CHECK_EQ(FMI(fmi3EnterContinuousTimeMode)(m.instance), fmi3OK);
+  const std::vector<double> x = m.states();
+  for (int k = 0; k < TR_MAST; ++k) CHECK_EQ(x[static_cast<std::size_t>(k)], own.state().x[k]);
+  CHECK_LT(x[TR_U], 36);
 }
 
 // The description is well formed and every variable in it answers with its own type.
