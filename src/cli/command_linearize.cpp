@@ -32,16 +32,12 @@ class Linearizer {
   const Shard& shard() const { return output_.shard(); }
   Analyses& work() const { return *work_; }
 
-  // `which` with the settings of its flight, if any, before those of `c`.
   int add(LinearCase which, const Configuration<double>& c, const State<double>& x,
           const Controls<double>& u) {
     ShownModel shown;
     const Status status = find(c, x, u, shown);
     which.valid = status == Status::ok;
-    const LinearSettings flight = which.settings;
-    which.settings = LinearSettings(c.setup);
-    which.settings.numbers.insert(which.settings.numbers.end(), flight.numbers.begin(), flight.numbers.end());
-    which.settings.switches.emplace_back("reduce", reduce_word(rigid_, order_));
+    tell_settings(c, which);
     if (!which.valid) {
       which.status = status_word(status);
       std::fprintf(stderr, "tiltrotor: %s, case %s: %s\n",
@@ -52,10 +48,21 @@ class Linearizer {
     return which.valid ? exit_success : exit_case_failed;
   }
 
-  void add_without_model(const LinearCase& which) { output_.add(which, ShownModel()); }
+  void add_without_model(LinearCase which, const Configuration<double>& c) {
+    tell_settings(c, which);
+    output_.add(which, ShownModel());
+  }
   void finish() { output_.finish(); }
 
  private:
+  // Those of `c` before those of the flight that `which` holds, if any.
+  void tell_settings(const Configuration<double>& c, LinearCase& which) const {
+    const LinearSettings flight = which.settings;
+    which.settings = LinearSettings(c.setup);
+    which.settings.numbers.insert(which.settings.numbers.end(), flight.numbers.begin(), flight.numbers.end());
+    which.settings.switches.emplace_back("reduce", reduce_word(rigid_, order_));
+  }
+
   Status find(const Configuration<double>& c, const State<double>& x, const Controls<double>& u,
               ShownModel& shown) {
     if (c.setup.options.governor != Governor::off) {
@@ -95,7 +102,7 @@ int at_given_states(const Arguments& arguments, const SetupOptions& setup) {
     const LinearCase which{row.name, configuration.setup.mast_deg, speed, usable ? "ok" : "no_state", usable,
                            {}};
     if (usable) return linearizer.add(which, configuration, row.state, row.controls);
-    linearizer.add_without_model(which);
+    linearizer.add_without_model(which, configuration);
     return exit_case_failed;
   };
   const int exit_status = given.each(linearizer.shard(), visit);
@@ -115,7 +122,7 @@ int at_trim(const Arguments& arguments, const SetupOptions& setup) {
                                   {"turn_rate_degps", flight.turn_rate_degps}};
         if (trimmed)
           return linearizer.add(which, flight.configuration, flight.trim.state, flight.trim.controls);
-        linearizer.add_without_model(which);
+        linearizer.add_without_model(which, flight.configuration);
         return exit_success;
       });
   linearizer.finish();

@@ -135,7 +135,8 @@ void LinearOutput::add_json(const LinearCase& which, const Model& model) {
   std::string text = count_ > 0 ? ",\n" : "";
   text += "{\n\"case\": " + json_text(which.name) + ",\n\"mast_deg\": " + json_number(which.mast_deg) +
           ",\n\"speed_mps\": " + json_number(which.speed) + ",\n\"status\": " + json_text(which.status) +
-          ",\n\"program\": " + program_and_commit_json();
+          ",\n\"program\": " + program_and_commit_json() +
+          ",\n\"settings\": " + settings_json(which.settings);
   if (which.valid) {
     const int n = model.states;
     const int m = model.controls;
@@ -151,7 +152,6 @@ void LinearOutput::add_json(const LinearCase& which, const Model& model) {
     const auto vector = [&](const char* member, const std::vector<double>& values) {
       text += ",\n\"" + std::string(member) + "\": " + json_array(values);
     };
-    text += ",\n\"settings\": " + settings_json(which.settings);
     names("states", n, [&](int i) { return named(model.state_name(i), model.state_unit(i)); });
     names("controls", m, [&](int j) { return named(model.control_name(j), model.control_unit(j)); });
     if (k > 0) names("outputs", k, [&](int i) { return named(model.output_name(i), model.output_unit(i)); });
@@ -174,13 +174,13 @@ void LinearOutput::add_matlab(const LinearCase& which, const Model& model) {
       " m/s; xdot = A (x - x0) + B (u - u0)\n" + name + "case_name = " + matlab_text(which.name) + ";\n" +
       name + "mast_deg = " + number_text(which.mast_deg) + ";\n" + name +
       "speed_mps = " + number_text(which.speed) + ";\n" + name + "status = '" + which.status + "';\n";
+  for (const LinearSettings::Number& s : which.settings.numbers)
+    text += name + "settings." + s.name + " = " + number_text(s.value) + ";\n";
+  for (const auto& [word, value] : which.settings.switches)
+    text += name + "settings.switches." + word + " = " + matlab_text(value) + ";\n";
   if (which.valid) {
     const int n = model.states;
     const int m = model.controls;
-    for (const LinearSettings::Number& s : which.settings.numbers)
-      text += name + "settings." + s.name + " = " + number_text(s.value) + ";\n";
-    for (const auto& [word, value] : which.settings.switches)
-      text += name + "settings.switches." + word + " = " + matlab_text(value) + ";\n";
     const auto words = [&](const char* member, int count, const std::function<const char*(int)>& word) {
       text += name + member + " = {" +
               joined(count, ", ", [&](int i) { return "'" + std::string(word(i)) + "'"; }) + "};\n";

@@ -19,3 +19,18 @@ dist: ## write build/tiltrotor-VERSION.tar.gz, the sources of the last commit, t
 	case '$(COMMIT)' in *+) echo "dist: changes that are not committed are left out" ;; esac; \
 	mkdir -p $(BUILD) && git archive --format=tar --prefix=$(ARCHIVE)/ HEAD | gzip -9 -n >$(BUILD)/$(ARCHIVE).tar.gz.part && \
 	mv $(BUILD)/$(ARCHIVE).tar.gz.part $(BUILD)/$(ARCHIVE).tar.gz && echo "$(BUILD)/$(ARCHIVE).tar.gz"
+
+# For Windows by MinGW-w64: the libraries alone, of C and C++ without POSIX, and an example that runs where Wine is.
+WINDOWS := x86_64-w64-mingw32
+WINDOWS_BUILD := $(BUILD)/$(WINDOWS)
+.PHONY: windows
+windows: ## build the libraries for Windows, static and DLL, below build/x86_64-w64-mingw32
+	+$(Q)tests/tool.sh windows $(WINDOWS)-g++ g++-mingw-w64-x86-64 || exit 0; set -e; \
+	$(MAKE) CROSS_COMPILE=$(WINDOWS)- CXX=$(WINDOWS)-g++ CC=$(WINDOWS)-gcc AR=$(WINDOWS)-ar HOST_CXX='$(HOST_CXX)' ARCH= LDFLAGS= RUNNER= \
+	  BUILD=$(WINDOWS_BUILD) $(WINDOWS_BUILD)/libtiltrotor.a $(WINDOWS_BUILD)/libtiltrotor-aircraft.a; \
+	cd $(WINDOWS_BUILD); \
+	$(WINDOWS)-g++ -shared -static -Wl,--version-script='$(CURDIR)/src/library/exported.map' -Wl,--out-implib,libtiltrotor.dll.a \
+	  -Wl,--whole-archive libtiltrotor.a -Wl,--no-whole-archive -o libtiltrotor.dll; \
+	$(WINDOWS)-gcc -std=c99 -O1 -I'$(CURDIR)/include' '$(CURDIR)/src/examples/trim_and_fly.c' libtiltrotor.dll.a -o trim_and_fly.exe; \
+	echo "$(WINDOWS_BUILD)/libtiltrotor.dll"; \
+	! '$(CURDIR)'/tests/tool.sh windows wine wine64 || WINEDEBUG=-all wine trim_and_fly.exe

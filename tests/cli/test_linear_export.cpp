@@ -83,6 +83,9 @@ TEST_OF_XV15(cli_linearize_json_tells_every_setting) {
   CHECK_LE(40, count);
   CHECK(contains(run_tiltrotor(kFlight + "--format json --reduce quasi_steady").out,
                  "\"reduce\": \"quasi_steady\""));
+  // Also of a flight that finds no trim.
+  CHECK(contains(run_tiltrotor("linearize --mast 90 --speed 20 --mass 5500 --format json").out,
+                 "\"mass_kg\": 5500,"));
   // The script tells the same.
   const std::string script = run_tiltrotor(kFlight + "--format matlab").out;
   for (const char* const line :
