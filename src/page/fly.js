@@ -82,10 +82,11 @@ class Fly {
   }
   key(event, isDown) {
     if (byId('fly').hidden || event.ctrlKey || event.metaKey || event.altKey) return;
-    if (event.target.matches('#levers *')) return;
+    const target = event.target instanceof Element ? event.target : document.body;
+    if (target.matches('#levers *')) return;
     if (isDown && !event.repeat) {
       const key = event.key.toLowerCase();
-      if (key === ' ' && event.target.tagName !== 'BUTTON') this.run(!this.isRunning);
+      if (key === ' ' && target.tagName !== 'BUTTON') this.run(!this.isRunning);
       if (key === 't') this.sticks.hold();
       if (key === 'q' || key === 'e') {
         const mast = this.lever('mast');
@@ -93,7 +94,7 @@ class Fly {
         this.moveLever(mast);
       }
     }
-    if (this.sticks.key(event, isDown) || (event.key === ' ' && event.target.tagName !== 'BUTTON')) event.preventDefault();
+    if (this.sticks.key(event, isDown) || (event.key === ' ' && target.tagName !== 'BUTTON')) event.preventDefault();
   }
 
   // ---- levers and switches, which are commands of the script ----

@@ -32,7 +32,7 @@ function followPointer() {
   document.addEventListener('pointerdown', (event) => show(event.target, event.clientX, event.clientY));
   document.addEventListener('focusin', (event) => {
     const box = event.target.getBoundingClientRect();
-    if (event.target.matches('[data-tip]')) show(event.target, box.left, box.top);
+    if (event.target instanceof Element && event.target.matches('[data-tip]')) show(event.target, box.left, box.top);
   });
   document.addEventListener('scroll', () => { tip.hidden = true; }, {passive: true});
 }
