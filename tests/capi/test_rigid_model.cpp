@@ -57,7 +57,7 @@ std::vector<double> steady(const Model& m) {
 
 }  // namespace
 
-// Every root of the eight has one of the full model within 6 per cent of its size; the answer at rest is the same.
+// Every root of the eight has one of the full model within 7 per cent of its size; the answer at rest is the same.
 TEST(capi_rigid_model_has_the_slow_roots) {
   const auto work = new_work();
   const double flights[][2] = {{0, 40}, {30, 50}, {60, 70}, {90, 80}, {90, 110}};
@@ -75,7 +75,7 @@ TEST(capi_rigid_model_has_the_slow_roots) {
       worst = std::max(worst, nearest);
     }
     NOTE("mast " << flight[0] << ", " << flight[1] << " m/s: worst root off by " << worst);
-    CHECK_LT(worst, tr_real(0.06));
+    CHECK_LT(worst, tr_real(0.07));
     if (sizeof(tr_real) < sizeof(double)) continue;
     const std::vector<double> of_full = steady(full), of_slow = steady(slow);
     double largest = 0;
