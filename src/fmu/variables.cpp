@@ -150,7 +150,8 @@ const char* name_of(Place place) {
 }
 
 const char* unit_of(Place place) {
-  const char* unit = place.role == Role::state     ? tr_state_unit(place.index)
+  const bool of_state = place.role == Role::state || place.role == Role::rate;
+  const char* unit = of_state                      ? tr_state_unit(place.index)
                      : place.role == Role::input   ? tr_control_unit(place.index)
                      : place.role == Role::output  ? output_facts(place.index).unit
                      : place.role == Role::setting ? facts_of(place.index).unit

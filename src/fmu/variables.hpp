@@ -95,7 +95,7 @@ const OutputFacts& output_facts(int output);
 
 Type type_of(Place place);
 const char* name_of(Place place);  // without what stands before it
-const char* unit_of(Place place);
+const char* unit_of(Place place);  // of a rate: that of its state
 /// Of the size that a variable of this unit usually has.
 double nominal_of(const char* unit);
 /// Whether a rate or an output may change with a state or an input.

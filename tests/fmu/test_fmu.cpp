@@ -358,6 +358,15 @@ TEST(fmu_description_is_that_of_the_binary) {
       CHECK_EQ(std::to_string(number), start);
     }
     if (!CHECK_EQ(status, fmi3OK)) NOTE(line);
+    const std::string unit = attribute(line, "unit");
+    if (!CHECK(unit.empty() || text.find("<Unit name=\"" + unit + "\">") < begin)) NOTE(line);
+    // A rate is of the unit of its state a second.
+    const std::string of_state = "\"" + attribute(line, "derivative") + "\"";
+    if (of_state != "\"\"") {
+      const std::string whole = attribute(text, "unit", text.find("valueReference=" + of_state, begin));
+      const bool is_per_second = whole.size() > 2 && whole.substr(whole.size() - 2) == "/s";
+      if (!CHECK(unit == (is_per_second ? whole + "2" : whole + "/s") || unit == "1/s")) NOTE(line);
+    }
     if (type == "Float64" && !start.empty() && !CHECK_EQ(std::stod(start), value)) NOTE(line);
   }
   int variables = 0;
