@@ -46,6 +46,7 @@ constexpr Room kRooms[] = {
     {"cli", "math systems analysis library pilot text plot study " MODEL},
     {"tablegen", "math text " MODEL},
     {"firmware", "interface"},
+    {"page", "interface firmware"},
     {"examples",
      "interface facade math systems analysis " MODEL},  // a user's, with the installed headers alone
 };
