@@ -30,6 +30,7 @@
 #include "tiltrotor/analysis/linear/output_model.hpp"
 #include "tiltrotor/analysis/linear/rigid_model.hpp"
 #include "tiltrotor/analysis/linear/system_gains.hpp"
+#include "tiltrotor/analysis/linear/vehicle_direction.hpp"
 #include "tiltrotor/analysis/linear/vehicle_modes.hpp"
 #include "tiltrotor/math/differentiation/complex_step.hpp"
 #include "tiltrotor/math/tables/table_slopes.hpp"

@@ -8,6 +8,9 @@ function openRoom(isFlying) {
   byId('tab_fly').setAttribute('aria-selected', String(isFlying));
 }
 
+const kStillMap = 2500;  // ms
+const isStill = () => new URLSearchParams(location.hash.slice(1)).has('still');
+
 function begin(instance) {
   const library = new Library(instance);
   byId('about').textContent += ` Version ${library.version()}.`;
@@ -34,6 +37,12 @@ function begin(instance) {
   byId('fly_here').addEventListener('click', () => takeOff(explore.point));
   window.addEventListener('hashchange', () => { explore.change(readAddress(location.hash)); });
   if (new URLSearchParams(location.hash.slice(1)).has('fly')) takeOff(explore.point);
+  if (isStill()) {
+    explore.corridor.slice(kStillMap);
+    if (fly !== null) fly.advance(100);
+    if (fly !== null) fly.draw();
+    return;
+  }
   const frame = (now) => {
     if (byId('fly').hidden) explore.idle();
     else fly.frame(now);
@@ -47,7 +56,7 @@ function fail(reason) {
   byId('failure').textContent = `This page does not work here: ${reason}`;
 }
 
-// At once in a test, which does not wait.
+// At once in a test and in a still picture (#mast=30&still), which do not wait.
 if (typeof WebAssembly !== 'object') fail('the browser has no WebAssembly.');
-else if (location.hash.startsWith('#self_test')) begin(new WebAssembly.Instance(new WebAssembly.Module(moduleBytes()), {}));
+else if (isStill() || location.hash.startsWith('#self_test')) begin(new WebAssembly.Instance(new WebAssembly.Module(moduleBytes()), {}));
 else WebAssembly.instantiate(moduleBytes(), {}).then((made) => begin(made.instance)).catch((error) => fail(error.message));

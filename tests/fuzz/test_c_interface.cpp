@@ -254,6 +254,9 @@ void find_modes(Workspace& workspace, fuzz::Bytes& in) {
   for (int changes = in.below(3); changes > 0; --changes) workspace.a[in.byte()] = in.number();
   const std::size_t capacity = in.below(2) == 0 ? TR_MAX_LINEAR_STATES : in.byte() % TR_MAX_LINEAR_STATES;
   std::size_t count = 0;
+  if (in.below(4) == 0)
+    REQUIRE(known(tr_rigid_model(&workspace.work, &workspace.shape, workspace.a, kSquare, nullptr, 0,
+                                 &workspace.shape, workspace.a, kSquare, nullptr, 0)));
   const tr_status status =
       tr_modes(&workspace.work, &workspace.shape, workspace.a, kSquare, workspace.modes, capacity, &count);
   REQUIRE(known(status) && count <= TR_MAX_LINEAR_STATES);

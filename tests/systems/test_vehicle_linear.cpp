@@ -235,7 +235,7 @@ TEST(vehicle_expansion_takes_a_load_as_the_airframe_does) {
     State<double> without, with_load, added{};
     derivative(c, p.x, p.u, without);
     derivative(loaded, p.x, p.u, with_load);
-    vehicle_model_detail::add_load(c, load, added);
+    vehicle_linearization::add_load(c, load, added);
     double a[state_count], b[state_count], d[state_count];
     flatten(without, a);
     flatten(with_load, b);

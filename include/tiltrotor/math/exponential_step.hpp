@@ -46,7 +46,7 @@ template <class R, int N>
 Status exponential_step(const Matrix<R, N, N>& jacobian, const R* scale, const IntegrationStep<R>& step,
                         ExponentialWorkspace<R, N>& work) {
   const int n = step.n;
-  const Status possible = integrate_detail::startable(step.t, step.dt, step.x, n, N);
+  const Status possible = step_parts::startable(step.t, step.dt, step.x, n, N);
   if (possible != Status::ok) return possible;
   if (step.known == nullptr) return Status::bad_argument;
   const R whole = std::fabs(step.dt) * scaled_norm(jacobian, scale, n);
@@ -82,7 +82,7 @@ Status exponential_step(const Matrix<R, N, N>& jacobian, const R* scale, const I
     }
   }
   for (int i = 0; i < n; ++i) work.next[i] = step.x[i] + work.moved[i];
-  return integrate_detail::accept(work.next, n, step.x);
+  return step_parts::accept(work.next, n, step.x);
 }
 
 }  // namespace tiltrotor

@@ -37,7 +37,7 @@ struct IntegrationStep {
   R* error = nullptr;             // of RODAS3: receives the difference to the embedded solution of order 2
 };
 
-namespace integrate_detail {
+namespace step_parts {
 
 template <class R>
 inline bool vector_finite(const R* x, int n) {
@@ -67,7 +67,7 @@ inline Status first_slope(RightSide&& f, R t, const R* x, int n, const R* known,
   return vector_finite(slope, n) ? Status::ok : Status::not_finite;
 }
 
-}  // namespace integrate_detail
+}  // namespace step_parts
 
 // Kutta's method of order 3, three evaluations of f, from t to t + dt.
 // Status: that of f; not_finite; bad_argument (n outside 1..N).
@@ -76,9 +76,9 @@ inline Status rk3_step(RightSide&& f, const IntegrationStep<R>& step, RungeKutta
   const R t = step.t, dt = step.dt;
   R* const x = step.x;
   const int n = step.n;
-  Status status = integrate_detail::startable(t, dt, x, n, N);
+  Status status = step_parts::startable(t, dt, x, n, N);
   if (status != Status::ok) return status;
-  status = integrate_detail::first_slope(f, t, static_cast<const R*>(x), n, step.known, work.slope[0]);
+  status = step_parts::first_slope(f, t, static_cast<const R*>(x), n, step.known, work.slope[0]);
   if (status != Status::ok) return status;
   for (int i = 0; i < n; ++i) work.stage[i] = x[i] + R(0.5) * dt * work.slope[0][i];
   status = f(t + R(0.5) * dt, static_cast<const R*>(work.stage), static_cast<R*>(work.slope[1]));
@@ -88,7 +88,7 @@ inline Status rk3_step(RightSide&& f, const IntegrationStep<R>& step, RungeKutta
   if (status != Status::ok) return status;
   for (int i = 0; i < n; ++i)
     work.stage[i] = x[i] + dt / R(6) * (work.slope[0][i] + R(4) * work.slope[1][i] + work.slope[2][i]);
-  return integrate_detail::accept(work.stage, n, x);
+  return step_parts::accept(work.stage, n, x);
 }
 
 // The classical method of order 4, four evaluations of f, from t to t + dt.
@@ -98,9 +98,9 @@ inline Status rk4_step(RightSide&& f, const IntegrationStep<R>& step, RungeKutta
   const R t = step.t, dt = step.dt;
   R* const x = step.x;
   const int n = step.n;
-  Status status = integrate_detail::startable(t, dt, x, n, N);
+  Status status = step_parts::startable(t, dt, x, n, N);
   if (status != Status::ok) return status;
-  status = integrate_detail::first_slope(f, t, static_cast<const R*>(x), n, step.known, work.slope[0]);
+  status = step_parts::first_slope(f, t, static_cast<const R*>(x), n, step.known, work.slope[0]);
   if (status != Status::ok) return status;
   const R node[4] = {R(0), R(0.5), R(0.5), R(1)};
   for (int s = 1; s < 4; ++s) {
@@ -112,7 +112,7 @@ inline Status rk4_step(RightSide&& f, const IntegrationStep<R>& step, RungeKutta
     const R middle = work.slope[1][i] + work.slope[2][i];
     work.stage[i] = x[i] + dt / R(6) * (work.slope[0][i] + R(2) * middle + work.slope[3][i]);
   }
-  return integrate_detail::accept(work.stage, n, x);
+  return step_parts::accept(work.stage, n, x);
 }
 
 // RODAS3: four stages, order 3, L-stable, stiffly accurate, gamma = 1/2 (Sandu et al., Atmospheric
@@ -139,7 +139,7 @@ inline Status rodas3_step(RightSide&& f, const Matrix<R, N, N>& jacobian, const 
   // The embedded solution leaves out the last increment, which is therefore the error estimate.
 
   if (dt == R(0)) return Status::bad_argument;
-  Status status = integrate_detail::startable(t, dt, x, n, N);
+  Status status = step_parts::startable(t, dt, x, n, N);
   if (status != Status::ok) return status;
   for (int i = 0; i < n; ++i) {
     for (int j = 0; j < n; ++j) work.system(i, j) = -jacobian(i, j);
@@ -150,7 +150,7 @@ inline Status rodas3_step(RightSide&& f, const Matrix<R, N, N>& jacobian, const 
 
   for (int s = 0; s < 4; ++s) {
     if (s == 0) {
-      status = integrate_detail::first_slope(f, t, static_cast<const R*>(x), n, step.known, work.slope);
+      status = step_parts::first_slope(f, t, static_cast<const R*>(x), n, step.known, work.slope);
     } else if (s > 1) {  // the second stage shares the point of the first
       for (int i = 0; i < n; ++i) {
         work.stage[i] = x[i];
@@ -173,7 +173,7 @@ inline Status rodas3_step(RightSide&& f, const Matrix<R, N, N>& jacobian, const 
     work.stage[i] = x[i];
     for (int p = 0; p < 4; ++p) work.stage[i] += kWeight[p] * work.increment[p][i];
   }
-  status = integrate_detail::accept(work.stage, n, x);
+  status = step_parts::accept(work.stage, n, x);
   if (status == Status::ok && step.error != nullptr)
     for (int i = 0; i < n; ++i) step.error[i] = work.increment[3][i];
   return status;

@@ -100,7 +100,7 @@ Status vehicle_direction(const Vehicle<R>& v, Configuration<R>& c, const State<R
   if (c.aircraft == nullptr) return Status::bad_argument;
   const ConfigurationSetting<R> base = c.setup;
   if (!vehicle_direction_detail::find_governed(v, c, x, s, u, azimuth, work)) return Status::not_converged;
-  vehicle_model_detail::seed(x, s, v.commands, u, VehicleShape{}, 0, 0, work);
+  vehicle_linearization::seed(x, s, v.commands, u, VehicleShape{}, 0, 0, work);
   const auto along = [](const R* way, auto&... parts) {
     const auto add = [&way](T& number) { number.d.set(0, *way++); };
     (std::remove_reference_t<decltype(parts)>::each(parts, add), ...);
@@ -137,7 +137,7 @@ Status linearize_vehicle_outputs(const Vehicle<R>& v, Configuration<R>& c, const
   const int all = shape.states + shape.inputs;
   for (int first = 0; first < all; first += kVehicleSlopes) {
     const int last = first + kVehicleSlopes < all ? first + kVehicleSlopes : all;
-    vehicle_model_detail::seed(x, s, v.commands, u, shape, first, last, work);
+    vehicle_linearization::seed(x, s, v.commands, u, shape, first, last, work);
     vehicle_direction_detail::evaluate_seeded(v, c, base, azimuth, work);
     T y[Instruments<T>::kCount];
     flatten(work.readings, y);

@@ -43,7 +43,7 @@ void vehicle_states(const Vehicle<R>& v, const Options& options, VehicleShape& s
       shape.state[shape.states++] = state_count + active.index[k];
 }
 
-namespace vehicle_model_detail {
+namespace vehicle_linearization {
 
 // Rates; those of north and east, which nobody asks for, leave their places to the torques of the rotors.
 inline constexpr int kRows = state_count;
@@ -136,7 +136,7 @@ struct ExpandedAirframe {
   }
 };
 
-}  // namespace vehicle_model_detail
+}  // namespace vehicle_linearization
 
 inline constexpr int kVehicleDirections = 8;  // of one pass through the systems
 
@@ -163,10 +163,10 @@ struct VehicleModelWorkspace {
   DerivativeSteps<R> steps;  // of the point
   AirframeDemand<R> demand;
   AirframeAnswer<R> answer;
-  vehicle_model_detail::Expansion<R> about;
+  vehicle_linearization::Expansion<R> about;
 };
 
-namespace vehicle_model_detail {
+namespace vehicle_linearization {
 
 // Which columns the systems move.
 template <class R>
@@ -256,7 +256,7 @@ void seed(const State<R>& x, const SystemState<R>& s, const Commands<R>& command
   unflatten(inputs + control_count, to.commands);
 }
 
-}  // namespace vehicle_model_detail
+}  // namespace vehicle_linearization
 
 // put_a(i, j, df_i/dx_j) and put_b(i, j, df_i/du_j) at (x, s, u), rows and columns as `shape` says; `xdot` and `sdot`:
 // the rates there. `c`: as the systems have put it at this state (put_into()), and put there again.
@@ -269,7 +269,7 @@ Status linearize_vehicle(const Vehicle<R>& v, Configuration<R>& c, const State<R
                          const Controls<R>& u, const VehicleShape& shape,
                          VehicleModelWorkspace<R, Policy>& work, State<R>& xdot, SystemState<R>& sdot,
                          PutA&& put_a, PutB&& put_b, R azimuth = R(0)) {
-  namespace d = vehicle_model_detail;
+  namespace d = vehicle_linearization;
   if (c.aircraft == nullptr) return Status::bad_argument;
   d::Expansion<R>& about = work.about;
   // The point.
