@@ -44,7 +44,8 @@ tr_status tr_rigid_model(tr_work* work, const tr_linear_shape* shape, const tr_r
     for (int j = 0; j < full.states; ++j) full.a(i, j) = *a++;
     for (int j = 0; j < full.controls; ++j) full.b(i, j) = *b++;
   }
-  put_shape(kRigidStates, full.state, full.controls, shape->control, *reduced_shape);
+  for (int j = 0; j < full.controls; ++j) full.control[j] = shape->control[j];
+  put_shape(kRigidStates, full.state, full.controls, full.control, *reduced_shape);
   const LinearArrays to = {reduced_a, reduced_a_length, reduced_b, reduced_b_length};
   const tr_status fits = check_arrays(kRigidStates, full.controls, to);
   if (fits != TR_OK) return fits;
