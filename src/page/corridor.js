@@ -83,9 +83,9 @@ class Corridor {
   }
   fly(mast, speed) {
     const {aircraft} = this;
-    if (aircraft.begin({...this.setting, mast}) !== 0) return {trimmed: false, text: aircraft.library.lastText()};
+    if (aircraft.begin({...this.setting, mast}) !== 0) return {trimmed: false, text: aircraft.tiltrotor.lastText()};
     const status = aircraft.trim(speed);
-    const text = aircraft.library.statusText(status);
+    const text = aircraft.tiltrotor.statusText(status);
     if (!kTrimmed.has(status) || aircraft.look() !== 0) return {trimmed: false, text};
     const {outputs} = aircraft.array;
     return {trimmed: true, status, text, power: (outputs[kOut.power] + outputs[kOut.power + 1]) / 1000};

@@ -110,7 +110,7 @@ class Explore {
 
   // Trim, linear model and modes of the point; a sentence whatever happens.
   solve() {
-    const {aircraft, point} = this, {library} = aircraft;
+    const {aircraft, point} = this, {tiltrotor: library} = aircraft;
     if (aircraft.begin(loading(point)) !== 0) return {text: `No such aircraft: ${library.lastText()}.`};
     if (point.governor || point.scas) {
       const status = aircraft.setSystems({governor: point.governor, engines: point.governor ? 1 : 0, scas: point.scas});

@@ -39,12 +39,12 @@ class Fly {
     this.run(false);
     const {aircraft} = this, governor = point.governor === 0 && !point.isFlown ? 2 : point.governor;
     const scas = point.isFlown ? point.scas : 1;
-    if (aircraft.begin(loading(point)) !== 0) return this.say(`No such aircraft: ${aircraft.library.lastText()}.`);
+    if (aircraft.begin(loading(point)) !== 0) return this.say(`No such aircraft: ${aircraft.tiltrotor.lastText()}.`);
     const rest = restHeight();
     const status = [() => aircraft.setHeight(kHeight + rest), () => aircraft.setEnvironment([0, 0, 0], point.altitude),
       () => aircraft.setSystems({governor, conversion: 1, engines: 1, actuators: 1, scas, gear: 1, groundEffect: 1}),
     ].reduce((before, call) => (before === 0 ? call() : before), 0);
-    if (status !== 0) return this.say(`The flight cannot begin: ${aircraft.library.statusText(status)}.`);
+    if (status !== 0) return this.say(`The flight cannot begin: ${aircraft.tiltrotor.statusText(status)}.`);
     const trimmed = aircraft.trim(point.speed);
     if (!kTrimmed.has(trimmed))
       return this.say(`The flight cannot begin: no level flight at mast ${point.mast} deg and ${point.speed} m/s. ` +
@@ -118,7 +118,7 @@ class Fly {
       governor: () => [aircraft.setSystems({governor: value}), `governor ${kGovernors[value]}`],
     };
     const [status, words] = commands[input.name]();
-    if (status !== 0) this.say(`Not obeyed: ${aircraft.library.statusText(status)}.`);
+    if (status !== 0) this.say(`Not obeyed: ${aircraft.tiltrotor.statusText(status)}.`);
     else recorder.command(steps, words);
   }
 
@@ -168,7 +168,7 @@ class Fly {
     const {aircraft} = this, fault = aircraft.fault();
     this.isOver = true;
     this.run(false);
-    return this.say(`The flight ended at ${fixed(this.steps * kStep, 2)} s: ${aircraft.library.statusText(status)}` +
+    return this.say(`The flight ended at ${fixed(this.steps * kStep, 2)} s: ${aircraft.tiltrotor.statusText(status)}` +
       `${fault === '' ? '' : ` (state ${fault})`}. Begin again.`);
   }
   strike() {

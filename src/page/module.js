@@ -44,7 +44,7 @@ class Library {
 
 class Aircraft {
   constructor(library, number) {
-    this.library = library;
+    this.tiltrotor = library;
     this.call = library.call;
     this.array = library.array;
     this.number = number;
@@ -77,7 +77,7 @@ class Aircraft {
   step(dt) { return this.call.page_step(this.number, dt); }
   look() { return this.call.page_look(this.number); }
   flags() { return this.call.page_flags(this.number); }
-  fault() { return this.library.text(this.call.page_fault(this.number)); }
+  fault() { return this.tiltrotor.text(this.call.page_fault(this.number)); }
   // A copy of what look() found.
   seen() {
     const copy = (name, length) => Array.from(this.array[name].subarray(0, length));
@@ -91,7 +91,7 @@ class Aircraft {
     if (status !== 0 && modes === 0) return null;
     const n = this.call.page_states(), m = this.call.page_controls();
     const names = (places, count, name) => Array.from(places.subarray(0, count),
-      (place) => this.library.text(name(place)));
+      (place) => this.tiltrotor.text(name(place)));
     const number = this.array.modes;
     return {
       n, m,
@@ -100,7 +100,7 @@ class Aircraft {
       states: names(this.array.statePlaces, n, this.call.page_state_name),
       controls: names(this.array.controlPlaces, m, this.call.page_control_name),
       modes: Array.from({length: modes}, (_, k) => ({
-        name: this.library.text(this.call.page_mode_name(k)).replace(/_/g, ' '),
+        name: this.tiltrotor.text(this.call.page_mode_name(k)).replace(/_/g, ' '),
         real: number[5 * k], imag: number[5 * k + 1], frequency: number[5 * k + 2],
         damping: number[5 * k + 3], half: number[5 * k + 4],
       })),
