@@ -6,6 +6,7 @@
 #             TARGET=                  cortex-m7 or cortex-m4f: no operating system, libraries only, in build/TARGET
 #             RUNNER=                  starts a program of another machine; found for the usual CROSS_COMPILE
 #             PRECISION=double         or single: tr_real of the C interface is float
+#             SLOPES=double            or single: slopes of the airframe's large tables, 64 KB less; the firmware's
 #             HOST_CXX, HOST_CXXFLAGS  compiler of the table generator, which runs on this machine
 #             AIRCRAFT=xv15            folder below tables/ that is compiled in: xv15, scaled_xv15 or one of your own
 #             BUILD=build              give each variant (sanitizers, clang, cross) its own
@@ -21,6 +22,7 @@ BUILD    ?= build$(TARGET:%=/%)
 PREFIX   ?= /usr/local
 DESTDIR  ?=
 PRECISION ?= double
+SLOPES   ?= double
 TESTS    ?=
 WERROR   ?=
 V        ?=
@@ -28,6 +30,8 @@ V        ?=
 # $(call one_of,NAME,VALUES): what is no value of the list is refused
 one_of = $(if $(and $(filter 1,$(words $($(1)))),$(filter $(2),$($(1)))),,$(error $(1)=$($(1)) is none of: $(2)))
 $(call one_of,PRECISION,double single)
+$(call one_of,SLOPES,double single)
+DEFINED := $(if $(filter single,$(PRECISION)),TR_SINGLE_PRECISION) $(if $(filter single,$(SLOPES)),TILTROTOR_SINGLE_SLOPES)
 $(if $(TARGET),$(call one_of,TARGET,cortex-m7 cortex-m4f))
 $(call one_of,AIRCRAFT,$(patsubst tables/%/identity.csv,%,$(wildcard tables/*/identity.csv)))
 $(if $(WERROR),$(call one_of,WERROR,1))
@@ -90,7 +94,7 @@ WARNINGS      := -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wdouble-promoti
 FLAGS       = -std=c++17 $(CPPFLAGS) $(CXXFLAGS) $(ARCH_FLAGS) -ffp-contract=off -fno-tree-slp-vectorize -fno-math-errno \
               $(WARNINGS) -Iinclude
 HOST_FLAGS := -std=c++17 $(HOST_CXXFLAGS) -ffp-contract=off -fno-tree-slp-vectorize $(WARNINGS) -Iinclude -Isrc
-FLAGS      += $(if $(filter single,$(PRECISION)),-DTR_SINGLE_PRECISION)
+FLAGS      += $(DEFINED:%=-D%)
 CORE_FLAGS := -fno-exceptions -fno-rtti
 # The functions behind the C interface live in a namespace of their own and are hidden: the linker keeps one of several
 # equal inline functions, and that of a program that includes the headers may be compiled with any flags.
@@ -200,8 +204,7 @@ install: all $(BUILD)/libtiltrotor-aircraft.a
 	$(if $(PROGRAMS),install -d "$$to/bin"; install -m 755 $(BUILD)/tiltrotor "$$to/bin";) \
 	printf '%s\n' "prefix=$$prefix" 'includedir=$${prefix}/include' 'libdir=$${prefix}/lib' '' \
 	  'Name: tiltrotor' 'Description: Tilt-rotor flight mechanics with exact derivatives' 'Version: $(VERSION)' \
-	  'Cflags: -I"$${includedir}" $(strip -ffp-contract=off $(TARGET_$(TARGET)) \
-	    $(if $(filter single,$(PRECISION)),-DTR_SINGLE_PRECISION))' \
+	  'Cflags: -I"$${includedir}" $(strip -ffp-contract=off $(TARGET_$(TARGET)) $(DEFINED:%=-D%))' \
 	  'Libs: -L"$${libdir}" $(if $(SHARED),-Wl$(comma)-rpath$(comma)"$${libdir}" )-ltiltrotor -ltiltrotor-aircraft -lm' \
 	  > "$$to/lib/pkgconfig/tiltrotor.pc"
 endif
@@ -267,12 +270,12 @@ $(BUILD)/tablegen: $(TABLEGEN_OBJECTS)
 # Written beside its place and moved there only when complete.
 $(BUILD)/generated/aircraft_tables.inc: $(BUILD)/tablegen $(TABLES) $(BUILD)/tables.stamp
 	@echo "  tables  tables/$(AIRCRAFT)"; mkdir -p $(@D)
-	$(Q)$(BUILD)/tablegen $(or $(MADE_TABLES),tables/$(AIRCRAFT)) $@.part && mv $@.part $@ || { rm -f $@.part; exit 1; }
+	$(Q)$(BUILD)/tablegen $(or $(MADE_TABLES),tables/$(AIRCRAFT)) $@.part $(filter single,$(SLOPES)) && mv $@.part $@ || { rm -f $@.part; exit 1; }
 
 # The tests compare this aircraft with the XV-15, whichever is compiled in.
 $(BUILD)/generated/scaled_xv15_tables.inc: $(BUILD)/tablegen $(BUILD)/tables/scaled_xv15/identity.csv
 	@echo "  tables  tables/scaled_xv15"; mkdir -p $(@D)
-	$(Q)$(BUILD)/tablegen $(BUILD)/tables/scaled_xv15 $@.part && mv $@.part $@ || { rm -f $@.part; exit 1; }
+	$(Q)$(BUILD)/tablegen $(BUILD)/tables/scaled_xv15 $@.part $(filter single,$(SLOPES)) && mv $@.part $@ || { rm -f $@.part; exit 1; }
 $(BUILD)/tests/properties/test_scaled_tables.o: $(BUILD)/generated/scaled_xv15_tables.inc
 
 # identity.csv is written last.
@@ -333,7 +336,7 @@ $(BENCH_OBJECTS): $(BUILD)/bench.stamp
 $(addprefix %/,c_processor.o c_entry.o c_entry_sensors.o c_words.o c_plain_names.o processor_check.o): ARCH_FLAGS := $(TARGET_$(TARGET))
 
 # On a target, code that no step runs through is made small: its operations and their order stay.
-SMALL := $(if $(TARGET),aircraft conditions outputs saved system_model systems trim)
+SMALL := $(if $(TARGET),aircraft conditions outputs saved system_model system_outputs systems trim)
 $(SMALL:%=$(BUILD)/ad/library/c_%.o): FLAGS += -Os
 $(BUILD)/ad/%.o: src/%.cpp
 	$(call compile,$(LIBRARY_FLAGS))

@@ -49,13 +49,11 @@ extern "C" {
 
 /* Less is enough on a microcontroller. */
 #if defined(__ARM_ARCH_PROFILE) && __ARM_ARCH_PROFILE == 'M'
-#define TR_DOUBLE_WORK_SIZE 100352
-#define TR_SINGLE_WORK_SIZE 53248
-#define TR_LINEAR_SYSTEMS 0
+#define TR_DOUBLE_WORK_SIZE 95744
+#define TR_SINGLE_WORK_SIZE 51200
 #else
 #define TR_DOUBLE_WORK_SIZE 245760
 #define TR_SINGLE_WORK_SIZE 135168
-#define TR_LINEAR_SYSTEMS 1 /* whether linear models know systems.h */
 #endif
 
 #ifdef TR_SINGLE_PRECISION
@@ -316,7 +314,7 @@ tr_status tr_trim(tr_sim* sim, tr_work* work, const tr_flight* flight, tr_trim_r
 
 /* ---- linear model and modes ---- */
 
-enum { TR_MAX_LINEAR_STATES = TR_LINEAR_SYSTEMS ? 46 : 27 };
+enum { TR_MAX_LINEAR_STATES = 46 }; /* 27 without systems */
 
 typedef enum tr_columns {
   TR_INCEPTORS = 1,      /* collective, sticks, pedal: 4 */

@@ -1,11 +1,12 @@
 #include "firmware/measure.h"
+#include "firmware/vehicle_flight.h"
 
 static tr_sim sim;
 static tr_work work;
-enum { states = 23 }; /* of the linear model: coning is constant, systems are off */
-static tr_real a[states * states];
-static tr_real b[states * 4];
-static tr_real eigenvalue_real[states], eigenvalue_imag[states];
+enum { most_states = TR_MAX_LINEAR_STATES };
+static tr_real a[most_states * most_states];
+static tr_real b[most_states * 4];
+static tr_real eigenvalue_real[most_states], eigenvalue_imag[most_states];
 
 typedef struct extremes {
   uint32_t least, most;
@@ -142,27 +143,21 @@ static int measure_systems(text_sink write, instruction_counter count, int state
   static const int mast_deg[] = {0, 30, 60, 90};
   static const int speed_mps[] = {20, 40, 60, 100};
   const extremes none = {0xffffffffu, 0};
-  extremes step[3] = {none, none, none}, set = none, trim = none;
+  extremes step[3] = {none, none, none}, linear[3] = {none, none, none}, set = none, trim = none,
+           roots = none;
+  const size_t room = sizeof a / sizeof a[0];
   int governor, place, k, failures = 0;
   for (governor = TR_GOVERNOR_OFF; governor <= TR_GOVERNOR_PI; ++governor) {
     for (place = 0; place < 4; ++place) {
       tr_systems systems;
-      tr_flight flight;
+      tr_linear_shape shape;
       tr_state state;
-      uint32_t start;
-      flight.speed_mps = (tr_real)speed_mps[place];
-      flight.climb_rad = flight.turn_rate_radps = flight.sideslip_rad = 0;
-      failures += init((tr_real)mast_deg[place]) != TR_OK || tr_get_systems(&sim, &systems) != TR_OK;
-      systems.governor = governor;
-      systems.conversion = systems.engines = systems.actuators = systems.scas = 1;
-      systems.gear = systems.ground_effect = systems.turbulence = 1;
-      systems.turbulence_w20_mps = 5;
+      uint32_t start = count();
+      failures += equip(&sim, &work, governor, mast_deg[place], speed_mps[place], &systems) != TR_OK;
+      add(&trim, count() - start);
       start = count();
       failures += tr_set_systems(&sim, &systems) != TR_OK;
       add(&set, count() - start);
-      start = count();
-      failures += tr_trim(&sim, &work, &flight, NULL) != TR_OK;
-      add(&trim, count() - start);
       failures += tr_get_state(&sim, &state) != TR_OK;
       for (k = 0; k < states / 12; ++k) {
         tr_real u[TR_CONTROLS];
@@ -174,6 +169,15 @@ static int measure_systems(text_sink write, instruction_counter count, int state
         start = count();
         failures += tr_step(&sim, &work, (tr_real)0.005) != TR_OK;
         add(&step[governor], count() - start);
+        if (k % 8 != 0) continue;
+        start = count();
+        failures +=
+            tr_linearize(&sim, &work, TR_INCEPTORS, &shape, a, room, b, sizeof b / sizeof b[0]) != TR_OK;
+        add(&linear[governor], count() - start);
+        start = count();
+        failures += tr_eigenvalues(&work, a, (size_t)shape.states, eigenvalue_real, eigenvalue_imag,
+                                   most_states) != TR_OK;
+        add(&roots, count() - start);
       }
     }
   }
@@ -183,6 +187,12 @@ static int measure_systems(text_sink write, instruction_counter count, int state
   write_extremes(write, "step_with_ideal_governor_min", "step_with_ideal_governor_max",
                  &step[TR_GOVERNOR_IDEAL]);
   write_extremes(write, "step_with_pi_governor_min", "step_with_pi_governor_max", &step[TR_GOVERNOR_PI]);
+  write_extremes(write, "jacobian_with_systems_min", "jacobian_with_systems_max", &linear[TR_GOVERNOR_OFF]);
+  write_extremes(write, "jacobian_with_ideal_governor_min", "jacobian_with_ideal_governor_max",
+                 &linear[TR_GOVERNOR_IDEAL]);
+  write_extremes(write, "jacobian_with_pi_governor_min", "jacobian_with_pi_governor_max",
+                 &linear[TR_GOVERNOR_PI]);
+  write_extremes(write, "eigenvalues_with_systems_min", "eigenvalues_with_systems_max", &roots);
   if (failures > 0) write_count(write, "failed calls with systems", (uint64_t)failures);
   return failures > 0;
 }

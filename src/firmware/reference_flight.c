@@ -11,76 +11,6 @@ static tr_real b[states * 4];
 static tr_real eigenvalue_real[states], eigenvalue_imag[states];
 static tr_linear_shape shape;
 
-/* ---- text ---- */
-
-static void write_digits(text_sink write, uint64_t number, int least_digits) {
-  char text[24];
-  int place = (int)sizeof text;
-  text[--place] = '\0';
-  do {
-    text[--place] = (char)('0' + number % 10);
-    number /= 10;
-    --least_digits;
-  } while (number > 0 || least_digits > 0);
-  write(text + place);
-}
-
-void write_count(text_sink write, const char* name, uint64_t count) {
-  write(name);
-  write(" ");
-  write_digits(write, count, 1);
-  write("\n");
-}
-
-void write_number(text_sink write, const char* name, double number) {
-  int exponent = 0;
-  int step;
-  uint64_t digits;
-  write(name);
-  write(" ");
-  if (!(number - number == 0)) {
-    write("not_finite\n");
-    return;
-  }
-  if (number < 0) {
-    write("-");
-    number = -number;
-  }
-  for (step = 0; step < 330 && number >= 10; ++step, ++exponent) number /= 10;
-  for (step = 0; step < 330 && number > 0 && number < 1; ++step, --exponent) number *= 10;
-  digits = (uint64_t)(number * 1e11 + 0.5);
-  write_digits(write, digits / UINT64_C(100000000000), 1);
-  write(".");
-  write_digits(write, digits % UINT64_C(100000000000), 11);
-  write(exponent < 0 ? "e-" : "e+");
-  write_digits(write, (uint64_t)(exponent < 0 ? -exponent : exponent), 2);
-  write("\n");
-}
-
-static void write_hash(text_sink write, const char* name, uint64_t hash) {
-  static const char digit[] = "0123456789abcdef";
-  char text[17];
-  int k;
-  for (k = 0; k < 16; ++k) text[k] = digit[(hash >> (60 - 4 * k)) & 15u];
-  text[16] = '\0';
-  write(name);
-  write(" ");
-  write(text);
-  write("\n");
-}
-
-static int failed(text_sink write, const char* call, tr_status status) {
-  if (status == TR_OK) return 0;
-  write("failed ");
-  write(call);
-  write(" ");
-  write(tr_status_word(status));
-  write("\n");
-  return 1;
-}
-
-/* ---- the flight ---- */
-
 static int trim(text_sink write) {
   tr_setup setup;
   tr_trim_result result;
@@ -147,7 +77,7 @@ int reference_flight(text_sink write, int frames) {
   size_t n = 0;
   size_t i;
 
-  write(sizeof(tr_real) == 8 ? "precision double\n" : "precision single\n");
+  write_precision(write);
   if (trim(write) || failed(write, "tr_get_state", tr_get_state(&sim, &trimmed))) return 1;
   for (frame = 0; frame < frames; ++frame) {
     if (failed(write, "tr_set_controls", move_controls(&trimmed, frame)) ||

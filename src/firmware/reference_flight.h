@@ -4,19 +4,12 @@
 #ifndef TILTROTOR_REFERENCE_FLIGHT_H
 #define TILTROTOR_REFERENCE_FLIGHT_H
 
-#include "tiltrotor/tiltrotor.h"
+#include "firmware/text.h"
 
 #define REFERENCE_FRAMES 600
-
-typedef void (*text_sink)(const char* text);
 
 /* Prints the flight to `write`; returns 0, or 1 when a call failed (it is named in the output). Needs no C
  * library. */
 int reference_flight(text_sink write, int frames);
-
-/* "name value\n", 12 significant digits by integer arithmetic: the same text on every machine for the same
- * number. */
-void write_number(text_sink write, const char* name, double number);
-void write_count(text_sink write, const char* name, uint64_t count);
 
 #endif

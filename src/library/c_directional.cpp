@@ -16,7 +16,6 @@ tr_status direction(const tr_sim* sim, tr_work* work, const R* dx, const R* du, 
   if (work == nullptr || dx == nullptr || du == nullptr || dxdot == nullptr || doutputs == nullptr)
     return TR_BAD_ARGUMENT;
   const Sim& s = *opened(sim);
-  if (has_systems(s) && !TR_LINEAR_SYSTEMS) return TR_BAD_ARGUMENT;
   if (!all_finite(dx, TR_STATES) || !all_finite(du, static_cast<std::size_t>(inputs))) return TR_NOT_FINITE;
   R readings[kReadings];
   tr_status status;

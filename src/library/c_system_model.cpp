@@ -4,9 +4,6 @@
 #include "library/c_linear.hpp"
 #include "library/c_system_model.hpp"
 #include "library/c_words.hpp"
-
-#if TR_LINEAR_SYSTEMS
-
 #include "tiltrotor/analysis/linear/vehicle_modes.hpp"
 
 namespace tiltrotor {
@@ -27,9 +24,10 @@ struct VehicleModesCallWorkspace {
   VehicleModesWorkspace<R> modes;
   VehicleModes<R> found;
 };
-static_assert(largest<VehicleCallWorkspace, VehicleModesCallWorkspace>() + kWorkAlignment -
-                  alignof(tr_work) <=
-              sizeof(tr_work));
+// Eigenvectors of all states need more than a microcontroller's work area.
+constexpr bool kModesFit =
+    sizeof(VehicleModesCallWorkspace) + kWorkAlignment - alignof(tr_work) <= sizeof(tr_work);
+static_assert(sizeof(VehicleCallWorkspace) + kWorkAlignment - alignof(tr_work) <= sizeof(tr_work));
 
 }  // namespace
 
@@ -75,39 +73,27 @@ tr_status linearize_systems(const Sim& s, tr_work* work, std::int32_t columns, t
 
 tr_status modes_of_systems(tr_work* work, const tr_linear_shape& shape, const R* a, tr_mode* modes,
                            std::size_t capacity, std::size_t* count) {
-  VehicleModesCallWorkspace& call = workspace_in<VehicleModesCallWorkspace>(work);
-  VehicleShape of{};
-  of.states = shape.states;
-  set_zero(call.modes.a);
-  for (int i = 0; i < of.states; ++i) {
-    of.state[i] = shape.state[i];
-    for (int j = 0; j < of.states; ++j) call.modes.a(i, j) = *a++;
+  if constexpr (kModesFit) {
+    VehicleModesCallWorkspace& call = workspace_in<VehicleModesCallWorkspace>(work);
+    VehicleShape of{};
+    of.states = shape.states;
+    set_zero(call.modes.a);
+    for (int i = 0; i < of.states; ++i) {
+      of.state[i] = shape.state[i];
+      for (int j = 0; j < of.states; ++j) call.modes.a(i, j) = *a++;
+    }
+    const Status status = vehicle_modes(of, call.modes, call.found);
+    if (status != Status::ok) return translated(status);
+    *count = static_cast<std::size_t>(call.found.count);
+    if (capacity < *count) return TR_SHORT_BUFFER;
+    for (int i = 0; i < call.found.count; ++i) {
+      const VehicleMode<R>& mode = call.found.mode[i];
+      modes[i] = {mode.real, mode.imag, mode.frequency, mode.damping_ratio, mode.time_to_half, {}};
+      std::memcpy(modes[i].name, mode.name, sizeof mode.name);
+    }
+    return TR_OK;
   }
-  const Status status = vehicle_modes(of, call.modes, call.found);
-  if (status != Status::ok) return translated(status);
-  *count = static_cast<std::size_t>(call.found.count);
-  if (capacity < *count) return TR_SHORT_BUFFER;
-  for (int i = 0; i < call.found.count; ++i) {
-    const VehicleMode<R>& mode = call.found.mode[i];
-    modes[i] = {mode.real, mode.imag, mode.frequency, mode.damping_ratio, mode.time_to_half, {}};
-    std::memcpy(modes[i].name, mode.name, sizeof mode.name);
-  }
-  return TR_OK;
-}
-
-}  // namespace tiltrotor::c_interface
-
-#else
-
-namespace tiltrotor::c_interface {
-
-tr_status linearize_systems(const Sim&, tr_work*, std::int32_t, tr_linear_shape*, const LinearArrays&, R*) {
-  return TR_BAD_ARGUMENT;
-}
-tr_status modes_of_systems(tr_work*, const tr_linear_shape&, const R*, tr_mode*, std::size_t, std::size_t*) {
   return TR_BAD_ARGUMENT;
 }
 
 }  // namespace tiltrotor::c_interface
-
-#endif

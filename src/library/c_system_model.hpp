@@ -2,9 +2,6 @@
 #pragma once
 
 #include "library/c_systems.hpp"
-
-#if TR_LINEAR_SYSTEMS
-
 #include "tiltrotor/analysis/linear/vehicle_model.hpp"
 
 // The airframe with a configuration that moves: compiled once, in c_system_model.cpp.
@@ -27,5 +24,3 @@ void shape_of_systems(const Sim& s, std::int32_t columns, VehicleShape& of);
 Configuration<R>& equipped_in_air(const Sim& s, Configuration<R>& c);
 
 }  // namespace tiltrotor::c_interface
-
-#endif

@@ -2,9 +2,6 @@
 #include "library/c_outputs.hpp"
 #include "library/c_system_model.hpp"
 #include "library/c_words.hpp"
-
-#if TR_LINEAR_SYSTEMS
-
 #include "tiltrotor/analysis/linear/vehicle_direction.hpp"
 
 namespace tiltrotor::c_interface {
@@ -46,16 +43,3 @@ tr_status outputs_of_systems(const Sim& s, tr_work* work, std::int32_t columns, 
 }
 
 }  // namespace tiltrotor::c_interface
-
-#else
-
-namespace tiltrotor::c_interface {
-
-tr_status direction_of_systems(const Sim&, tr_work*, const R*, const R*, R*, R*) { return TR_BAD_ARGUMENT; }
-tr_status outputs_of_systems(const Sim&, tr_work*, std::int32_t, const OutputArrays&) {
-  return TR_BAD_ARGUMENT;
-}
-
-}  // namespace tiltrotor::c_interface
-
-#endif

@@ -6,6 +6,10 @@
 #include "library/c_systems.hpp"
 #include "library/c_words.hpp"
 
+namespace tiltrotor {
+TILTROTOR_C_TRIM()
+}  // namespace tiltrotor
+
 namespace tiltrotor::c_interface {
 
 namespace {

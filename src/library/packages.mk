@@ -3,7 +3,7 @@
 # $$to is the folder of the prefix.
 CMAKE_FILE = sed -e 's|@VERSION@|$(VERSION)|' -e 's|@SHARED@|$(notdir $(SHARED))|' \
     -e 's|@OPTIONS@|$(subst $(space),;,$(strip $(TARGET_$(TARGET))))|' \
-    -e 's|@DEFINITIONS@|$(if $(filter single,$(PRECISION)),TR_SINGLE_PRECISION)|'
+    -e 's|@DEFINITIONS@|$(subst $(space),;,$(strip $(DEFINED)))|'
 INSTALL_PACKAGES = install -d "$$to/lib/cmake/tiltrotor"; \
   for file in tiltrotorConfig tiltrotorConfigVersion; do \
     $(CMAKE_FILE) src/library/$$file.cmake.in > "$$to/lib/cmake/tiltrotor/$$file.cmake"; done; \

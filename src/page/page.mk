@@ -13,7 +13,7 @@ PAGE_SCRIPTS := $(addprefix src/page/,module.js numbers.js svg.js chart.js corri
                   sticks.js recorder.js cockpit.js matrices.js fly.js self_test.js start.js)
 PAGE_PARTS   := src/page/explore.html src/page/style.css $(PAGE_SCRIPTS)
 PAGE_OBJECTS := $(patsubst src/%.cpp,$(BUILD)/page/%.o,$(C_SOURCE)) \
-                $(BUILD)/page/page/page.o $(BUILD)/page/firmware/reference_flight.o
+                $(BUILD)/page/page/page.o $(BUILD)/page/firmware/reference_flight.o $(BUILD)/page/firmware/text.o
 PAGE_EXPORTS := $(shell sed -n 's/^[a-z].*[ *]\(page_[a-z_]*\).*/--export=\1/p' src/page/page.h)
 PAGE         := $(BUILD)/report/explore.html
 STAMP_page    = $(call COMPILER,$(PAGE_CXX)) $(PAGE_CXX_FLAGS) $(PAGE_C_FLAGS) $(PRIVATE)

@@ -11,7 +11,10 @@
 
 namespace tablegen {
 
+// How those of the airframe's tables of two smooth axes are stored.
+enum class Slopes { as_values, single };
+
 void emit(std::ostream& out, const Identity& aircraft, const Entries& entries,
-          const std::vector<TableArray>& tables);
+          const std::vector<TableArray>& tables, Slopes slopes);
 
 }  // namespace tablegen

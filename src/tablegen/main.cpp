@@ -1,4 +1,5 @@
-// tablegen FOLDER OUTPUT: turns the CSV files of one aircraft into a C++ file with constant arrays.
+// tablegen FOLDER OUTPUT [single]: turns the CSV files of one aircraft into a C++ file with constant arrays, on request
+// with the slopes of the airframe's large tables in single precision.
 //
 // Exit code 0, or 2 with one line `file:line: message` on stderr; then there is no OUTPUT.
 #include <cstdio>
@@ -34,7 +35,7 @@ void write(const fs::path& output, const std::string& text) {
   throw tablegen::Fault{output.string(), 1, "cannot be written"};
 }
 
-void generate(const std::string& folder, const fs::path& output) {
+void generate(const std::string& folder, const fs::path& output, tablegen::Slopes slopes) {
   if (!fs::is_directory(folder)) throw tablegen::Fault{folder, 1, "is not a folder of tables"};
   const fs::path base(folder);
   tablegen::Entries entries;
@@ -44,21 +45,23 @@ void generate(const std::string& folder, const fs::path& output) {
   const std::vector<tablegen::TableArray> tables = tablegen::compose_tables(folder, entries);
   std::ostringstream text;
   const std::string name = fs::absolute(base).lexically_normal().filename().string();
-  tablegen::emit(text, tablegen::read_identity((base / "identity.csv").string(), name), entries, tables);
+  tablegen::emit(text, tablegen::read_identity((base / "identity.csv").string(), name), entries, tables,
+                 slopes);
   write(output, text.str());
 }
 
 }  // namespace
 
 int main(int count, char** argument) {
-  if (count != 3) {
-    std::fputs("usage: tablegen FOLDER_OF_TABLES OUTPUT\n", stderr);
+  const bool single = count == 4 && std::string(argument[3]) == "single";
+  if (count != 3 && !single) {
+    std::fputs("usage: tablegen FOLDER_OF_TABLES OUTPUT [single]\n", stderr);
     return 2;
   }
   const fs::path output = argument[2];
   std::string message;
   try {
-    generate(argument[1], output);
+    generate(argument[1], output, single ? tablegen::Slopes::single : tablegen::Slopes::as_values);
     return 0;
   } catch (const tablegen::Fault& fault) {
     message = fault.file + ":" + std::to_string(fault.line) + ": " + fault.message;

@@ -294,7 +294,7 @@ bool controls_lost = false;
 struct NoControls : AutoDiff {
   template <class R, int N, int MaxInputs, int MaxOutputs, class Function, class Put>
   static void jacobian(Function&& f, const JacobianRequest<R>& at,
-                       Workspace<R, N, MaxInputs, MaxOutputs>& work, Put&& put) {
+                       InPlaceWorkspace<R, N, MaxInputs, MaxOutputs>& work, Put&& put) {
     AutoDiff::jacobian(f, at, work, [&](int i, int j, R slope) {
       put(i, j,
           controls_lost && j >= at.inputs - kInceptors.count ? std::numeric_limits<R>::quiet_NaN() : slope);

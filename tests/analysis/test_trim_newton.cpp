@@ -128,10 +128,10 @@ struct GivenJacobian {
   template <class R, int N>
   using Scalar = R;
   template <class R, int N, int MaxInputs, int MaxOutputs>
-  struct Workspace {};
-  template <class R, int N, int MaxInputs, int MaxOutputs, class Function, class Put>
-  static void jacobian(Function&& f, const JacobianRequest<R>& at, Workspace<R, N, MaxInputs, MaxOutputs>&,
-                       Put&& put) {
+  struct InPlaceWorkspace {};
+  template <class R, class Work, class Function, class Put>
+  static void jacobian(Function&& f, const JacobianRequest<R>& at,
+                       InPlaceWorkspace<R, N, MaxInputs, MaxOutputs>&, Put&& put) {
     f(at.x, at.y);
     for (int i = 0; i < at.outputs; ++i)
       for (int j = 0; j < at.inputs; ++j) put(i, j, i == j ? slope : j == i + 1 ? 1 : 0);

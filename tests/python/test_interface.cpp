@@ -83,17 +83,13 @@ Numbers numbers_of_headers(const std::string& text) {
       const std::string one = single_blanks(item);
       const std::size_t equals = one.find(" = ");
       const std::string name = one.substr(0, equals);
-      const bool by_systems = one.find('?') != std::string::npos;  // TR_LINEAR_SYSTEMS ? 46 : 27
-      const std::string given = by_systems
-                                    ? one.substr(one.find('?') + 2, 2)
-                                    : one.substr(equals == std::string::npos ? one.size() : equals + 3);
+      const std::string given = one.substr(equals == std::string::npos ? one.size() : equals + 3);
       known[name] = given.empty() ? next : value_of(given, known);
       next = known[name] + 1;
     }
   }
   for (const char* const macro : {"TR_SAVED_SIZE", "TR_MOST_LOADS"})
     known[macro] = std::stoll(matches(text, std::string("#define ") + macro + " (\\d+)").at(0)[1]);
-  known["TR_LINEAR_SYSTEMS"] = 1;
   return known;
 }
 

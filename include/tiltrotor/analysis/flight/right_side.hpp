@@ -17,7 +17,7 @@ template <class R, class Policy = DefaultDifferentiation>
 struct SimulationWorkspace {
   using Seeded = typename Policy::template Scalar<R, kModelDirections>;
   ModelWorkspaces<R, Seeded> model;
-  typename Policy::template Workspace<R, kModelDirections, state_count, state_count> differentiation;
+  typename Policy::template InPlaceWorkspace<R, kModelDirections, state_count, state_count> differentiation;
   Matrix<R, state_count, state_count> jacobian;
   union Method {
     RungeKuttaWorkspace<R, vehicle_state_count> runge_kutta;

@@ -39,22 +39,31 @@ struct AutoDiff {
   struct Workspace {
     Dual<R, N> x[MaxInputs];
     Dual<R, N> y[MaxOutputs];
+    Dual<R, N>* outputs() { return y; }
+  };
+  // For a function that has read all of x before it writes y: both in one place.
+  template <class R, int N, int MaxInputs, int MaxOutputs>
+  struct InPlaceWorkspace {
+    Dual<R, N> x[MaxInputs > MaxOutputs ? MaxInputs : MaxOutputs];
+    Dual<R, N>* outputs() { return x; }
   };
 
   // y = f(x) and put(i, j, dy_i/dx_j) for every entry.
   // Cost: ceil(n / N) evaluations of f on N partials.
-  template <class R, int N, int MaxInputs, int MaxOutputs, class Function, class Put>
-  static void jacobian(Function&& f, const JacobianRequest<R>& at,
-                       Workspace<R, N, MaxInputs, MaxOutputs>& work, Put&& put) {
+  template <class R, int N, int MaxInputs, int MaxOutputs, template <class, int, int, int> class Work,
+            class Function, class Put>
+  static void jacobian(Function&& f, const JacobianRequest<R>& at, Work<R, N, MaxInputs, MaxOutputs>& work,
+                       Put&& put) {
     const int n = at.inputs, m = at.outputs;
+    Dual<R, N>* const y = work.outputs();
     for (int first = 0; first < n; first += N) {
       const int last = first + N < n ? first + N : n;
       for (int j = 0; j < n; ++j) work.x[j] = Dual<R, N>(at.x[j]);
       for (int j = first; j < last; ++j) work.x[j].d.set(j - first, R(1));
-      f(static_cast<const Dual<R, N>*>(work.x), work.y);
+      f(static_cast<const Dual<R, N>*>(work.x), y);
       for (int i = 0; i < m; ++i) {
-        at.y[i] = work.y[i].v;
-        for (int j = first; j < last; ++j) put(i, j, work.y[i].d.get(j - first));
+        at.y[i] = y[i].v;
+        for (int j = first; j < last; ++j) put(i, j, y[i].d.get(j - first));
       }
     }
   }
@@ -73,6 +82,8 @@ struct NumDiff {
     R below[MaxOutputs];
     R above[MaxOutputs];
   };
+  template <class R, int N, int MaxInputs, int MaxOutputs>
+  using InPlaceWorkspace = Workspace<R, N, MaxInputs, MaxOutputs>;
 
   // Central differences. Step of input j: cbrt(eps) scale[j], which balances the truncation error (h^2)
   // against rounding (eps / h) for a function that bends over a distance scale[j]; it is then rounded so that
@@ -102,14 +113,14 @@ struct NumDiff {
 // For a simulation by explicit methods alone, without code and memory for a Jacobian: rodas3 is then a bad argument.
 struct NoDifferentiation : NumDiff {
   template <class R, int N, int MaxInputs, int MaxOutputs>
-  struct Workspace {};
+  struct InPlaceWorkspace {};
 };
 
 // The caller has the Jacobian of the states that are alive, and what inputs that ramp add to the rates in a second: for
 // the exponential step.
 struct KnownJacobian : NumDiff {
   template <class R, int N, int MaxInputs, int MaxOutputs>
-  struct Workspace {
+  struct InPlaceWorkspace {
     R ramp[MaxOutputs];
   };
 };

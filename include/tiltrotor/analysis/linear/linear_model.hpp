@@ -78,7 +78,7 @@ template <class R, class Policy = DefaultDifferentiation>
 struct LinearizationWorkspace {
   static constexpr int kInputs = kMaxLinearStates + kMaxLinearControls;
   using Seeded = typename Policy::template Scalar<R, kModelDirections>;
-  typename Policy::template Workspace<R, kModelDirections, kInputs, state_count> differentiation;
+  typename Policy::template InPlaceWorkspace<R, kModelDirections, kInputs, state_count> differentiation;
   ModelWorkspace<Seeded> evaluation;
   R base_x[state_count];
   R base_u[control_count];

@@ -42,7 +42,8 @@ Status system_gains(Configuration<R> c, const State<R>& x, const Controls<R>& u,
   shape.input[2] = kControlIndex.pedal;
   // The power that the flight takes, so that its slope over the rotor speed is right.
   AirframeAnswer<R> bare;
-  VehicleAirframe<R>{c, x, work.model.steps, R(0)}({u, c.setup, {{R(1), R(1)}, R(1)}, {}}, bare);
+  DerivativeSteps<R>& steps = *::new (static_cast<void*>(&work.model.stage)) DerivativeSteps<R>;
+  VehicleAirframe<R>{c, x, steps, R(0)}({u, c.setup, {{R(1), R(1)}, R(1)}, {}}, bare);
   const R torque = bare.torque[right] + bare.torque[left];
   const R full = demanded_power(*c.aircraft, c.air, R(1));
   const R share = torque * c.setup.rotor_speed / (R(2) * c.aircraft->controls.transmission_efficiency * full);

@@ -27,6 +27,7 @@ struct VehicleDirectionWorkspace {
   AirframeAnswer<T> answer;
   VehicleFlows<T> flows;
   Instruments<T> readings;
+  T states[vehicle_state_count], inputs[vehicle_input_count];  // before they are placed
   R governed;                 // collective of an ideal governor at the point, rad
   R follows[kVehicleSlopes];  // and how it changes along each direction
   bool ideal;

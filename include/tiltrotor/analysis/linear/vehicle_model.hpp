@@ -113,18 +113,25 @@ void add_load(const Configuration<C>& c, const Loads<T>& load, State<T>& rates) 
 }
 
 template <class T>
+struct ExpandedWorkspace {
+  T input[kColumns], output[kRows];
+  bool moves[kColumns];  // in this pass: states that are seeded, and what the systems ask for
+};
+
+template <class T>
 struct ExpandedAirframe {
   const Expansion<Real<T>>& about;
   const Configuration<Real<T>>& c;
   const State<T>& x;
+  ExpandedWorkspace<T>& work;
 
   void operator()(const AirframeDemand<T>& demand, AirframeAnswer<T>& answer) const {
-    T z[kColumns];
-    T found[kRows];
+    T(&z)[kColumns] = work.input;
+    T(&found)[kRows] = work.output;
     list_inputs(x, demand, z);
     for (int i = 0; i < kRows; ++i) found[i] = T(about.output[i]);
     for (int j = 0; j < kColumns; ++j) {
-      if (!about.used[j]) continue;
+      if (!work.moves[j]) continue;
       const T away = z[j] - about.input[j];
       for (int i = 0; i < kRows; ++i) found[i] += about.slope(i, j) * away;
     }
@@ -152,15 +159,18 @@ struct VehicleModelWorkspace {
     AirframeDemand<T> demand;
     AirframeAnswer<T> answer;
     VehicleFlows<T> flows;
+    T states[vehicle_state_count];  // before the pass, and the rates after it
+    T inputs[vehicle_input_count];
+    vehicle_linearization::ExpandedWorkspace<T> expanded;
   };
   union Stage {  // one after the other
     Stage() {}
+    DerivativeSteps<R> point;
     LinearizationWorkspace<R, Policy> airframe;
     SensitivityWorkspace<R> configuration;
     Systems systems;
   } stage;
   LinearPoint<R> point;
-  DerivativeSteps<R> steps;  // of the point
   AirframeDemand<R> demand;
   AirframeAnswer<R> answer;
   vehicle_linearization::Expansion<R> about;
@@ -233,12 +243,22 @@ void add_configuration_slopes(const Configuration<R>& c, const State<R>& x, cons
   }
 }
 
+// Columns through which the airframe feels the directions `first` to `last`.
+template <class R, class T>
+void mark_moves(const Expansion<R>& about, const VehicleShape& shape, int first, int last,
+                ExpandedWorkspace<T>& to) {
+  for (int j = 0; j < kColumns; ++j) to.moves[j] = about.used[j] && j >= kFirstControl;
+  for (int k = first; k < last && k < shape.states; ++k)
+    if (shape.state[k] < state_count) to.moves[shape.state[k]] = about.used[shape.state[k]];
+}
+
 // All states and inputs of a pass, those of its directions seeded.
 template <class R, class Systems>
 void seed(const State<R>& x, const SystemState<R>& s, const Commands<R>& commands, const Controls<R>& u,
           const VehicleShape& shape, int first, int last, Systems& to) {
   using T = Dual<R, kVehicleDirections>;
-  T states[vehicle_state_count], inputs[vehicle_input_count];
+  T(&states)[vehicle_state_count] = to.states;
+  T(&inputs)[vehicle_input_count] = to.inputs;
   R flat[vehicle_state_count], flat_inputs[vehicle_input_count];
   flatten(x, flat);
   flatten(s, flat + state_count);
@@ -272,11 +292,12 @@ Status linearize_vehicle(const Vehicle<R>& v, Configuration<R>& c, const State<R
   namespace d = vehicle_linearization;
   if (c.aircraft == nullptr) return Status::bad_argument;
   d::Expansion<R>& about = work.about;
-  // The point.
+  // The point;
+  DerivativeSteps<R>& steps = *::new (static_cast<void*>(&work.stage)) DerivativeSteps<R>;
   const ConfigurationSetting<R> base = c.setup;
   VehicleFlows<R> flows;
-  vehicle_rates(v, c, base, c, x, s, v.commands, u, VehicleAirframe<R>{c, x, work.steps, azimuth},
-                work.demand, work.answer, flows, sdot);
+  vehicle_rates(v, c, base, c, x, s, v.commands, u, VehicleAirframe<R>{c, x, steps, azimuth}, work.demand,
+                work.answer, flows, sdot);
   xdot = work.answer.rates;
   if (!flows.held) return Status::not_converged;
   SystemState<R> point_state = s;
@@ -286,7 +307,7 @@ Status linearize_vehicle(const Vehicle<R>& v, Configuration<R>& c, const State<R
   d::mark_used(v, shape, about);
   set_zero(about.slope);
 
-  // The airframe: states and controls,
+  // the airframe: states and controls,
   ControlSet columns{0, {}};
   for (int j = 0; j < control_count; ++j)
     if (about.used[d::kFirstControl + j]) columns.index[columns.count++] = j;
@@ -325,10 +346,11 @@ Status linearize_vehicle(const Vehicle<R>& v, Configuration<R>& c, const State<R
   for (int first = 0; first < all; first += kVehicleDirections) {
     const int last = first + kVehicleDirections < all ? first + kVehicleDirections : all;
     d::seed(x, point_state, v.commands, u, shape, first, last, systems);
+    d::mark_moves(about, shape, first, last, systems.expanded);
     vehicle_rates<T>(v, c, base, systems.configuration, systems.x, systems.s, systems.commands, systems.u,
-                     d::ExpandedAirframe<T>{about, c, systems.x}, systems.demand, systems.answer,
-                     systems.flows, systems.rates);
-    T found[vehicle_state_count];
+                     d::ExpandedAirframe<T>{about, c, systems.x, systems.expanded}, systems.demand,
+                     systems.answer, systems.flows, systems.rates);
+    T(&found)[vehicle_state_count] = systems.states;
     flatten(systems.answer.rates, found);
     flatten(systems.rates, found + state_count);
     for (int i = 0; i < shape.states; ++i) {

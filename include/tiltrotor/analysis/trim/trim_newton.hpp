@@ -11,7 +11,7 @@ template <class R, class Policy = DefaultDifferentiation>
 struct TrimWorkspace : NewtonWorkspace<R, kMaxTrimUnknowns> {
   static constexpr int kDirections = kModelDirections;  // one width of dual numbers for trim and linear model
   using Seeded = typename Policy::template Scalar<R, kDirections>;
-  typename Policy::template Workspace<R, kDirections, kMaxTrimUnknowns, kMaxTrimUnknowns> differentiation;
+  typename Policy::template InPlaceWorkspace<R, kDirections, kMaxTrimUnknowns, kMaxTrimUnknowns> differentiation;
   ModelWorkspaces<R, Seeded> model;
   TrimEquations<R> equations;
   R first_z[kMaxTrimUnknowns];  // where the cold start ended

@@ -8,6 +8,16 @@ namespace tiltrotor {
 
 inline constexpr int kMostFlapSettings = 6;
 
+// Three quarters of the numbers of a table of two smooth axes are slopes. Built with TILTROTOR_SINGLE_SLOPES
+// (`make SLOPES=single`, as the firmware is) they are stored in single precision.
+#ifdef TILTROTOR_SINGLE_SLOPES
+template <class R, int Smooth, int Linear = 0>
+using AirframeTable = Table<R, Smooth, Linear, SplitNodes<R, Smooth>>;
+#else
+template <class R, int Smooth, int Linear = 0>
+using AirframeTable = Table<R, Smooth, Linear>;
+#endif
+
 template <class R>
 struct WingTables {
   R area;                         // wing_area, m^2
@@ -17,10 +27,10 @@ struct WingTables {
   R sl, bl, wl;                   // SL_wing_pylon_ref, BL_wing_ref, WL_wing_ref, m
   int flap_settings;              // how many of the following are filled
   R flap_deg[kMostFlapSettings];  // choices: flap_setting_1, .._2, ..: flap angle of FL1, FL2, .., deg
-  Table<R, 1> lift_0[kMostFlapSettings];   // CL at mast 0 against alpha (deg): 4-I/4-II with the extension
-  Table<R, 2> lift_90[kMostFlapSettings];  // CL at mast 90 against alpha, Mach (Mach only at FL1)
-  Table<R, 1> drag_0[kMostFlapSettings];   // CD likewise: 4-III/4-IV
-  Table<R, 2> drag_90[kMostFlapSettings];
+  Table<R, 1> lift_0[kMostFlapSettings];  // CL at mast 0 against alpha (deg): 4-I/4-II with the extension
+  AirframeTable<R, 2> lift_90[kMostFlapSettings];  // CL at mast 90 against alpha, Mach (Mach only at FL1)
+  Table<R, 1> drag_0[kMostFlapSettings];           // CD likewise: 4-III/4-IV
+  AirframeTable<R, 2> drag_90[kMostFlapSettings];
   Table<R, 1, 2> downwash;            // 4-V: rad against alpha (deg); linear axes mast (deg), flap (deg)
   Table<R, 1, 1> moment;              // 4-VIII: Cm against mast (deg); linear axis flap (deg)
   Table<R, 1, 1> roll_beta;           // 4-VI: Cl_beta at zero lift, 1/rad
@@ -97,34 +107,34 @@ struct TailSurface {
 template <class R>
 struct HorizontalTailTables {
   TailSurface<R> surface;
-  R lift_beta;                     // htail_CL_beta, 1/rad
-  MastRange<R> pressure;           // choices: htail_pressure_mast0 (1), htail_K_HNU at mast 90
-  R beta_limit;                    // choices: htail_beta_limit, deg (15)
-  Table<R, 2, 1> rotor_wash;       // 2-I: K_WH against alpha (deg), speed (kt); linear axis mast (deg)
-  Table<R, 1, 1> rotor_wash_beta;  // 2-II: factor against |beta| (deg); linear axis mast
-  R wash_fit[5];                   // choices: htail_wash_fit_0..4 (closed-form alternative of 2-I)
-  R wash_fit_speed;                // choices: htail_wash_fit_speed, ft/s
-  Table<R, 2> lift_elevator;       // 5-I: CL against alpha (deg), elevator (deg)
-  Table<R, 2> lift_mach;           // 5-II with elevator 0 of 5-I below M 0.2: CL against alpha, Mach
-  Table<R, 2> drag;                // 5-III: CD against alpha, Mach
-  Table<R, 2, 1> pressure_ratio;   // 5-V: q ratio against alpha (deg), speed (kt); linear axis mast
+  R lift_beta;                            // htail_CL_beta, 1/rad
+  MastRange<R> pressure;                  // choices: htail_pressure_mast0 (1), htail_K_HNU at mast 90
+  R beta_limit;                           // choices: htail_beta_limit, deg (15)
+  AirframeTable<R, 2, 1> rotor_wash;      // 2-I: K_WH against alpha (deg), speed (kt); linear axis mast (deg)
+  Table<R, 1, 1> rotor_wash_beta;         // 2-II: factor against |beta| (deg); linear axis mast
+  R wash_fit[5];                          // choices: htail_wash_fit_0..4 (closed-form alternative of 2-I)
+  R wash_fit_speed;                       // choices: htail_wash_fit_speed, ft/s
+  AirframeTable<R, 2> lift_elevator;      // 5-I: CL against alpha (deg), elevator (deg)
+  AirframeTable<R, 2> lift_mach;          // 5-II with elevator 0 of 5-I below M 0.2: CL against alpha, Mach
+  AirframeTable<R, 2> drag;               // 5-III: CD against alpha, Mach
+  AirframeTable<R, 2, 1> pressure_ratio;  // 5-V: q ratio against alpha (deg), speed (kt); linear axis mast
 };
 
 template <class R>
 struct FinTables {
   TailSurface<R> surface;
-  R area_report;                  // vtail_area_panel_report, the conflicting source
-  R pressure;                     // vtail_K_VNU
-  R pressure_ratio;               // choices: fin_pressure_ratio (eta_V)
-  R lift_slope;                   // vtail_lift_slope, 1/rad
-  R sidewash_roll, sidewash_yaw;  // vtail_dsigma_dphat, vtail_dsigma_drhat
-  R speed_floor;                  // choices: fin_speed_floor (35 ft/s), m/s
-  Table<R, 2> side_rudder;        // 6-I: CY against beta (deg), rudder (deg)
-  Table<R, 2> side_mach;          // 6-II with rudder 0 of 6-I below M 0.2: CY against beta, Mach
-  Table<R, 2> drag;               // 6-III: CD against beta, Mach
+  R area_report;                    // vtail_area_panel_report, the conflicting source
+  R pressure;                       // vtail_K_VNU
+  R pressure_ratio;                 // choices: fin_pressure_ratio (eta_V)
+  R lift_slope;                     // vtail_lift_slope, 1/rad
+  R sidewash_roll, sidewash_yaw;    // vtail_dsigma_dphat, vtail_dsigma_drhat
+  R speed_floor;                    // choices: fin_speed_floor (35 ft/s), m/s
+  AirframeTable<R, 2> side_rudder;  // 6-I: CY against beta (deg), rudder (deg)
+  AirframeTable<R, 2> side_mach;    // 6-II with rudder 0 of 6-I below M 0.2: CY against beta, Mach
+  AirframeTable<R, 2> drag;         // 6-III: CD against beta, Mach
   // 6-IV..VII: 1 - dsigma/dbeta against alpha, |beta| (deg); linear axes mast, flap (deg)
-  Table<R, 2, 2> sidewash;
-  Table<R, 2> rotor_sidewash;  // 6-VIII: K_betaR against speed (kt), |beta| (deg)
+  AirframeTable<R, 2, 2> sidewash;
+  AirframeTable<R, 2> rotor_sidewash;  // 6-VIII: K_betaR against speed (kt), |beta| (deg)
 };
 
 template <class R>
