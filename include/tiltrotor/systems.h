@@ -36,7 +36,7 @@ typedef struct tr_systems {
   tr_real rotor_command_radps; /* of the governor, 20..80 */
   tr_real throttle[2]; /* power of an engine, right and left, over its take-off power here, 0..1.2; held at
                                   the contingency power, 1.16 */
-  int32_t gear_down;   /* 1: extended */
+  int32_t gear_down;   /* 1: extended; raised on the wheels (TR_ON_GROUND) it leaves nothing to stand on */
   int32_t engine_failed[2]; /* 1: it gives no power, and its turbine is off the shaft */
   uint64_t turbulence_seed;
   tr_real

@@ -29,8 +29,8 @@ Flown fly(const std::string& script, const std::string& options) {
   return {result, CsvText(result.out)};
 }
 
-std::string mission() {
-  std::ifstream in(check::source_path("src/examples/mission.txt"));
+std::string script_of(const char* name) {
+  std::ifstream in(check::source_path(std::string("src/examples/") + name));
   return std::string(std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>());
 }
 
@@ -92,17 +92,12 @@ void check_mission(const Flown& f) {
   CHECK_NEAR(summary(f, "fuel burnt"), f(last, "fuel_burnt_kg"), 0.06);
 }
 
-}  // namespace
-
-TEST(slow_fly_mission_goes_from_ground_to_ground) {
-  const Flown f = fly(mission(), kMissionColumns);
-  check_mission(f);
-  CHECK_LT(summary(f, "height held"), 5);
-  // Masts at 7.5 deg/s in level flight from 33 to 83 m/s.
+// Masts at 7.5 deg/s in level flight from 33 to 83 m/s, from 155 s on.
+void check_conversion(const Flown& f, double end) {
   double most_rate = 0, slowest = 1e9, fastest = 0;
   for (std::size_t k = 1; k < f.count(); ++k) {
     const double time = f(k, "time_s");
-    if (time < 155 || time > 199) continue;
+    if (time < 155 || time > end) continue;
     CHECK_LT(std::fabs(f(k, "height_m") - 150), 5);
     CHECK_LT(0.9, f(k, "load_factor"));
     CHECK_LT(f(k, "load_factor"), 1.1);
@@ -115,8 +110,28 @@ TEST(slow_fly_mission_goes_from_ground_to_ground) {
   CHECK_LT(82.5, fastest);
 }
 
+}  // namespace
+
+TEST(slow_fly_mission_goes_from_ground_to_ground) {
+  const Flown f = fly(script_of("mission.txt"), kMissionColumns);
+  check_mission(f);
+  CHECK_LT(summary(f, "height held"), 5);
+  check_conversion(f, 199);
+}
+
+// The other engine at its take-off power at most.
+TEST(slow_fly_converts_on_one_engine) {
+  const Flown f = fly(script_of("engine_out.txt"), kMissionColumns);
+  CHECK_EQ(f.result.exit_status, 0);
+  check_conversion(f, 230);
+  for (std::size_t k = 0; k < f.count(); ++k) {
+    CHECK_LE(f(k, "power_2_kw"), 1.0005 * f(k, "takeoff_power_kw"));
+    if (f(k, "time_s") > 170) CHECK_LT(f(k, "power_1_kw"), 1);
+  }
+}
+
 TEST(slow_fly_mission_goes_through_moderate_turbulence) {
-  check_mission(fly("0 turbulence 15.4 1\n" + mission(), kMissionColumns));
+  check_mission(fly("0 turbulence 15.4 1\n" + script_of("mission.txt"), kMissionColumns));
 }
 
 TEST(fly_replays_the_same_bytes) {

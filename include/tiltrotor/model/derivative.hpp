@@ -33,7 +33,8 @@ void recorded_derivative(const Configuration<C>& c, const State<T>& x, const Con
 
   for (const Side side : {right, left}) {
     rotor_input(c, x, steps.velocity_b, steps.controls, side, steps.rotor_input);
-    local_rotor_response(c, steps.rotor_input, side, azimuth, steps.local.first, steps.rotor[side]);
+    local_rotor_response(c, steps.rotor_input, side, azimuth, steps.local.first, steps.seen_by_rotor,
+                         steps.rotor);
     out_of_line([&] {
       steps.advance_ratio[side] = advance_ratio(c, steps.rotor_input.velocity_a);
       steps.hub_loads[side] = hub_loads(c, side, x.rotor[side], steps.rotor[side].loads);

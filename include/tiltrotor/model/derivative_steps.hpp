@@ -12,6 +12,7 @@ struct DerivativeSteps {
   Vec3<T> velocity_b;  // of the CG relative to the air, m/s
   BladeControls<T> controls;
   RotorInput<T> rotor_input;  // of one rotor
+  Real<T> seen_by_rotor[RotorInput<T>::kCount];
   RotorResponse<T> rotor[2];
   Loads<T> hub_loads[2];
   T advance_ratio[2];

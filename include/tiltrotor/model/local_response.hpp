@@ -33,6 +33,33 @@ void local_rotor_response(const Configuration<C>& c, const RotorInput<T>& in, in
     rotor_response(c, local, stations, work.inner, found, c.ground_wash[side]);
   });
 }
+
+// In symmetric flight the left rotor sees, in its mirrored frame, what the right one saw, number by number, and answers
+// the same: its blades need not be asked again. The numbers the right one saw are left in `seen`.
+template <class T, class C>
+void local_rotor_response(const Configuration<C>& c, const RotorInput<T>& in, int side, Real<T> azimuth,
+                          LocalRotor<T>& work, Real<T> (&seen)[RotorInput<T>::kCount],
+                          RotorResponse<T> (&out)[2]) {
+  constexpr bool kPlain = kIsPlain<T>;
+  constexpr bool kLocal = !std::is_same_v<LocalDual<RotorInput, T>, T>;
+  if constexpr (kIsPlain<C> && (kPlain || kLocal)) {
+    bool alike = side == left && c.ground_wash[left] == c.ground_wash[right];
+    int k = 0;
+    RotorInput<T>::each(in, [&](const T& x) {
+      alike = alike && value(x) == seen[k];
+      seen[k++] = value(x);
+    });
+    if (alike) {
+      if constexpr (kPlain) {
+        out[left] = out[right];
+      } else {
+        preaccumulate_again(in, work.chain, out[left]);
+      }
+      return;
+    }
+  }
+  local_rotor_response(c, in, side, azimuth, work, out[side]);
+}
 template <class T, class C, class Record>
 void local_airframe_response(const Configuration<C>& c, const AirframeInput<T>& in, LocalAirframe<T>& work,
                              AirframeResponse<T>& out, Record& record) {

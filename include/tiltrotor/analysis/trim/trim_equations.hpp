@@ -32,6 +32,7 @@ struct TrimEquation {
   R scale;       // of a numerical difference
   int rate;      // the state whose rate shall vanish
   R rate_scale;  // residual = rate * rate_scale
+  int mirrored;  // the row that this one equals in symmetric flight; -1: it is zero there
 };
 
 // With `relieved` a vertical force takes the rest of the weight off the aircraft; the collective is then
@@ -82,10 +83,12 @@ void trim_equations(const Configuration<R>& c, TrimEquations<R>& equations) {
   equations.carried = R(1);
   equations.collective = R(0);
   const auto add_state = [&](int state, R limit, int rate, R rate_scale) {
-    equations.row[equations.count++] = {state, -1, limit, state_scale<R>(state), rate, rate_scale};
+    const int j = equations.count++;
+    equations.row[j] = {state, -1, limit, state_scale<R>(state), rate, rate_scale, j};
   };
   const auto add_control = [&](int control, R limit, int rate, R rate_scale) {
-    equations.row[equations.count++] = {-1, control, limit, control_scale<R>(control), rate, rate_scale};
+    const int j = equations.count++;
+    equations.row[j] = {-1, control, limit, control_scale<R>(control), rate, rate_scale, j};
   };
   add_state(kStateIndex.roll, kAngleStep<R>, kStateIndex.velocity.y, gravity);
   add_state(kStateIndex.pitch, kAngleStep<R>, kStateIndex.velocity.x, gravity);
@@ -95,8 +98,10 @@ void trim_equations(const Configuration<R>& c, TrimEquations<R>& equations) {
   add_control(kControlIndex.pedal, stick_step, kStateIndex.rates.z, R(1));
   const bool second_order = o.flapping == FlapOrder::second;
   const R flap_scale = second_order ? R(1) / (omega * omega) : R(1) / omega;
+  int first_of_rotor[3] = {};
   for (int side = 0; side < 2; ++side) {
     const RotorState<int>& at = kStateIndex.rotor[side];
+    first_of_rotor[side] = equations.count;
     add_state(at.b1c, kAngleStep<R>, second_order ? at.b1c_rate : at.b1c, flap_scale);
     add_state(at.b1s, kAngleStep<R>, second_order ? at.b1s_rate : at.b1s, flap_scale);
     add_state(at.lambda_0, kInflowStep<R>, at.lambda_0, R(1) / omega);
@@ -104,10 +109,37 @@ void trim_equations(const Configuration<R>& c, TrimEquations<R>& equations) {
     add_state(at.lambda_c, kInflowStep<R>, at.lambda_c, R(1) / omega);
     add_state(at.lambda_s, kInflowStep<R>, at.lambda_s, R(1) / omega);
   }
+  first_of_rotor[2] = equations.count;
   if (o.downwash_lag) add_state(kStateIndex.downwash, R(0), kStateIndex.downwash, R(1));
   if (o.coning_states) {
     for (const ConingState<int>& at : kStateIndex.coning)
       add_state(at.angle, kAngleStep<R>, at.rate, R(1) / (omega * omega));
+    equations.row[equations.count - 1].mirrored = equations.count - 2;
+  }
+  for (int j = 0; j < equations.count; ++j) {
+    const int state = equations.row[j].state, control = equations.row[j].control;
+    if (state == kStateIndex.roll || control == kControlIndex.lat_stick || control == kControlIndex.pedal)
+      equations.row[j].mirrored = -1;
+  }
+  for (int j = first_of_rotor[left]; j < first_of_rotor[2]; ++j)
+    equations.row[j].mirrored = j - first_of_rotor[left] + first_of_rotor[right];
+}
+
+// Whether the aircraft stands and answers symmetrically at z, by the numbers. The step of Newton's method is then
+// symmetric but for rounding.
+template <class R>
+bool is_symmetric(const TrimEquations<R>& equations, const R* z, const R* residual) {
+  for (int j = 0; j < equations.count; ++j) {
+    const int as = equations.row[j].mirrored;
+    if (z[j] != (as < 0 ? R(0) : z[as]) || residual[j] != (as < 0 ? R(0) : residual[as])) return false;
+  }
+  return true;
+}
+template <class R>
+void make_symmetric(const TrimEquations<R>& equations, R* step) {
+  for (int j = 0; j < equations.count; ++j) {
+    const int as = equations.row[j].mirrored;
+    step[j] = as < 0 ? R(0) : step[as];
   }
 }
 

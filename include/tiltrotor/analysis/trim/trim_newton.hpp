@@ -11,7 +11,8 @@ template <class R, class Policy = DefaultDifferentiation>
 struct TrimWorkspace : NewtonWorkspace<R, kMaxTrimUnknowns> {
   static constexpr int kDirections = kModelDirections;  // one width of dual numbers for trim and linear model
   using Seeded = typename Policy::template Scalar<R, kDirections>;
-  typename Policy::template InPlaceWorkspace<R, kDirections, kMaxTrimUnknowns, kMaxTrimUnknowns> differentiation;
+  typename Policy::template InPlaceWorkspace<R, kDirections, kMaxTrimUnknowns, kMaxTrimUnknowns>
+      differentiation;
   ModelWorkspaces<R, Seeded> model;
   TrimEquations<R> equations;
   R first_z[kMaxTrimUnknowns];  // where the cold start ended
@@ -51,6 +52,7 @@ struct TrimProblem {
   const Configuration<R>& c;
   const SteadyFlight<R>& flight;
   TrimWorkspace<R, Policy>& work;
+  bool symmetric = false;  // where the Jacobian is
 
   template <class T>
   void values(const T* z, T* residual) {
@@ -62,10 +64,13 @@ struct TrimProblem {
     for (int j = 0; j < n; ++j) scale[j] = work.equations.row[j].scale;
     Policy::jacobian([this](const auto* at, auto* f) { this->values(at, f); }, {n, n, z, scale, residual},
                      work.differentiation, [&slopes](int i, int j, R slope) { slopes(i, j) = slope; });
+    symmetric = is_symmetric(work.equations, z, residual);
   }
-  // The whole step shortened, its direction kept, until no unknown moves by more than its limit.
+  // The whole step shortened, its direction kept, until no unknown moves by more than its limit. In symmetric flight
+  // its lateral part is rounding and goes: the rotors stay alike to the bit, and one of them is asked (local_response.hpp).
   void limit_step(R* step) const {
     const TrimEquations<R>& equations = work.equations;
+    if (symmetric) make_symmetric(equations, step);
     R factor = R(1);
     for (int j = 0; j < equations.count; ++j) {
       const R limit = equations.row[j].step_limit;

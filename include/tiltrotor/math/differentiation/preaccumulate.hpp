@@ -118,4 +118,12 @@ TILTROTOR_NOINLINE void preaccumulate(const In<T>& in, PreaccumulationWorkspace<
   }
 }
 
+// out at an input of the values of the last one, from what the function found there.
+template <template <class> class In, template <class> class Out, class T>
+TILTROTOR_NOINLINE void preaccumulate_again(const In<T>& in, PreaccumulationWorkspace<In, Out, T>& work,
+                                            Out<T>& out) {
+  flatten(in, work.input);
+  chain_all(work.out, work.input, out);
+}
+
 }  // namespace tiltrotor
