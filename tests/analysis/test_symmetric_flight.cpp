@@ -62,10 +62,12 @@ TEST(trim_of_symmetric_flight_is_symmetric_to_the_bit) {
       for (const double lateral :
            {x.velocity.y, x.rates.x, x.rates.z, x.roll, r.controls.lat_stick, r.controls.pedal})
         CHECK_EQ(lateral, 0.0);
-      double one[RotorState<double>::kCount], other[RotorState<double>::kCount];
-      flatten(x.rotor[right], one);
-      flatten(x.rotor[left], other);
-      for (int i = 0; i < RotorState<double>::kCount; ++i) CHECK_EQ(one[i], other[i]);
+      double flat[state_count];
+      flatten(x, flat);
+      const auto* const one = reinterpret_cast<const int*>(&kStateIndex.rotor[right]);
+      const auto* const other = reinterpret_cast<const int*>(&kStateIndex.rotor[left]);
+      for (std::size_t i = 0; i < sizeof kStateIndex.rotor[right] / sizeof(int); ++i)
+        CHECK_EQ(flat[one[i]], flat[other[i]]);
       CHECK_EQ(x.coning[right].angle, x.coning[left].angle);
     }
   }

@@ -129,7 +129,7 @@ struct GivenJacobian {
   using Scalar = R;
   template <class R, int N, int MaxInputs, int MaxOutputs>
   struct InPlaceWorkspace {};
-  template <class R, class Work, class Function, class Put>
+  template <class R, int N, int MaxInputs, int MaxOutputs, class Function, class Put>
   static void jacobian(Function&& f, const JacobianRequest<R>& at,
                        InPlaceWorkspace<R, N, MaxInputs, MaxOutputs>&, Put&& put) {
     f(at.x, at.y);
