@@ -14,6 +14,7 @@
 #pragma once
 
 #include "tiltrotor/analysis/flight/air_data.hpp"
+#include "tiltrotor/analysis/flight/closed_loop.hpp"
 #include "tiltrotor/analysis/flight/geodetic.hpp"
 #include "tiltrotor/analysis/flight/input_signal.hpp"
 #include "tiltrotor/analysis/flight/sensor_lag.hpp"
@@ -23,6 +24,7 @@
 #include "tiltrotor/analysis/isolated_rotor.hpp"
 #include "tiltrotor/analysis/linear/channel.hpp"
 #include "tiltrotor/analysis/linear/configuration_sensitivity.hpp"
+#include "tiltrotor/analysis/linear/feedback.hpp"
 #include "tiltrotor/analysis/linear/frequency_measures.hpp"
 #include "tiltrotor/analysis/linear/linear_eigenvalues.hpp"
 #include "tiltrotor/analysis/linear/mode_shape.hpp"

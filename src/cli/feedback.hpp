@@ -1,0 +1,45 @@
+// The feedback law of a command, and linear models closed by it.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "cli/arguments.hpp"
+#include "cli/feedback_file.hpp"
+#include "library/analyses.hpp"
+
+namespace tiltrotor::cli {
+
+OptionList feedback_option();
+
+class Feedback {
+ public:
+  // --feedback, for the model of these options. Throws UsageError for a file that is no law for it.
+  Feedback(const Arguments& arguments, const Options& options, bool scas);
+
+  bool is_given() const { return file_ != nullptr; }
+  const FeedbackLaw<double>& law() const { return file_->law(); }
+  const std::string& name() const { return name_; }  // of the file, or "none"
+
+  // The airframe's model of these columns, closed; `outputs`, or nullptr: C and D beside it. `at`: where the law stands,
+  // or nullptr at y_0. Status: those of linearize() and close_controls().
+  Status linearize(const Configuration<double>& c, const State<double>& x, const Controls<double>& u,
+                   const ControlSet& columns, Analyses& work, LinearModel<double>& model,
+                   OutputMatrices* outputs, const FeedbackPoint<double>* at = nullptr,
+                   double azimuth = 0) const;
+  // Closes a model of the vehicle whose first columns are kAllControls, and leaves of these the columns of a set.
+  Status close(const Configuration<double>& c, const State<double>& x, const Controls<double>& u,
+               const ControlSet& columns, VehicleMatrices& matrices,
+               const FeedbackPoint<double>* at = nullptr) const;
+
+ private:
+  struct Work;
+  Status find_controls(const FeedbackPoint<double>& at, const VehicleShape& shape,
+                       const OutputMatrices* outputs) const;
+
+  std::string name_ = "none";
+  std::shared_ptr<FeedbackFile> file_;
+  std::shared_ptr<Work> work_;
+};
+
+}  // namespace tiltrotor::cli

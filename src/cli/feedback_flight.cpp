@@ -1,0 +1,52 @@
+#include "cli/feedback_flight.hpp"
+
+namespace tiltrotor::cli {
+
+FeedbackFlight::FeedbackFlight(const Feedback& feedback, SystemFlight<double>* systems, Analyses& work)
+    : feedback_(feedback),
+      systems_(systems),
+      work_(work),
+      loop_(feedback.is_given() ? std::make_unique<Loop>() : nullptr) {}
+
+Status FeedbackFlight::begin(const Configuration<double>& c, const Simulation<double>& simulation) {
+  if (loop_ == nullptr) return Status::ok;
+  const FeedbackLaw<double>& law = feedback_.law();
+  double seen[kReadingCount] = {};
+  flatten(current_state(simulation), seen);
+  if (systems_ != nullptr) flatten(systems_->state, seen + state_count);
+  FeedbackReference<double>& reference = loop_->reference;
+  set_zero(reference.d);
+  Status status = Status::ok;
+  if (law.reads_instruments()) {
+    const auto outputs = std::make_unique<OutputMatrices>();
+    status = linearize_outputs(c, simulation.state, simulation.controls, kAllControls, work_, *outputs);
+    for (int i = 0; i < OutputMatrices::outputs; ++i) {
+      seen[vehicle_state_count + i] = outputs->y[i];
+      for (int j = 0; j < control_count; ++j) reference.d(i, j) = outputs->d(i, j);
+    }
+  }
+  for (int k = 0; k < law.readings; ++k) reference.reading[k] = seen[law.reading[k]];
+  loop_->law = &law;
+  return status;
+}
+
+Status FeedbackFlight::act(const Configuration<double>& c, const Simulation<double>& simulation) {
+  acting_ = current_controls(simulation);
+  if (loop_ == nullptr) return Status::ok;
+  const Controls<double> hands = acting_;
+  return feed_back(feedback_.law(), loop_->reference, c, c.setup.mast_deg, current_state(simulation),
+                   systems_ != nullptr ? &systems_->state : nullptr, hands, current_azimuth(c, simulation),
+                   loop_->search, acting_);
+}
+
+Status FeedbackFlight::advance(Configuration<double>& c, Simulation<double>& simulation) {
+  MovingConfiguration<double> moving{&c, false, 0, {}, 0};
+  if (loop_ == nullptr) {
+    return systems_ != nullptr ? advance_vehicle(c, *systems_, work_, simulation)
+                               : advance_moving(moving, work_, simulation);
+  }
+  return systems_ != nullptr ? advance_vehicle(c, *systems_, *loop_, simulation)
+                             : advance_moving(moving, *loop_, simulation);
+}
+
+}  // namespace tiltrotor::cli
