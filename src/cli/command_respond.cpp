@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 
+#include "cli/chosen_columns.hpp"
 #include "cli/command.hpp"
 #include "cli/errors.hpp"
 #include "cli/feedback_flight.hpp"
@@ -189,7 +190,8 @@ class Companions {
 };
 
 int fly(const TrimmedFlight& flight, const Plan& plan, const Feedback& feedback,
-        Simulation<double>& simulation, Analyses& analyses, Companions& companions, Records& records) {
+        Simulation<double>& simulation, Analyses& analyses, Companions& companions,
+        const ChosenColumns& columns, Records& records) {
   Flown flown(flight.configuration, feedback, simulation, analyses);
   Configuration<double>& c = flown.c;
   const std::size_t steps = plan.steps + (plan.rest > 0 ? 1 : 0);
@@ -209,7 +211,11 @@ int fly(const TrimmedFlight& flight, const Plan& plan, const Feedback& feedback,
                                              current_azimuth(c, simulation));
     Row row = response_row(flight, c, simulation, acting, added);
     const Status linear = companions.accompany(step, flown, analyses, row);
-    records.add(row);
+    const Instruments<double> readings = columns.have_readings()
+                                             ? flown_readings(c, flown.systems, current_state(simulation),
+                                                              acting, current_azimuth(c, simulation))
+                                             : no_readings();
+    records.add(columns.row(row, readings));
     if (linear != Status::ok) {
       progress.message("respond: linear model at " + now + ": " + status_text(linear));
       exit_status = exit_case_failed;
@@ -230,11 +236,12 @@ int run(const Arguments& arguments) {
   Companions companions(arguments, feedback, plan);
   if (arguments.given("--control-set") && !arguments.given("--matrices"))
     throw UsageError(arguments.where("--control-set") + ": of the columns of --matrices, which is not given");
+  const ChosenColumns columns(arguments, response_columns(plan.modes_every > 0, setup.switches()));
   Output output(arguments);
   if (arguments.given("--matrices")) {
     companions.open_matrices(arguments.text("--matrices", ""), arguments.where("--matrices"));
   }
-  Records records = output.records(response_columns(plan.modes_every > 0, setup.switches()), Output::to_read);
+  Records records = output.records(columns.names(), Output::to_read);
   const AnalysesWorkspace work;
   const auto visit = [&](const TrimmedFlight& flight) -> int {
     if (!is_trimmed(flight.trim.status)) return exit_case_failed;
@@ -247,7 +254,7 @@ int run(const Arguments& arguments) {
     if (status == Status::ok) {
       require_inputs(*simulation, arguments.where("--input"));
       plan.masts.require_range(flight.configuration.setup.mast_deg, arguments.where("--input"));
-      return fly(flight, plan, feedback, *simulation, *work, companions, records);
+      return fly(flight, plan, feedback, *simulation, *work, companions, columns, records);
     }
     std::fprintf(stderr, "tiltrotor: respond: cannot start: %s\n", status_text(status));
     return exit_case_failed;
@@ -290,8 +297,8 @@ Command respond_command() {
           "time response to control inputs, with linear models along the way",
           description().c_str(),
           "tiltrotor respond --mast 0 --speed 40 --input collective=1deg@0 --duration 3 --modes-every 1",
-          options() + feedback_option() + control_set_option() + flight_list() + SetupOptions::list() +
-              Output::list_of_one_piece(),
+          options() + columns_option() + feedback_option() + control_set_option() + flight_list() +
+              SetupOptions::list() + Output::list_of_one_piece(),
           run};
 }
 

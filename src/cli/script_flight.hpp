@@ -14,6 +14,7 @@
 
 #include "cli/flight_script.hpp"
 #include "cli/pilot_training.hpp"
+#include "tiltrotor/analysis/flight/instruments.hpp"
 #include "tiltrotor/analysis/flight/response.hpp"
 
 namespace tiltrotor::cli {
@@ -44,6 +45,7 @@ struct FlightMoment {
   double weight_on_wheels;
   double wanted_height;  // m; not a number where none is held
   bool height_settles;   // its reference has arrived
+  Instruments<double> readings;
 };
 
 class ScriptFlight {

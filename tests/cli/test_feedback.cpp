@@ -1,0 +1,374 @@
+// A feedback law from a file. Expected: A - B K and its like by matrices that the program exports without the law, put
+// together here; roots by the eigenvalues of those, and by how a flight decays; the linear flight by the exponential of A.
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <memory>
+
+#include "check.hpp"
+#include "cli/csv_text.hpp"
+#include "cli/exported_model.hpp"
+#include "cli/scratch_folder.hpp"
+#include "tiltrotor/math/algebra/eigen.hpp"
+
+using check::ExportedModel;
+using check::quoted;
+using check::run_tiltrotor;
+
+namespace {
+
+using Numbers = std::vector<double>;
+const std::string kFlight = "--mast 90 --speed 100 --grid realtime ";
+std::string shipped() { return "--feedback " + quoted(check::source_path("src/examples/lqr.csv")) + " "; }
+
+// Rows of the file for one speed: gain of an input from a reading, zero where the file has none.
+struct Gains {
+  check::CsvText file;
+  explicit Gains(const std::string& text) : file(text.substr(text.find("mast_deg"))) {}
+  double at(const std::string& speed, const std::string& input, const std::string& reading) const {
+    for (std::size_t row = 0; row < file.rows.size(); ++row) {
+      if (file.text(row, "speed_mps") != speed || file.text(row, "input") != input) continue;
+      for (const std::string& column : file.columns)
+        if (column == reading) return file.number(row, reading);
+    }
+    return 0;
+  }
+};
+Gains shipped_gains() {
+  std::ifstream in(check::source_path("src/examples/lqr.csv"));
+  return Gains(std::string(std::istreambuf_iterator<char>(in), {}));
+}
+
+// M - right K, by rows of `rows` x m, m the controls of `open`.
+Numbers minus_fed_back(const ExportedModel& open, Numbers m, const Numbers& right, const Gains& gains,
+                       const std::string& speed) {
+  const std::size_t n = open.n(), inputs = open.m();
+  for (std::size_t i = 0; i < m.size() / n; ++i)
+    for (std::size_t j = 0; j < n; ++j)
+      for (std::size_t k = 0; k < inputs; ++k)
+        m[i * n + j] -= right[i * inputs + k] * gains.at(speed, open.controls[k], open.states[j]);
+  return m;
+}
+
+void check_equal(const Numbers& found, const Numbers& expected, std::size_t width, double tolerance) {
+  if (!CHECK_EQ(found.size(), expected.size())) return;
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    double row = 0;
+    for (std::size_t j = i / width * width; j < (i / width + 1) * width; ++j)
+      row = std::max(row, std::fabs(expected[j]));
+    if (!CHECK_NEAR(found[i], expected[i], tolerance * row + 1e-300)) NOTE("entry " << i);
+  }
+}
+
+using Root = std::complex<double>;
+std::vector<Root> roots_of(const Numbers& a, std::size_t n) {
+  constexpr int most = 40;
+  const auto work = std::make_unique<tiltrotor::EigenWorkspace<double, most>>();
+  const auto matrix = std::make_unique<tiltrotor::Matrix<double, most, most>>();
+  tiltrotor::set_zero(*matrix);
+  for (std::size_t i = 0; i < n * n; ++i) (*matrix)(static_cast<int>(i / n), static_cast<int>(i % n)) = a[i];
+  tiltrotor::Eigenvalues<double, most> values{};
+  CHECK(eigenvalues(*matrix, static_cast<int>(n), *work, values) == tiltrotor::Status::ok);
+  std::vector<Root> roots;
+  for (int k = 0; k < values.size; ++k)
+    if (values.imag[k] >= 0) roots.emplace_back(values.real[k], values.imag[k]);
+  return roots;
+}
+
+void check_modes(const std::string& arguments, const std::vector<Root>& expected) {
+  const check::CsvText modes(run_tiltrotor("modes --format csv " + arguments).out);
+  if (!CHECK_EQ(modes.rows.size(), expected.size())) return;
+  for (std::size_t row = 0; row < modes.rows.size(); ++row) {
+    const Root root(modes.number(row, "real"), modes.number(row, "imag"));
+    double nearest = 1e9;
+    for (const Root& other : expected) nearest = std::min(nearest, std::abs(root - other));
+    if (!CHECK_LE(nearest, 1e-6 * std::abs(root))) NOTE(modes.text(row, "mode"));
+  }
+}
+
+// exp(A t) x by Taylor series in short steps.
+Numbers carried(const Numbers& a, Numbers x, double t) {
+  const std::size_t n = x.size();
+  constexpr int steps = 400, terms = 12;
+  for (int step = 0; step < steps; ++step) {
+    Numbers term = x;
+    for (int k = 1; k <= terms; ++k) {
+      Numbers next(n, 0.0);
+      for (std::size_t i = 0; i < n; ++i)
+        for (std::size_t j = 0; j < n; ++j) next[i] += a[i * n + j] * term[j] * t / steps / k;
+      for (std::size_t i = 0; i < n; ++i) x[i] += next[i];
+      term = next;
+    }
+  }
+  return x;
+}
+
+// States of a row that respond printed, from those of the trim, in the order of the model.
+Numbers states_of(const check::CsvText& flight, std::size_t row, const ExportedModel& model) {
+  static const std::vector<std::pair<std::string, std::string>> printed = {{"u", "u_mps"},
+                                                                           {"v", "v_mps"},
+                                                                           {"w", "w_mps"},
+                                                                           {"p", "p_degps"},
+                                                                           {"q", "q_degps"},
+                                                                           {"r", "r_degps"},
+                                                                           {"phi", "roll_deg"},
+                                                                           {"theta", "pitch_deg"},
+                                                                           {"eps", "downwash_deg"},
+                                                                           {"b1c_R", "b1c_right_deg"},
+                                                                           {"b1s_R", "b1s_right_deg"},
+                                                                           {"db1c_R", "b1c_rate_right_degps"},
+                                                                           {"db1s_R", "b1s_rate_right_degps"},
+                                                                           {"b1c_L", "b1c_left_deg"},
+                                                                           {"b1s_L", "b1s_left_deg"},
+                                                                           {"db1c_L", "b1c_rate_left_degps"},
+                                                                           {"db1s_L", "b1s_rate_left_degps"},
+                                                                           {"n0_R", "n0_right"},
+                                                                           {"nc_R", "nc_right"},
+                                                                           {"ns_R", "ns_right"},
+                                                                           {"n0_L", "n0_left"},
+                                                                           {"nc_L", "nc_left"},
+                                                                           {"ns_L", "ns_left"}};
+  Numbers x(model.n());
+  for (const auto& [state, column] : printed) {
+    const bool in_degrees = column.find("_deg") != std::string::npos;
+    const double unit = in_degrees ? std::acos(-1.0) / 180 : 1;
+    x[ExportedModel::place(model.states, state)] =
+        unit * (flight.number(row, column) - flight.number(0, column));
+  }
+  return x;
+}
+
+std::string law(const check::ScratchFolder& folder, const std::string& name, const std::string& text) {
+  return "--feedback " + quoted(folder.write(name, text)) + " ";
+}
+
+}  // namespace
+
+TEST_OF_XV15(cli_feedback_closes_the_exported_model) {
+  const ExportedModel open(kFlight), closed(kFlight + shipped());
+  const Gains gains = shipped_gains();
+  CHECK(gains.at("100", "pedal", "r") > 1);
+  check_equal(closed.a, minus_fed_back(open, open.a, open.b, gains, "100"), open.n(), 1e-12);
+  check_equal(closed.c, minus_fed_back(open, open.c, open.d, gains, "100"), open.n(), 1e-12);
+  CHECK(closed.b == open.b && closed.d == open.d && closed.x0 == open.x0 && closed.u0 == open.u0);
+  CHECK(closed.y0 == open.y0 && closed.controls == open.controls);
+  // The same columns of other control sets, and the inputs of the law need not be among them.
+  const ExportedModel blades(kFlight + shipped() + "--control-set blades");
+  CHECK(blades.a == closed.a && blades.controls.size() == 7);
+  CHECK(blades.b == ExportedModel(kFlight + "--control-set blades").b);
+  // With a governor; there are columns of the throttles behind the inceptors.
+  const std::string governed = kFlight + "--option governor=pi ";
+  const ExportedModel wild(governed), tame(governed + shipped());
+  check_equal(tame.a, minus_fed_back(wild, wild.a, wild.b, gains, "100"), wild.n(), 1e-12);
+  CHECK(tame.b == wild.b && tame.controls == wild.controls);
+}
+
+TEST_OF_XV15(cli_feedback_modes_are_the_roots_of_the_closed_loop) {
+  const Gains gains = shipped_gains();
+  for (const char* const option :
+       {"", "--option governor=pi ", "--option governor=ideal ", "--reduce rigid "}) {
+    const std::string flight = kFlight + option;
+    const ExportedModel open(flight);
+    const std::vector<Root> slow = roots_of(open.a, open.n());
+    // The reduced model is that of the closed loop: its own matrices say what its roots are.
+    const bool reduced = std::string(option) == "--reduce rigid ";
+    const ExportedModel model = reduced ? ExportedModel(flight + shipped()) : open;
+    const Numbers a = reduced ? model.a : minus_fed_back(model, model.a, model.b, gains, "100");
+    check_modes(flight + shipped(), roots_of(a, model.n()));
+    const auto slowest = [](const std::vector<Root>& roots) {
+      double real = -1e9;
+      for (const Root& root : roots) real = std::max(real, root.real());
+      return real;
+    };
+    CHECK_LT(slowest(roots_of(a, model.n())), slowest(slow) + 0.1);
+  }
+  CHECK_EQ(run_tiltrotor("modes --scas on " + kFlight + shipped()).exit_status, 0);
+}
+
+// Of y = C x + D u one input that reads one output: u = (v - k C x) / (1 + k D).
+TEST_OF_XV15(cli_feedback_of_outputs_is_exact) {
+  const check::ScratchFolder folder;
+  const ExportedModel open(kFlight);
+  const std::size_t n = open.n(), m = open.m(), stick = ExportedModel::place(open.controls, "long_stick");
+  for (const char* const name : {"load_factor", "specific_force_x", "airspeed", "elevator"}) {
+    const std::size_t y = ExportedModel::place(open.outputs, name);
+    const double k = std::string(name) == "load_factor" ? 3 : 0.4,
+                 share = 1 / (1 + k * open.d[y * m + stick]);
+    const std::string gain = std::to_string(k);
+    const ExportedModel closed(
+        kFlight + law(folder, "law.csv", "input," + std::string(name) + "\nlong_stick," + gain + "\n"));
+    Numbers a = open.a, b = open.b, c = open.c, d = open.d;
+    const auto close = [&](Numbers& rows, Numbers& columns) {
+      for (std::size_t i = 0; i < rows.size() / n; ++i) {
+        const double by_stick = columns[i * m + stick];
+        for (std::size_t j = 0; j < n; ++j) rows[i * n + j] -= by_stick * share * k * open.c[y * n + j];
+        for (std::size_t v = 0; v < m; ++v)
+          columns[i * m + v] += by_stick * (v == stick ? share - 1 : -share * k * open.d[y * m + v]);
+      }
+    };
+    close(a, b);
+    close(c, d);
+    check_equal(closed.a, a, n, 1e-11);
+    check_equal(closed.b, b, m, 1e-11);
+    check_equal(closed.c, c, n, 1e-11);
+    check_equal(closed.d, d, m, 1e-11);
+  }
+}
+
+// Twice as far from trim, four times as far from the linear flight.
+TEST_OF_XV15(cli_feedback_flight_is_that_of_the_model_to_second_order) {
+  const check::ScratchFolder folder;
+  const std::string outputs = law(folder, "outputs.csv",
+                                  "input,q,theta,load_factor,power_right\nlong_stick,-9,-8,0.5,0\n"
+                                  "collective,0,0,0.05,1e-7\n");
+  for (const std::string& loop : {shipped(), outputs}) {
+    const ExportedModel closed(kFlight + loop);
+    double off[2] = {};
+    for (int twice = 0; twice < 2; ++twice) {
+      const std::string size = twice == 1 ? "0.4" : "0.2";
+      const check::CsvText flight(run_tiltrotor("respond --format csv --duration 1 --dt 0.02 " + kFlight +
+                                                loop + "--input gust_w=" + size +
+                                                "@0..0.2 --input pedal=" + size + "@0..0.2")
+                                      .out);
+      if (!CHECK_EQ(flight.rows.size(), 51u)) return;
+      const Numbers expected = carried(closed.a, states_of(flight, 10, closed), 0.8);
+      const Numbers found = states_of(flight, 50, closed);
+      double moved = 0;
+      for (const char* const state : {"u", "w", "q", "theta", "v", "p", "phi", "r"}) {
+        const std::size_t i = ExportedModel::place(closed.states, state);
+        off[twice] = std::max(off[twice], std::fabs(found[i] - expected[i]));
+        moved = std::max(moved, std::fabs(found[i]));
+      }
+      CHECK_LT(off[twice], 0.02 * moved);
+    }
+    CHECK_NEAR(off[1] / off[0], 4, 0.8);
+  }
+}
+
+// Long after a kick of the pedal the bank is left to the slowest lateral root.
+TEST_OF_XV15(cli_feedback_flight_decays_with_the_slowest_root) {
+  const check::CsvText flight(
+      run_tiltrotor("respond --format csv --duration 8 --dt 0.1 --columns time_s,roll_deg " + kFlight +
+                    shipped() + "--input pedal=0.5@0..0.5")
+          .out);
+  const check::CsvText modes(run_tiltrotor("modes --format csv " + kFlight + shipped()).out);
+  double slowest = -1e9;
+  for (std::size_t row = 0; row < modes.rows.size(); ++row)
+    if (modes.text(row, "axis") == "lateral") slowest = std::max(slowest, modes.number(row, "real"));
+  const double decay = std::log(flight.number(80, "roll_deg") / flight.number(70, "roll_deg"));
+  CHECK_NEAR(decay, slowest, 0.005 * std::fabs(slowest));
+}
+
+TEST_OF_XV15(cli_feedback_gains_are_scheduled) {
+  const check::ScratchFolder folder;
+  const std::string head = "mast_deg,speed_mps,input,theta\n";
+  const std::string schedule = law(folder, "schedule.csv",
+                                   head +
+                                       "# in any order\n60,60,long_stick,-2\n30,40,long_stick,-7\n\n"
+                                       "30,50,long_stick,-5\n60,80,long_stick,-4\n");
+  const auto constant = [&](const char* gain) {
+    return law(folder, "constant.csv", "input,theta\nlong_stick," + std::string(gain) + "\n");
+  };
+  struct At {
+    const char *flight, *gain;
+  };
+  for (const At& at :
+       {At{"--mast 60 --speed 65", "-2.5"}, At{"--mast 60 --speed 55", "-2"},
+        At{"--mast 75 --speed 90", "-4"}, At{"--mast 15 --speed 42", "-6.6"},
+        At{"--mast 45 --speed 65", "-3.75"}, At{"--mast 40 --speed 45", "-4.666666666666667"}}) {
+    const std::string flight = std::string(at.flight) + " --grid realtime ";
+    const ExportedModel found(flight + schedule), expected(flight + constant(at.gain));
+    check_equal(found.a, expected.a, found.n(), 1e-13);
+  }
+}
+
+TEST_OF_XV15(cli_feedback_is_flown_alike_by_every_method) {
+  const check::ScratchFolder folder;
+  const std::string loop = law(folder, "law.csv", "input,theta,load_factor\nlong_stick,-8,0.5\n");
+  const auto end = [&](const std::string& how) {
+    const check::CsvText flight(run_tiltrotor("respond --format csv --duration 0.3 " + kFlight + loop + how +
+                                              " --input gust_w=2@0.1..0.2 --columns pitch_deg,w_mps")
+                                    .out);
+    return Numbers{flight.number(flight.rows.size() - 1, "pitch_deg"),
+                   flight.number(flight.rows.size() - 1, "w_mps")};
+  };
+  const Numbers best = end("--dt 0.004");
+  for (const char* const how : {"--dt 0.1", "--dt 0.005 --method rk3", "--dt 0.005 --method rodas3",
+                                "--dt 0.005 --method exponential"}) {
+    const Numbers other = end(how);
+    if (!CHECK(std::fabs(other[0] - best[0]) < 3e-4 && std::fabs(other[1] - best[1]) < 3e-4))
+      NOTE(how << " " << other[0] - best[0] << " " << other[1] - best[1]);
+  }
+}
+
+TEST_OF_XV15(cli_feedback_goes_along_with_modes_and_matrices) {
+  const check::ScratchFolder folder;
+  const std::string end =
+      "respond --format csv --duration 0.2 --dt 0.1 --modes-every 0.2 " + kFlight + shipped();
+  const check::CsvText flight(run_tiltrotor(end + "--matrices " + quoted(folder.path("m"))).out);
+  const check::CsvText modes(run_tiltrotor("modes --format csv " + kFlight + shipped()).out);
+  CHECK_EQ(flight.text(0, "mode1"), modes.text(0, "mode"));
+  CHECK_NEAR(flight.number(0, "mode1_real"), modes.number(0, "real"), 1e-9);
+  const check::CsvText a(folder.read("m/a.csv"));
+  const ExportedModel closed(kFlight + shipped());
+  for (std::size_t j = 0; j < closed.n(); ++j)
+    CHECK_NEAR(a.number(2, closed.states[j]), closed.a[2 * closed.n() + j], 1e-9);
+  // Masts that move, with a governor: gains follow.
+  const check::ProgramResult moving = run_tiltrotor(
+      "respond --format csv --duration 0.3 --dt 0.1 --mast 80 --speed 80 --option governor=ideal " +
+      shipped() + "--input mast=2deg@0.05..0.5 --modes-every 0.1");
+  CHECK_EQ(moving.exit_status, 0);
+}
+
+TEST(cli_bad_feedback_files_are_refused) {
+  const check::ScratchFolder folder;
+  const auto refused = [&](const std::string& text, const std::string& what, const std::string& how = "") {
+    const check::ProgramResult r =
+        run_tiltrotor("respond --mast 90 --speed 100 " + how + law(folder, "law.csv", text));
+    const bool told = r.err.find("law.csv:" + what) != std::string::npos;
+    if (!CHECK(r.exit_status == 2 && told && r.out.empty())) NOTE(r.err);
+    CHECK_EQ(std::count(r.err.begin(), r.err.end(), '\n'), 1);
+  };
+  for (const char* const command : {"linearize --speed 40 ", "modes --speed 40 "})
+    CHECK_EQ(run_tiltrotor(command + law(folder, "law.csv", "input,thta\nlong_stick,1\n")).exit_status, 2);
+  refused("input,thta\nlong_stick,1\n",
+          "1: column 'thta' is no reading of this model (did you mean theta?); choose ");
+  refused("input,psi\nlong_stick,1\n", "1: column 'psi' is no reading");
+  refused("input,b0_R\nlong_stick,1\n", "1: column 'b0_R' is no reading");
+  refused("input,airspeed\npedal,1\n", "1: column 'airspeed' is no reading", "--option governor=pi ");
+  refused("input,theta\nlong_stik,1\n",
+          "2: 'long_stik' is no input (did you mean long_stick?); choose among ");
+  refused("input,theta\ngust_w,1\n", "2: 'gust_w' is no input");
+  refused("# gains\n\ninput,theta\nlong_stick,1e\n", "4: column theta: '1e' is not a number");
+  refused("input,theta\nlong_stick,\n", "2: column theta: ");
+  refused("input,theta\nlong_stick,inf\n", "2: column theta: ");
+  refused("input,theta\npedal,1\npedal,2\n", "3: input pedal stands there twice");
+  refused("mast_deg,input,theta\n30,pedal,1\n60,pedal,1\n60,lat_stick,1\n",
+          "2: input lat_stick has rows elsewhere and none at mast 30 deg");
+  refused("speed_mps,input,theta\n-1,pedal,1\n", "2: column speed_mps: -1 lies outside 0..");
+  refused("mast_deg,input,theta\n120,pedal,1\n", "2: column mast_deg: 120 lies outside 0..");
+  refused("input,theta,theta\npedal,1,2\n", "1: column 'theta' stands there twice");
+  refused("theta\n1\n", "1: missing column input");
+  refused("input\npedal\n", "1: no column of a reading");
+  refused("input,theta\npedal,1,2\n", "2: 3 cells, but the header names 2 columns");
+  refused("input,theta\n", " no gains below the header");
+  refused("", "1: no header line");
+  const check::ProgramResult none =
+      run_tiltrotor("respond --speed 40 --feedback " + quoted(folder.path("none.csv")));
+  CHECK(none.exit_status == 2 && none.err.find("none.csv: cannot be read") != std::string::npos);
+}
+
+// A loop that answers a control with exactly itself has no controls.
+TEST_OF_XV15(cli_feedback_without_an_answer_is_a_failed_case) {
+  const check::ScratchFolder folder;
+  const ExportedModel open(kFlight);
+  const std::size_t y = ExportedModel::place(open.outputs, "elevator"),
+                    stick = ExportedModel::place(open.controls, "long_stick");
+  char gain[40];
+  std::snprintf(gain, sizeof gain, "%.17g", -1 / open.d[y * open.m() + stick]);
+  const std::string loop = law(folder, "law.csv", "input,elevator\nlong_stick," + std::string(gain) + "\n");
+  for (const char* const command : {"respond", "linearize", "modes"}) {
+    const check::ProgramResult r = run_tiltrotor(command + (" " + kFlight) + loop);
+    if (!CHECK_EQ(r.exit_status, 1)) NOTE(command << ": " << r.err);
+  }
+}
