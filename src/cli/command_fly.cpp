@@ -140,6 +140,10 @@ int run(const Arguments& arguments) {
     throw UsageError(arguments.where("--script") + ": is missing; give a file");
   const FlightScript script = read_flight_script(arguments.text("--script", ""));
   const FlightStart start = read_start(arguments);
+  if (start.on_ground && arguments.given("--feedback"))
+    throw UsageError(arguments.where("--feedback") +
+                     ": counts from the trim a flight begins in; give --mast, --speed or --height");
+  const Feedback feedback(arguments, FlightModes::shape(start.setup.options));
   const ChosenColumns columns(arguments, flight_columns());
   const double every = arguments.number("--every", 0.1, kEvery);
   const std::size_t thinned =
@@ -148,7 +152,7 @@ int run(const Arguments& arguments) {
   Output output(arguments);
   Records records = output.records(columns.names(), Output::to_read);
 
-  ScriptFlight flight(script, start);
+  ScriptFlight flight(script, start, feedback);
   FlightSummary summary;
   const auto steps = static_cast<std::size_t>(std::ceil(script.duration() / start.dt - 1e-9));
   Progress progress("fly", steps + 1);
@@ -210,7 +214,7 @@ Command fly_command() {
       "the whole vehicle flown by a script, from the ground to the ground",
       description().c_str(),
       "tiltrotor fly --script src/examples/mission.txt --every 1 --columns time_s,height_m,airspeed_mps,mast_deg",
-      options() + columns_option() + control_set_option() + SetupOptions::list() +
+      options() + columns_option() + feedback_option() + control_set_option() + SetupOptions::list() +
           Output::list_of_one_piece(),
       run};
 }

@@ -7,13 +7,17 @@ namespace tiltrotor::cli {
 
 namespace {
 
-ReadingNames reading_names(const Options& options, bool scas) {
+ReadingNames names_of(const VehicleShape& shape) {
   ReadingNames names;
-  const VehicleShape shape = governed_shape(options, kAllControls, scas);
   for (int i = 0; i < shape.states; ++i) {
     names.name.emplace_back(vehicle_variable(shape.state[i]).name);
     names.reading.push_back(shape.state[i]);
   }
+  return names;
+}
+
+ReadingNames reading_names(const Options& options, bool scas) {
+  ReadingNames names = names_of(governed_shape(options, kAllControls, scas));
   if (options.governor != Governor::off || scas || options.azimuth != AzimuthMode::averaged) {
     names.remark = "; outputs go with governor=off, azimuth=averaged and --scas off alone";
     return names;
@@ -53,10 +57,15 @@ struct Feedback::Work {
   ClosedControls<double> closed;
 };
 
-Feedback::Feedback(const Arguments& arguments, const Options& options, bool scas) {
+Feedback::Feedback(const Arguments& arguments, const Options& options, bool scas)
+    : Feedback(arguments, reading_names(options, scas)) {}
+Feedback::Feedback(const Arguments& arguments, const VehicleShape& shape)
+    : Feedback(arguments, names_of(shape)) {}
+
+Feedback::Feedback(const Arguments& arguments, const ReadingNames& names) {
   if (!arguments.given("--feedback")) return;
   name_ = arguments.text("--feedback", "");
-  file_ = std::make_shared<FeedbackFile>(name_, reading_names(options, scas));
+  file_ = std::make_shared<FeedbackFile>(name_, names);
   work_ = std::make_shared<Work>();
 }
 

@@ -14,8 +14,11 @@ OptionList feedback_option();
 
 class Feedback {
  public:
+  Feedback() = default;  // none
   // --feedback, for the model of these options. Throws UsageError for a file that is no law for it.
   Feedback(const Arguments& arguments, const Options& options, bool scas);
+  // The same for a vehicle of these states.
+  Feedback(const Arguments& arguments, const VehicleShape& shape);
 
   bool is_given() const { return file_ != nullptr; }
   const FeedbackLaw<double>& law() const { return file_->law(); }
@@ -34,6 +37,7 @@ class Feedback {
 
  private:
   struct Work;
+  Feedback(const Arguments& arguments, const ReadingNames& names);
   Status find_controls(const FeedbackPoint<double>& at, const VehicleShape& shape,
                        const OutputMatrices* outputs) const;
 

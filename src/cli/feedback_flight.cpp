@@ -39,14 +39,14 @@ Status FeedbackFlight::act(const Configuration<double>& c, const Simulation<doub
                    loop_->search, acting_);
 }
 
-Status FeedbackFlight::advance(Configuration<double>& c, Simulation<double>& simulation) {
+Status FeedbackFlight::advance(Configuration<double>& c, Simulation<double>& simulation, const double* xdot) {
   MovingConfiguration<double> moving{&c, false, 0, {}, 0};
   if (loop_ == nullptr) {
-    return systems_ != nullptr ? advance_vehicle(c, *systems_, work_, simulation)
-                               : advance_moving(moving, work_, simulation);
+    return systems_ != nullptr ? advance_vehicle(c, *systems_, work_, simulation, xdot)
+                               : advance_moving(moving, work_, simulation, xdot);
   }
-  return systems_ != nullptr ? advance_vehicle(c, *systems_, *loop_, simulation)
-                             : advance_moving(moving, *loop_, simulation);
+  return systems_ != nullptr ? advance_vehicle(c, *systems_, *loop_, simulation, xdot)
+                             : advance_moving(moving, *loop_, simulation, xdot);
 }
 
 }  // namespace tiltrotor::cli

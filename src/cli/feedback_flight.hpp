@@ -10,9 +10,9 @@ namespace tiltrotor::cli {
 
 class FeedbackFlight {
  public:
-  // `systems`: those of the flight, or nullptr; they, `feedback` and `work` outlive it. Status: those of
-  // linearize_outputs().
+  // `systems`: those of the flight, or nullptr; they and `work` outlive it.
   FeedbackFlight(const Feedback& feedback, SystemFlight<double>* systems, Analyses& work);
+  // The law counts from here. Status: those of linearize_outputs().
   Status begin(const Configuration<double>& c, const Simulation<double>& simulation);
 
   // What acts from now on. Status: those of feed_back().
@@ -21,12 +21,14 @@ class FeedbackFlight {
   // Where the law stands then, or nullptr without one.
   const FeedbackPoint<double>* point() const { return loop_ == nullptr ? nullptr : &loop_->search.at; }
 
-  // One step, with what moves in it.
-  Status advance(Configuration<double>& c, Simulation<double>& simulation);
+  // One step, with what moves in it; `xdot`: rates that are known, or nullptr.
+  Status advance(Configuration<double>& c, Simulation<double>& simulation, const double* xdot = nullptr);
+
+  const Feedback& feedback() const { return feedback_; }
 
  private:
   using Loop = SimulationWorkspace<double, ClosedLoop>;
-  const Feedback& feedback_;
+  Feedback feedback_;
   SystemFlight<double>* systems_;
   Analyses& work_;
   std::unique_ptr<Loop> loop_;

@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/feedback_flight.hpp"
 #include "cli/flight_script.hpp"
 #include "cli/pilot_training.hpp"
 #include "tiltrotor/analysis/flight/instruments.hpp"
@@ -30,7 +31,7 @@ struct FlightStart {
 struct FlightMoment {
   double time;
   State<double> state;
-  Controls<double> controls;  // of the pilot, without the augmentation
+  Controls<double> controls;  // of the pilot and of a feedback law, without the augmentation
   SystemState<double> systems;
   Commands<double> commands;
   State<double> rates;
@@ -51,7 +52,8 @@ struct FlightMoment {
 class ScriptFlight {
  public:
   // Throws UsageError or std::runtime_error when the flight cannot begin.
-  ScriptFlight(const FlightScript& script, const FlightStart& start);
+  // A feedback law adds to what the pilot does; it counts from the trim in which the flight begins.
+  ScriptFlight(const FlightScript& script, const FlightStart& start, const Feedback& feedback = {});
   ~ScriptFlight();
 
   const FlightMoment& now() const;
@@ -64,6 +66,7 @@ class ScriptFlight {
   // What is flown now, for linear models.
   const Configuration<double>& configuration() const;
   const SystemFlight<double>& systems() const;
+  const FeedbackFlight& loop() const;
   double azimuth() const;
   // Commands that the aircraft did not obey, a line each: "gear up at 12 s: ignored, ...".
   const std::vector<std::string>& ignored() const;

@@ -28,7 +28,7 @@ struct Scheduled {
   }
   double at(double mast_deg, double speed) const { return gain_shares(law, mast_deg, speed).gain(law, 0, 0); }
   double slope(double mast_deg, double speed) const {
-    return gain_shares(law, mast_deg, speed).gain_slope(law, 0, 0);
+    return gain_shares(law, mast_deg, speed).gain_by_speed(law, 0, 0);
   }
 };
 
@@ -48,6 +48,10 @@ TEST(feedback_gains_are_linear_between_blocks_and_held_outside) {
                            {90, 120, 0, 0},    {95, 80, 20, 0.5}};
   for (const At& at : places) {
     const double found = s.at(at.mast_deg, at.speed), slope = s.slope(at.mast_deg, at.speed);
+    const double turn = gain_shares(s.law, at.mast_deg, at.speed).gain_by_mast(s.law, 0, 0), h = 1e-3;
+    const bool at_block = std::fmod(at.mast_deg, 30) == 0 && at.mast_deg != 30;
+    if (!at_block)
+      CHECK_NEAR(turn, (s.at(at.mast_deg + h, at.speed) - s.at(at.mast_deg - h, at.speed)) / (2 * h), 1e-9);
     if (!CHECK(std::fabs(found - at.gain) < 1e-12 && std::fabs(slope - at.slope) < 1e-12))
       NOTE("mast " << at.mast_deg << " deg, " << at.speed << " m/s: " << found << " " << slope);
   }
@@ -135,7 +139,8 @@ TEST_OF_XV15(feedback_away_from_its_reference_has_the_slopes_of_its_controls) {
     for (const int j : {law.input[0], law.input[1]}) {
       const double found = slope(j), expected = (above[j] - below[j]) / (2 * h);
       const double size = kControlVariables[j].facts().bend / bend;
-      if (!CHECK_NEAR(found, expected, 1e-5 * (size + std::fabs(expected)))) NOTE(name << " to " << kControlVariables[j].name);
+      if (!CHECK_NEAR(found, expected, 1e-5 * (size + std::fabs(expected))))
+        NOTE(name << " to " << kControlVariables[j].name);
     }
   };
   for (int i = 0; i < shape.states; ++i)

@@ -129,7 +129,10 @@ struct RightSide<R, ClosedLoop> : RightSide<R, NumDiff> {
     const SystemPart<R>* const parts = this->systems;
     SystemState<R> s{};
     if (parts != nullptr) s = this->system_state(x);
-    const R mast_deg = parts != nullptr ? parts->base.mast_deg : this->c.setup.mast_deg;
+    const bool converts = parts != nullptr && parts->flight->vehicle.on.conversion;
+    const R mast_deg = converts           ? s.mast * kDegPerRad<R>
+                       : parts != nullptr ? parts->base.mast_deg
+                                          : this->c.setup.mast_deg;
     return feed_back(*work.law, work.reference, this->c, mast_deg, this->airframe_state(x),
                      parts != nullptr ? &s : nullptr, hands, azimuth, work.search, work.acting);
   }

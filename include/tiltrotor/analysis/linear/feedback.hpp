@@ -77,14 +77,16 @@ int end_of_mast(const FeedbackLaw<R>& law, int block) {
 
 }  // namespace feedback_detail
 
-// Of the four blocks around a place: how much each counts, and how that changes with airspeed, 1/(m/s).
+// Of the four blocks around a place: how much each counts, and how that changes with airspeed, 1/(m/s), and with mast
+// angle, 1/deg.
 template <class R>
 struct GainShares {
   int block[4];
-  R share[4], slope[4];
+  R share[4], by_speed[4], by_mast[4];
 
   R gain(const FeedbackLaw<R>& law, int i, int k) const { return sum(law, i, k, share); }
-  R gain_slope(const FeedbackLaw<R>& law, int i, int k) const { return sum(law, i, k, slope); }
+  R gain_by_speed(const FeedbackLaw<R>& law, int i, int k) const { return sum(law, i, k, by_speed); }
+  R gain_by_mast(const FeedbackLaw<R>& law, int i, int k) const { return sum(law, i, k, by_mast); }
 
  private:
   R sum(const FeedbackLaw<R>& law, int i, int k, const R (&weight)[4]) const {
@@ -102,21 +104,24 @@ GainShares<R> gain_shares(const FeedbackLaw<R>& law, R mast_deg, R speed) {
   for (int next = end_of_mast(law, first); next < law.blocks && law.block[next].mast_deg <= mast_deg;)
     next = end_of_mast(law, first = next);
   const int second = end_of_mast(law, first);
-  const bool is_between = second < law.blocks && mast_deg > law.block[first].mast_deg;
   const R low_mast = law.block[first].mast_deg;
-  const R above = is_between ? (mast_deg - low_mast) / (law.block[second].mast_deg - low_mast) : R(0);
+  const bool is_between = second < law.blocks && mast_deg >= low_mast;
+  const R per_deg = is_between ? R(1) / (law.block[second].mast_deg - low_mast) : R(0);
+  const R above = is_between ? (mast_deg - low_mast) * per_deg : R(0);
   GainShares<R> shares;
   for (int m = 0; m < 2; ++m) {
     const int begin = m == 0 || !is_between ? first : second;
-    const R weight = m == 0 ? R(1) - above : above;
+    const R weight = m == 0 ? R(1) - above : above, turn = m == 0 ? -per_deg : per_deg;
     const Between<R> at =
         between(begin, end_of_mast(law, begin), speed, [&law](int k) { return law.block[k].speed; });
     shares.block[2 * m] = at.low;
     shares.block[2 * m + 1] = at.high;
     shares.share[2 * m] = weight * (R(1) - at.share);
     shares.share[2 * m + 1] = weight * at.share;
-    shares.slope[2 * m] = -weight * at.slope;
-    shares.slope[2 * m + 1] = weight * at.slope;
+    shares.by_speed[2 * m] = -weight * at.slope;
+    shares.by_speed[2 * m + 1] = weight * at.slope;
+    shares.by_mast[2 * m] = turn * (R(1) - at.share);
+    shares.by_mast[2 * m + 1] = turn * at.share;
   }
   return shares;
 }
@@ -140,7 +145,7 @@ struct ClosedControlsWorkspace {
 
 // `shape.state` says which states the model has; c(i, j), d(i, j): C and D of instrument i, by state of the model and
 // by place in kControlVariables, asked for where the law reads instruments. Away from y_0 the gains' change with
-// airspeed counts. Status: ok; singular (the law answers a control with itself: 1 + K D has no inverse); not_finite.
+// airspeed and mast angle counts. Status: ok; singular (the law answers a control with itself: 1 + K D has no inverse); not_finite.
 template <class R, class C, class D>
 Status close_controls(const FeedbackLaw<R>& law, const FeedbackPoint<R>& at, const VehicleShape& shape, C&& c,
                       D&& d, ClosedControlsWorkspace<R>& work, ClosedControls<R>& closed) {
@@ -155,10 +160,11 @@ Status close_controls(const FeedbackLaw<R>& law, const FeedbackPoint<R>& at, con
   const int gust[] = {kControlIndex.gust.x, kControlIndex.gust.y, kControlIndex.gust.z};
   for (int i = 0; i < law.inputs; ++i) {
     const int row = law.input[i];
-    R by_speed = R(0);
+    R by_speed = R(0), by_mast = R(0);
     for (int k = 0; k < law.readings; ++k) {
       const R gain = shares.gain(law, i, k);
-      by_speed += shares.gain_slope(law, i, k) * at.deviation[k];
+      by_speed += shares.gain_by_speed(law, i, k) * at.deviation[k];
+      by_mast += shares.gain_by_mast(law, i, k) * at.deviation[k] * kDegPerRad<R>;
       const int output = law.reading[k] - vehicle_state_count;
       for (int j = 0; j < n; ++j) {
         if (output >= 0) work.right(row, j) += gain * c(output, j);
@@ -166,6 +172,8 @@ Status close_controls(const FeedbackLaw<R>& law, const FeedbackPoint<R>& at, con
       }
       for (int j = 0; output >= 0 && j < control_count; ++j) work.loop(row, j) += gain * d(output, j);
     }
+    for (int j = 0; j < n; ++j)
+      if (shape.state[j] == state_count + kSystemIndex.mast) work.right(row, j) += by_mast;
     for (int axis = 0; axis < 3 && by_speed != R(0); ++axis) {
       for (int j = 0; j < n; ++j)
         if (shape.state[j] == velocity[axis]) work.right(row, j) += by_speed * *way[axis] / speed;
