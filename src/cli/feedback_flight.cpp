@@ -1,5 +1,8 @@
 #include "cli/feedback_flight.hpp"
 
+#include "cli/governed.hpp"
+#include "tiltrotor/analysis/linear/linear_eigenvalues.hpp"
+
 namespace tiltrotor::cli {
 
 FeedbackFlight::FeedbackFlight(const Feedback& feedback, SystemFlight<double>* systems, Analyses& work)
@@ -27,6 +30,32 @@ Status FeedbackFlight::begin(const Configuration<double>& c, const Simulation<do
   }
   for (int k = 0; k < law.readings; ++k) reference.reading[k] = seen[law.reading[k]];
   loop_->law = &law;
+  loop_->fastest = {};
+  return status == Status::ok ? find_fastest(c, simulation) : status;
+}
+
+Status FeedbackFlight::find_fastest(const Configuration<double>& c, const Simulation<double>& simulation) {
+  const State<double>& x = simulation.state;
+  const Controls<double>& u = simulation.controls;
+  if (systems_ != nullptr) {
+    const auto matrices = std::make_unique<VehicleMatrices>();
+    const auto modes = std::make_unique<VehicleModes<double>>();
+    Status status = linearize_flight(c, *systems_, x, u, kAllControls, CommandColumns::all, work_, *matrices);
+    if (status == Status::ok) status = feedback_.close(c, x, u, ControlSet{}, *matrices);
+    if (status == Status::ok) status = vehicle_modes(*matrices, work_, *modes);
+    const VehicleMode<double>* const mode = modes->mode;
+    loop_->fastest = fastest_rates<double>(
+        status == Status::ok ? modes->count : 0, [mode](int k) { return mode[k].real; },
+        [mode](int k) { return mode[k].imag; });
+    return status;
+  }
+  const auto model = std::make_unique<LinearModel<double>>();
+  const auto search = std::make_unique<LinearEigenvaluesWorkspace<double>>();
+  Eigenvalues<double, kMaxLinearStates> values{};
+  Status status = feedback_.linearize(c, x, u, ControlSet{}, work_, *model, nullptr);
+  if (status == Status::ok) status = eigenvalues(*model, *search, values);
+  loop_->fastest = fastest_rates<double>(
+      values.size, [&values](int k) { return values.real[k]; }, [&values](int k) { return values.imag[k]; });
   return status;
 }
 

@@ -27,6 +27,9 @@ class FeedbackFlight {
   const Feedback& feedback() const { return feedback_; }
 
  private:
+  // How fast the closed loop is where it begins. Status: those of the linear model.
+  Status find_fastest(const Configuration<double>& c, const Simulation<double>& simulation);
+
   using Loop = SimulationWorkspace<double, ClosedLoop>;
   Feedback feedback_;
   SystemFlight<double>* systems_;

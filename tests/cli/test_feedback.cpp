@@ -301,6 +301,58 @@ TEST_OF_XV15(cli_feedback_is_flown_alike_by_every_method) {
   }
 }
 
+// A loop that is faster than the aircraft needs no shorter steps of the user: they are cut.
+TEST_OF_XV15(cli_feedback_of_large_gains_is_stable_in_any_step) {
+  const check::ScratchFolder folder;
+  const std::string loop = law(folder, "law.csv", "input,q,theta\nlong_stick,-3000,-3000\n");
+  const check::CsvText modes(run_tiltrotor("modes --format csv " + kFlight + loop).out);
+  double fastest = 0;
+  for (std::size_t row = 0; row < modes.rows.size(); ++row)
+    fastest = std::max(fastest, -modes.number(row, "real"));
+  CHECK_LT(2000, fastest);
+  for (const char* const governor : {"", "--option governor=pi "}) {
+    const check::CsvText flight(run_tiltrotor("respond --format csv --duration 0.4 --dt 0.1 " + kFlight +
+                                              loop + governor + "--input gust_w=2@0 --columns q_degps,w_mps")
+                                    .out);
+    if (!CHECK_EQ(flight.rows.size(), 5u)) return;
+    CHECK_LT(std::fabs(flight.number(4, "q_degps")), 0.1);
+    CHECK_LT(0.1, std::fabs(flight.number(4, "w_mps") - flight.number(0, "w_mps")));
+  }
+}
+
+// Beside the pilot: A of the whole vehicle at its start, and a kick that dies sooner.
+TEST_OF_XV15(cli_feedback_acts_in_a_flight_by_script) {
+  const check::ScratchFolder folder;
+  const std::string script =
+      quoted(folder.write("flight.txt", "0 scas off\n0 release all\n0.1 step pedal 0.5 0.5\n2 end\n"));
+  double bank[2] = {};
+  std::vector<check::CsvText> a, b;
+  for (const std::string& loop : {std::string(), shipped()}) {
+    const std::string to = folder.path(loop.empty() ? "open" : "closed");
+    const check::ProgramResult run =
+        run_tiltrotor("fly --script " + script +
+                      " --mast 90 --speed 100 --every 2 --format csv --columns roll_deg --modes-every 2 "
+                      "--matrices " +
+                      quoted(to) + " " + loop);
+    if (!CHECK_EQ(run.exit_status, 0)) NOTE(run.err);
+    bank[loop.empty() ? 0 : 1] = std::fabs(check::CsvText(run.out).number(1, "roll_deg"));
+    a.emplace_back(folder.read((loop.empty() ? "open" : "closed") + std::string("/a.csv")));
+    b.emplace_back(folder.read((loop.empty() ? "open" : "closed") + std::string("/b.csv")));
+  }
+  CHECK_LT(bank[1], 0.5 * bank[0]);
+  const Gains gains = shipped_gains();
+  for (std::size_t row = 0; row < a[0].rows.size() && a[0].text(row, "time_s") == "0"; ++row)
+    for (const char* const state : {"u", "q", "theta", "v", "p", "r", "eps"}) {
+      double expected = a[0].number(row, state);
+      for (const char* const input : {"collective", "long_stick", "lat_stick", "pedal"})
+        expected -= b[0].number(row, input) * gains.at("100", input, state);
+      CHECK_NEAR(a[1].number(row, state), expected, 1e-9 * (1 + std::fabs(expected)));
+    }
+  const check::ProgramResult ground = run_tiltrotor("fly --script " + script + " " + shipped());
+  CHECK_EQ(ground.exit_status, 2);
+  CHECK(ground.err.find("fly: --feedback: counts from the trim") != std::string::npos);
+}
+
 TEST_OF_XV15(cli_feedback_goes_along_with_modes_and_matrices) {
   const check::ScratchFolder folder;
   const std::string end =

@@ -2,6 +2,7 @@
 //
 //   static SimulationWorkspace<double, ClosedLoop> work;
 //   work.law = &law;  work.reference = ...;      // gains, and where they count from: feedback.hpp
+//   work.fastest = fastest_rates<double>(...);   // of the closed loop, which may be faster than the aircraft
 //   advance_moving(moving, work, flight);        // or advance(), advance_vehicle(): response.hpp
 //
 // What the flight holds as its controls, its own and the inputs, is then what the law adds to. Nothing stops it: whoever
@@ -106,9 +107,23 @@ template <class R>
 struct SimulationWorkspace<R, ClosedLoop> : SimulationWorkspace<R, NumDiff> {
   const FeedbackLaw<R>* law;
   FeedbackReference<R> reference;
+  FastestRates<R> fastest;  // of the closed loop; 0: not faster than the open one
   FeedbackSearch<R> search;
   Controls<R> acting;  // those of the last evaluation
 };
+
+// From eigenvalues: by how well each is damped, the largest. Roots that grow count for accuracy.
+template <class R, class Real, class Imag>
+FastestRates<R> fastest_rates(int count, Real&& real, Imag&& imag) {
+  constexpr R kHardlyDamped = R(0.17364817766693033);  // sin 10 deg, of StabilityLimits
+  FastestRates<R> fastest = {R(0), R(0)};
+  for (int k = 0; k < count; ++k) {
+    const R size = std::sqrt(real(k) * real(k) + imag(k) * imag(k));
+    R& most = std::fabs(real(k)) < kHardlyDamped * size ? fastest.oscillation : fastest.decay;
+    most = larger_of(most, size);
+  }
+  return fastest;
+}
 
 namespace flight_step {
 
@@ -148,6 +163,14 @@ struct RightSide<R, ClosedLoop> : RightSide<R, NumDiff> {
     return status == Status::ok ? Open::operator()(time, x, xdot) : status;
   }
 };
+
+// In as many parts as the closed loop needs.
+template <class R>
+Status hold(const RightSide<R, ClosedLoop>& f, Integrator integrator, R time, R duration, int count,
+            const R* known) {
+  const int closed = parts(integrator, duration, f.work.fastest);
+  return hold<R, ClosedLoop>(f, integrator, time, duration, count > closed ? count : closed, known);
+}
 
 }  // namespace flight_step
 
