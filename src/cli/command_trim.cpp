@@ -186,7 +186,7 @@ Command trim_command() {
       "power_limit, torque_limit: the first that holds; `limits` lists all), or no trim\n"
       "(rotor_stall, not_converged, singular; out_of_range where the flight asked for cannot be).\n",
       "tiltrotor trim --mast 0,30 --speed 0,40,50 --format csv",
-      columns_option() + flight_list() + SetupOptions::list() + Output::list(),
+      flight_list() + SetupOptions::list() + columns_option() + Output::list(),
       run};
 }
 
