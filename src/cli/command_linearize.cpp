@@ -69,10 +69,7 @@ class Linearizer {
   Status find(const Configuration<double>& c, const State<double>& x, const Controls<double>& u,
               ShownModel& shown) {
     if (c.setup.options.governor != Governor::off) {
-      const ControlSet& columns = feedback_.is_given() ? kAllControls : controls_;
-      Status status = linearize_governed(c, x, u, columns, *work_, *matrices_);
-      if (status == Status::ok && feedback_.is_given())
-        status = feedback_.close(c, x, u, controls_, *matrices_);
+      const Status status = feedback_.linearize_governed(c, x, u, controls_, *work_, *matrices_);
       Controls<double> at = u;
       const SystemFlight<double> flight = governed(c, x, at);
       shown = ShownModel(*matrices_, x, flight.state, u, flight.vehicle.commands);

@@ -187,13 +187,8 @@ struct SystemModes {
   std::unique_ptr<VehicleModes<double>> modes = std::make_unique<VehicleModes<double>>();
 
   Status find(const TrimmedFlight& flight, bool scas, Analyses& work) const {
-    const Configuration<double>& c = flight.configuration;
-    const State<double>& x = flight.trim.state;
-    const Controls<double>& u = flight.trim.controls;
-    const ControlSet& controls = feedback.is_given() ? kAllControls : ControlSet{};
-    Status status = linearize_governed(c, x, u, controls, work, *matrices, scas);
-    if (status == Status::ok && feedback.is_given())
-      status = feedback.close(c, x, u, ControlSet{}, *matrices);
+    const Status status = feedback.linearize_governed(
+        flight.configuration, flight.trim.state, flight.trim.controls, ControlSet{}, work, *matrices, scas);
     return status == Status::ok ? vehicle_modes(*matrices, work, *modes) : status;
   }
 };

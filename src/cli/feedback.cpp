@@ -29,6 +29,12 @@ ReadingNames reading_names(const Options& options, bool scas) {
   return names;
 }
 
+// The law at y_0.
+FeedbackPoint<double> reference(const Configuration<double>& c, const State<double>& x,
+                                const Controls<double>& u) {
+  return {c.setup.mast_deg, x.velocity - u.gust, {}};
+}
+
 // Of the first columns, which are kAllControls, those of the set; what follows moves up. Returns how many are left.
 template <class M>
 int keep_columns(const ControlSet& set, int rows, int columns, M& matrix) {
@@ -88,8 +94,7 @@ Status Feedback::linearize(const Configuration<double>& c, const State<double>& 
   VehicleShape shape;
   shape.states = model.states;
   for (int i = 0; i < model.states; ++i) shape.state[i] = model.state[i];
-  const FeedbackPoint<double> here{c.setup.mast_deg, x.velocity - u.gust, {}};
-  status = find_controls(at != nullptr ? *at : here, shape, seen);
+  status = find_controls(at != nullptr ? *at : reference(c, x, u), shape, seen);
   if (status != Status::ok) return status;
   close_rows(work_->closed, model.states, model.states, model.a, model.b);
   model.controls = keep_columns(columns, model.states, control_count, model.b);
@@ -103,12 +108,27 @@ Status Feedback::linearize(const Configuration<double>& c, const State<double>& 
   return status;
 }
 
+Status Feedback::linearize_governed(const Configuration<double>& c, const State<double>& x,
+                                    const Controls<double>& u, const ControlSet& columns, Analyses& work,
+                                    VehicleMatrices& matrices, bool scas) const {
+  const ControlSet& all = is_given() ? kAllControls : columns;
+  Status status = cli::linearize_governed(c, x, u, all, work, matrices, scas);
+  if (status != Status::ok || !is_given()) return status;
+  // Without systems, where alone a law may read outputs, the states are those of the airframe, in the same order.
+  if (law().reads_instruments()) status = linearize_outputs(c, x, u, kAllControls, work, work_->outputs);
+  return status == Status::ok ? close(reference(c, x, u), columns, &work_->outputs, matrices) : status;
+}
+
 Status Feedback::close(const Configuration<double>& c, const State<double>& x, const Controls<double>& u,
                        const ControlSet& columns, VehicleMatrices& matrices,
                        const FeedbackPoint<double>* at) const {
+  return close(at != nullptr ? *at : reference(c, x, u), columns, nullptr, matrices);
+}
+
+Status Feedback::close(const FeedbackPoint<double>& at, const ControlSet& columns,
+                       const OutputMatrices* outputs, VehicleMatrices& matrices) const {
   VehicleShape& shape = matrices.shape;
-  const FeedbackPoint<double> here{c.setup.mast_deg, x.velocity - u.gust, {}};
-  const Status status = find_controls(at != nullptr ? *at : here, shape, nullptr);
+  const Status status = find_controls(at, shape, outputs);
   if (status != Status::ok) return status;
   close_rows(work_->closed, shape.states, shape.states, matrices.a, matrices.b);
   const int inputs = keep_columns(columns, shape.states, shape.inputs, matrices.b);

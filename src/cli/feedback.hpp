@@ -30,7 +30,12 @@ class Feedback {
                    const ControlSet& columns, Analyses& work, LinearModel<double>& model,
                    OutputMatrices* outputs, const FeedbackPoint<double>* at = nullptr,
                    double azimuth = 0) const;
-  // Closes a model of the vehicle whose first columns are kAllControls, and leaves of these the columns of a set.
+  // linearize_governed(), closed where there is a law.
+  Status linearize_governed(const Configuration<double>& c, const State<double>& x, const Controls<double>& u,
+                            const ControlSet& columns, Analyses& work, VehicleMatrices& matrices,
+                            bool scas = false) const;
+  // Closes a model of the vehicle whose first columns are kAllControls, and leaves of these the columns of a set. The
+  // law reads no outputs.
   Status close(const Configuration<double>& c, const State<double>& x, const Controls<double>& u,
                const ControlSet& columns, VehicleMatrices& matrices,
                const FeedbackPoint<double>* at = nullptr) const;
@@ -38,6 +43,8 @@ class Feedback {
  private:
   struct Work;
   Feedback(const Arguments& arguments, const ReadingNames& names);
+  Status close(const FeedbackPoint<double>& at, const ControlSet& columns, const OutputMatrices* outputs,
+               VehicleMatrices& matrices) const;
   Status find_controls(const FeedbackPoint<double>& at, const VehicleShape& shape,
                        const OutputMatrices* outputs) const;
 

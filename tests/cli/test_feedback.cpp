@@ -113,6 +113,30 @@ TEST_OF_XV15(cli_feedback_modes_are_the_roots_of_the_closed_loop) {
   CHECK_EQ(run_tiltrotor("modes --scas on " + kFlight + shipped()).exit_status, 0);
 }
 
+TEST_OF_XV15(cli_feedback_is_in_bode_and_qualities) {
+  const check::ScratchFolder folder;
+  for (const std::string& loop :
+       {shipped(), law(folder, "law.csv", "input,r,specific_force_y\npedal,3,0.02\n")}) {
+    const check::CsvText modes(run_tiltrotor("modes --format csv " + kFlight + loop).out);
+    std::size_t dutch = 0;
+    while (modes.text(dutch, "mode") != "dutch_roll") ++dutch;
+    const Root root(modes.number(dutch, "real"), modes.number(dutch, "imag"));
+    const check::CsvText roots(
+        run_tiltrotor("bode --format csv --show roots --from pedal --to r " + kFlight + loop).out);
+    double nearest = 1e9;
+    for (std::size_t row = 0; row < roots.rows.size(); ++row)
+      if (roots.text(row, "kind") == "pole")
+        nearest =
+            std::min(nearest, std::abs(root - Root(roots.number(row, "real"), roots.number(row, "imag"))));
+    CHECK_LT(nearest, 1e-8);
+    const check::CsvText levels(run_tiltrotor("qualities --format csv " + kFlight + loop).out);
+    std::size_t row = 0;
+    while (levels.text(row, "quantity") != "dutch_zeta") ++row;
+    CHECK_NEAR(levels.number(row, "value"), modes.number(dutch, "damping_ratio"), 1e-9);
+    CHECK_LT(0.25, levels.number(row, "value"));
+  }
+}
+
 // Of y = C x + D u one input that reads one output: u = (v - k C x) / (1 + k D).
 TEST_OF_XV15(cli_feedback_of_outputs_is_exact) {
   const check::ScratchFolder folder;
