@@ -20,6 +20,7 @@
 #include "tiltrotor/analysis/flight/sensor_lag.hpp"
 #include "tiltrotor/analysis/flight/station_motion.hpp"
 #include "tiltrotor/analysis/flight/table_edge.hpp"
+#include "tiltrotor/analysis/flight/vehicle_readings.hpp"
 #include "tiltrotor/analysis/instances.hpp"
 #include "tiltrotor/analysis/isolated_rotor.hpp"
 #include "tiltrotor/analysis/linear/channel.hpp"

@@ -143,7 +143,7 @@ int run(const Arguments& arguments) {
   if (start.on_ground && arguments.given("--feedback"))
     throw UsageError(arguments.where("--feedback") +
                      ": counts from the trim a flight begins in; give --mast, --speed or --height");
-  const Feedback feedback(arguments, FlightModes::shape(start.setup.options));
+  const Feedback feedback(arguments, start.setup.options, FlightModes::shape(start.setup.options));
   const ChosenColumns columns(arguments, flight_columns());
   const double every = arguments.number("--every", 0.1, kEvery);
   const std::size_t thinned =

@@ -69,10 +69,13 @@ class Linearizer {
   Status find(const Configuration<double>& c, const State<double>& x, const Controls<double>& u,
               ShownModel& shown) {
     if (c.setup.options.governor != Governor::off) {
-      const Status status = feedback_.linearize_governed(c, x, u, controls_, *work_, *matrices_);
+      VehicleOutputs* const outputs = output_.wants_outputs() ? governed_outputs_.get() : nullptr;
+      const Status status =
+          feedback_.linearize_governed(c, x, u, controls_, *work_, *matrices_, false, outputs);
       Controls<double> at = u;
       const SystemFlight<double> flight = governed(c, x, at);
       shown = ShownModel(*matrices_, x, flight.state, u, flight.vehicle.commands);
+      if (status == Status::ok && outputs != nullptr) shown.add_outputs(*outputs);
       return status;
     }
     const bool has_outputs = !rigid_ && output_.wants_outputs();
@@ -95,6 +98,7 @@ class Linearizer {
   std::unique_ptr<LinearModel<double>> model_;
   std::unique_ptr<VehicleMatrices> matrices_;
   std::unique_ptr<OutputMatrices> outputs_;
+  std::unique_ptr<VehicleOutputs> governed_outputs_ = std::make_unique<VehicleOutputs>();
   AnalysesWorkspace work_;
 };
 
@@ -153,7 +157,7 @@ Command linearize_command() {
       "--speed or at the states of a file. JSON is an object for one case and an array for several:\n"
       "  case mast_deg speed_mps status program{name,version,aircraft,commit,derivatives}\n"
       "  settings{mast_deg,flap_deg,rotor_rpm,mass_kg,...,switches{NAME}} states[{name,unit}]\n"
-      "  controls[{name,unit}] x0 u0 A B, and with neither governor nor --reduce outputs[{name,unit}] y0 C D.\n"
+      "  controls[{name,unit}] x0 u0 A B, and without --reduce outputs[{name,unit}] y0 C D.\n"
       "With --feedback they are those of the closed loop, with what the pilot adds in the place of u.\n"
       "The matlab script makes `model`, with the same members, and of every case model(k).ss where ss() is known.\n",
       "tiltrotor linearize --mast 90 --speed 80 --format json",

@@ -158,11 +158,9 @@ class Companions {
     const Simulation<double>& s = flown.simulation;
     const State<double> x = current_state(s);
     const Controls<double>& u = flown.feedback.acting();
-    const ControlSet& columns = feedback_.is_given() ? kAllControls : controls_;
-    Status status = linearize_flight(flown.c, flown.systems, x, u, columns, CommandColumns::throttles,
-                                     analyses, *vehicle_, current_azimuth(flown.c, s));
-    if (status == Status::ok && feedback_.is_given())
-      status = feedback_.close(flown.c, x, u, controls_, *vehicle_, flown.feedback.point());
+    const Status status = feedback_.linearize_flight(flown.c, flown.systems, x, u, controls_,
+                                                     CommandColumns::throttles, analyses, *vehicle_, nullptr,
+                                                     flown.feedback.point(), current_azimuth(flown.c, s));
     if (status != Status::ok) return status;
     if (matrices_) {
       const ShownModel shown(*vehicle_, x, flown.systems.state, u, flown.systems.vehicle.commands);
@@ -212,8 +210,8 @@ int fly(const TrimmedFlight& flight, const Plan& plan, const Feedback& feedback,
     Row row = response_row(flight, c, simulation, acting, added);
     const Status linear = companions.accompany(step, flown, analyses, row);
     const Instruments<double> readings = columns.have_readings()
-                                             ? flown_readings(c, flown.systems, current_state(simulation),
-                                                              acting, current_azimuth(c, simulation))
+                                             ? vehicle_readings(flown.systems, c, current_state(simulation),
+                                                                acting, current_azimuth(c, simulation))
                                              : no_readings();
     records.add(columns.row(row, readings));
     if (linear != Status::ok) {

@@ -1,25 +1,19 @@
 #include "cli/feedback.hpp"
 
-#include "cli/governed.hpp"
 #include "cli/output_names.hpp"
 
 namespace tiltrotor::cli {
 
 namespace {
 
-ReadingNames names_of(const VehicleShape& shape) {
+ReadingNames reading_names(const Options& options, const VehicleShape& shape) {
   ReadingNames names;
   for (int i = 0; i < shape.states; ++i) {
     names.name.emplace_back(vehicle_variable(shape.state[i]).name);
     names.reading.push_back(shape.state[i]);
   }
-  return names;
-}
-
-ReadingNames reading_names(const Options& options, bool scas) {
-  ReadingNames names = names_of(governed_shape(options, kAllControls, scas));
-  if (options.governor != Governor::off || scas || options.azimuth != AzimuthMode::averaged) {
-    names.remark = "; outputs go with governor=off, azimuth=averaged and --scas off alone";
+  if (options.azimuth != AzimuthMode::averaged) {
+    names.remark = "; outputs go with azimuth=averaged alone";
     return names;
   }
   for (int k = 0; k < OutputMatrices::outputs; ++k) {
@@ -59,14 +53,15 @@ OptionList feedback_option() {
 
 struct Feedback::Work {
   OutputMatrices outputs;
+  VehicleOutputs vehicle;
   ClosedControlsWorkspace<double> search;
   ClosedControls<double> closed;
 };
 
 Feedback::Feedback(const Arguments& arguments, const Options& options, bool scas)
-    : Feedback(arguments, reading_names(options, scas)) {}
-Feedback::Feedback(const Arguments& arguments, const VehicleShape& shape)
-    : Feedback(arguments, names_of(shape)) {}
+    : Feedback(arguments, options, governed_shape(options, kAllControls, scas)) {}
+Feedback::Feedback(const Arguments& arguments, const Options& options, const VehicleShape& shape)
+    : Feedback(arguments, reading_names(options, shape)) {}
 
 Feedback::Feedback(const Arguments& arguments, const ReadingNames& names) {
   if (!arguments.given("--feedback")) return;
@@ -75,8 +70,9 @@ Feedback::Feedback(const Arguments& arguments, const ReadingNames& names) {
   work_ = std::make_shared<Work>();
 }
 
+template <class Outputs>
 Status Feedback::find_controls(const FeedbackPoint<double>& at, const VehicleShape& shape,
-                               const OutputMatrices* outputs) const {
+                               const Outputs* outputs) const {
   return close_controls(
       law(), at, shape, [outputs](int i, int j) { return outputs->c(i, j); },
       [outputs](int i, int j) { return outputs->d(i, j); }, work_->search, work_->closed);
@@ -108,35 +104,40 @@ Status Feedback::linearize(const Configuration<double>& c, const State<double>& 
   return status;
 }
 
-Status Feedback::linearize_governed(const Configuration<double>& c, const State<double>& x,
-                                    const Controls<double>& u, const ControlSet& columns, Analyses& work,
-                                    VehicleMatrices& matrices, bool scas) const {
-  const ControlSet& all = is_given() ? kAllControls : columns;
-  Status status = cli::linearize_governed(c, x, u, all, work, matrices, scas);
-  if (status != Status::ok || !is_given()) return status;
-  // Without systems, where alone a law may read outputs, the states are those of the airframe, in the same order.
-  if (law().reads_instruments()) status = linearize_outputs(c, x, u, kAllControls, work, work_->outputs);
-  return status == Status::ok ? close(reference(c, x, u), columns, &work_->outputs, matrices) : status;
-}
-
-Status Feedback::close(const Configuration<double>& c, const State<double>& x, const Controls<double>& u,
-                       const ControlSet& columns, VehicleMatrices& matrices,
-                       const FeedbackPoint<double>* at) const {
-  return close(at != nullptr ? *at : reference(c, x, u), columns, nullptr, matrices);
-}
-
-Status Feedback::close(const FeedbackPoint<double>& at, const ControlSet& columns,
-                       const OutputMatrices* outputs, VehicleMatrices& matrices) const {
+Status Feedback::linearize_flight(const Configuration<double>& c, const SystemFlight<double>& flight,
+                                  const State<double>& x, const Controls<double>& u,
+                                  const ControlSet& columns, CommandColumns commands, Analyses& work,
+                                  VehicleMatrices& matrices, VehicleOutputs* outputs,
+                                  const FeedbackPoint<double>* at, double azimuth) const {
   VehicleShape& shape = matrices.shape;
-  const Status status = find_controls(at, shape, outputs);
+  const ControlSet& all = is_given() ? kAllControls : columns;
+  const bool reads = is_given() && law().reads_instruments();
+  VehicleOutputs* const seen = outputs != nullptr ? outputs : reads ? &work_->vehicle : nullptr;
+  Status status = cli::linearize_flight(c, flight, x, u, all, commands, work, matrices, azimuth);
+  if (status == Status::ok && seen != nullptr)
+    status = linearize_vehicle_outputs(flight, c, x, u, shape, *seen, azimuth);
+  if (status != Status::ok || !is_given()) return status;
+  status = find_controls(at != nullptr ? *at : reference(c, x, u), shape, seen);
   if (status != Status::ok) return status;
   close_rows(work_->closed, shape.states, shape.states, matrices.a, matrices.b);
+  if (outputs != nullptr) {
+    close_rows(work_->closed, VehicleOutputs::outputs, shape.states, outputs->c, outputs->d);
+    keep_columns(columns, VehicleOutputs::outputs, shape.inputs, outputs->d);
+  }
   const int inputs = keep_columns(columns, shape.states, shape.inputs, matrices.b);
   for (int j = 0; j < columns.count; ++j) shape.input[j] = shape.input[columns.index[j]];
   for (int j = columns.count; j < inputs; ++j)
     shape.input[j] = shape.input[j + control_count - columns.count];
   shape.inputs = inputs;
   return status;
+}
+
+Status Feedback::linearize_governed(const Configuration<double>& c, const State<double>& x,
+                                    const Controls<double>& u, const ControlSet& columns, Analyses& work,
+                                    VehicleMatrices& matrices, bool scas, VehicleOutputs* outputs) const {
+  Controls<double> at = u;
+  const SystemFlight<double> flight = governed(c, x, at, scas);
+  return linearize_flight(c, flight, x, at, columns, CommandColumns::throttles, work, matrices, outputs);
 }
 
 }  // namespace tiltrotor::cli

@@ -6,7 +6,8 @@
 
 #include "cli/arguments.hpp"
 #include "cli/feedback_file.hpp"
-#include "library/analyses.hpp"
+#include "cli/governed.hpp"
+#include "library/vehicle_outputs.hpp"
 
 namespace tiltrotor::cli {
 
@@ -18,7 +19,7 @@ class Feedback {
   // --feedback, for the model of these options. Throws UsageError for a file that is no law for it.
   Feedback(const Arguments& arguments, const Options& options, bool scas);
   // The same for a vehicle of these states.
-  Feedback(const Arguments& arguments, const VehicleShape& shape);
+  Feedback(const Arguments& arguments, const Options& options, const VehicleShape& shape);
 
   bool is_given() const { return file_ != nullptr; }
   const FeedbackLaw<double>& law() const { return file_->law(); }
@@ -30,23 +31,23 @@ class Feedback {
                    const ControlSet& columns, Analyses& work, LinearModel<double>& model,
                    OutputMatrices* outputs, const FeedbackPoint<double>* at = nullptr,
                    double azimuth = 0) const;
-  // linearize_governed(), closed where there is a law.
+  // linearize_flight() and linearize_governed(), closed where there is a law; outputs and `at` as above.
+  Status linearize_flight(const Configuration<double>& c, const SystemFlight<double>& flight,
+                          const State<double>& x, const Controls<double>& u, const ControlSet& columns,
+                          CommandColumns commands, Analyses& work, VehicleMatrices& matrices,
+                          VehicleOutputs* outputs = nullptr, const FeedbackPoint<double>* at = nullptr,
+                          double azimuth = 0) const;
   Status linearize_governed(const Configuration<double>& c, const State<double>& x, const Controls<double>& u,
                             const ControlSet& columns, Analyses& work, VehicleMatrices& matrices,
-                            bool scas = false) const;
-  // Closes a model of the vehicle whose first columns are kAllControls, and leaves of these the columns of a set. The
-  // law reads no outputs.
-  Status close(const Configuration<double>& c, const State<double>& x, const Controls<double>& u,
-               const ControlSet& columns, VehicleMatrices& matrices,
-               const FeedbackPoint<double>* at = nullptr) const;
+                            bool scas = false, VehicleOutputs* outputs = nullptr) const;
 
  private:
   struct Work;
   Feedback(const Arguments& arguments, const ReadingNames& names);
-  Status close(const FeedbackPoint<double>& at, const ControlSet& columns, const OutputMatrices* outputs,
-               VehicleMatrices& matrices) const;
+  // How the controls follow, in the work area; `outputs`: C and D that the law reads, or nullptr.
+  template <class Outputs>
   Status find_controls(const FeedbackPoint<double>& at, const VehicleShape& shape,
-                       const OutputMatrices* outputs) const;
+                       const Outputs* outputs) const;
 
   std::string name_ = "none";
   std::shared_ptr<FeedbackFile> file_;

@@ -1,6 +1,5 @@
 #include "cli/feedback_flight.hpp"
 
-#include "cli/governed.hpp"
 #include "tiltrotor/analysis/linear/linear_eigenvalues.hpp"
 
 namespace tiltrotor::cli {
@@ -20,13 +19,24 @@ Status FeedbackFlight::begin(const Configuration<double>& c, const Simulation<do
   FeedbackReference<double>& reference = loop_->reference;
   set_zero(reference.d);
   Status status = Status::ok;
-  if (law.reads_instruments()) {
-    const auto outputs = std::make_unique<OutputMatrices>();
-    status = linearize_outputs(c, simulation.state, simulation.controls, kAllControls, work_, *outputs);
-    for (int i = 0; i < OutputMatrices::outputs; ++i) {
-      seen[vehicle_state_count + i] = outputs->y[i];
-      for (int j = 0; j < control_count; ++j) reference.d(i, j) = outputs->d(i, j);
+  const auto take = [&](const auto& outputs) {
+    for (int i = 0; i < outputs.outputs; ++i) {
+      seen[vehicle_state_count + i] = outputs.y[i];
+      for (int j = 0; j < control_count; ++j) reference.d(i, j) = outputs.d(i, j);
     }
+  };
+  const State<double>& x = simulation.state;
+  const Controls<double>& u = simulation.controls;
+  if (law.reads_instruments() && systems_ == nullptr) {
+    const auto outputs = std::make_unique<OutputMatrices>();
+    status = linearize_outputs(c, x, u, kAllControls, work_, *outputs);
+    take(*outputs);
+  } else if (law.reads_instruments()) {
+    const auto outputs = std::make_unique<VehicleOutputs>();
+    VehicleShape shape{0, control_count, {}, {}};
+    for (int j = 0; j < control_count; ++j) shape.input[j] = j;
+    status = linearize_vehicle_outputs(*systems_, c, x, u, shape, *outputs);
+    take(*outputs);
   }
   for (int k = 0; k < law.readings; ++k) reference.reading[k] = seen[law.reading[k]];
   loop_->law = &law;
@@ -40,8 +50,8 @@ Status FeedbackFlight::find_fastest(const Configuration<double>& c, const Simula
   if (systems_ != nullptr) {
     const auto matrices = std::make_unique<VehicleMatrices>();
     const auto modes = std::make_unique<VehicleModes<double>>();
-    Status status = linearize_flight(c, *systems_, x, u, kAllControls, CommandColumns::all, work_, *matrices);
-    if (status == Status::ok) status = feedback_.close(c, x, u, ControlSet{}, *matrices);
+    Status status =
+        feedback_.linearize_flight(c, *systems_, x, u, ControlSet{}, CommandColumns::all, work_, *matrices);
     if (status == Status::ok) status = vehicle_modes(*matrices, work_, *modes);
     const VehicleMode<double>* const mode = modes->mode;
     loop_->fastest = fastest_rates<double>(
@@ -63,9 +73,15 @@ Status FeedbackFlight::act(const Configuration<double>& c, const Simulation<doub
   acting_ = current_controls(simulation);
   if (loop_ == nullptr) return Status::ok;
   const Controls<double> hands = acting_;
-  return feed_back(feedback_.law(), loop_->reference, c, c.setup.mast_deg, current_state(simulation),
-                   systems_ != nullptr ? &systems_->state : nullptr, hands, current_azimuth(c, simulation),
-                   loop_->search, acting_);
+  const State<double> x = current_state(simulation);
+  const double azimuth = current_azimuth(c, simulation);
+  const FeedbackLaw<double>& law = feedback_.law();
+  if (systems_ == nullptr)
+    return feed_back<double>(law, loop_->reference, c, x, nullptr, hands, azimuth, loop_->search, acting_);
+  Configuration<double> put = c;
+  put.around = with_turbulence(c, x, hands, systems_->vehicle, systems_->state);
+  const FlownVehicle<double> vehicle{systems_->vehicle, systems_->state, c.setup, put};
+  return feed_back<double>(law, loop_->reference, put, x, &vehicle, hands, azimuth, loop_->search, acting_);
 }
 
 Status FeedbackFlight::advance(Configuration<double>& c, Simulation<double>& simulation, const double* xdot) {

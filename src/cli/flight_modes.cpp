@@ -37,14 +37,9 @@ std::vector<std::string> FlightModes::inputs() const {
 
 Status FlightModes::linearize(const ScriptFlight& flight) {
   const FlightMoment& now = flight.now();
-  const Feedback& feedback = flight.loop().feedback();
-  const ControlSet& columns = feedback.is_given() ? kAllControls : controls_;
-  const Status status =
-      linearize_flight(flight.configuration(), flight.systems(), now.state, now.controls, columns,
-                       CommandColumns::all, *work_->analyses, work_->matrices, flight.azimuth());
-  if (status != Status::ok || !feedback.is_given()) return status;
-  return feedback.close(flight.configuration(), now.state, now.controls, controls_, work_->matrices,
-                        flight.loop().point());
+  return flight.loop().feedback().linearize_flight(
+      flight.configuration(), flight.systems(), now.state, now.controls, controls_, CommandColumns::all,
+      *work_->analyses, work_->matrices, nullptr, flight.loop().point(), flight.azimuth());
 }
 
 ShownModel FlightModes::model(const ScriptFlight& flight) const {

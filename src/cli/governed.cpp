@@ -33,38 +33,19 @@ Status linearize_flight(const Configuration<double>& c, const SystemFlight<doubl
   return linearize_vehicle(flight.vehicle, put, x, flight.state, u, work, matrices, azimuth);
 }
 
-namespace {
-
-// One evaluation of the vehicle.
-struct Moment {
-  Moment(const Configuration<double>& c, const SystemFlight<double>& flight, const State<double>& x,
-         const Controls<double>& u, double azimuth)
-      : put(c) {
-    vehicle_rates(flight.vehicle, c, c.setup, put, x, flight.state, flight.vehicle.commands, u,
-                  VehicleAirframe<double>{put, x, steps, azimuth}, demand, answer, flows, rates);
-  }
-  Configuration<double> put;
+double governed_collective(const Configuration<double>& c, const SystemFlight<double>& flight,
+                           const State<double>& x, const Controls<double>& u, double azimuth) {
+  const Vehicle<double>& v = flight.vehicle;
+  if (v.on.governor != Governor::ideal) return flight.state.governor;
+  Configuration<double> put = c;
   DerivativeSteps<double> steps;
   AirframeDemand<double> demand;
   AirframeAnswer<double> answer;
   VehicleFlows<double> flows;
   SystemState<double> rates;
-};
-
-}  // namespace
-
-double governed_collective(const Configuration<double>& c, const SystemFlight<double>& flight,
-                           const State<double>& x, const Controls<double>& u, double azimuth) {
-  if (flight.vehicle.on.governor != Governor::ideal) return flight.state.governor;
-  return Moment(c, flight, x, u, azimuth).flows.governed;
-}
-
-Instruments<double> flown_readings(const Configuration<double>& c, const SystemFlight<double>& flight,
-                                   const State<double>& x, const Controls<double>& u, double azimuth) {
-  const Moment now(c, flight, x, u, azimuth);
-  Instruments<double> readings;
-  read_instruments(now.put, x, now.steps, now.answer.rates, readings);
-  return readings;
+  vehicle_rates(v, c, c.setup, put, x, flight.state, v.commands, u,
+                VehicleAirframe<double>{put, x, steps, azimuth}, demand, answer, flows, rates);
+  return flows.governed;
 }
 
 VehicleShape governed_shape(const Options& options, const ControlSet& columns, bool scas) {

@@ -30,10 +30,6 @@ Status linearize_flight(const Configuration<double>& c, const SystemFlight<doubl
 double governed_collective(const Configuration<double>& c, const SystemFlight<double>& flight,
                            const State<double>& x, const Controls<double>& u, double azimuth);
 
-// What the instruments read at this moment.
-Instruments<double> flown_readings(const Configuration<double>& c, const SystemFlight<double>& flight,
-                                   const State<double>& x, const Controls<double>& u, double azimuth);
-
 // Throws UsageError when an option is given that goes with governor=off alone.
 void require_no_governor(const Options& options, const Arguments& arguments, const char* option);
 

@@ -212,7 +212,7 @@ struct ScriptFlight::Parts : ScriptCommander {
     if (flight.vehicle.on.governor == Governor::ideal) m.systems.governor = flows.governed;
     m.commands = flight.vehicle.commands;
     m.rates = answer.rates;
-    read_instruments(here, x, steps, answer.rates, m.readings);
+    read_vehicle(flight.vehicle, here, x, steps, answer.rates, found, m.readings);
     m.velocity_n = over_ground(x, c.around.wind_n);
     m.height = height();
     m.airspeed = length(x.velocity - u.gust);

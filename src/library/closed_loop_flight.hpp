@@ -11,8 +11,8 @@
                                          SimulationWorkspace<double, ClosedLoop>&, Simulation<double>&, \
                                          const double*);                                                \
   PREFIX template Status feed_back(const FeedbackLaw<double>&, const FeedbackReference<double>&,        \
-                                   const Configuration<double>&, double, const State<double>&,          \
-                                   const SystemState<double>*, const Controls<double>&, double,         \
+                                   const Configuration<double>&, const State<double>&,                  \
+                                   const FlownVehicle<double>*, const Controls<double>&, double,        \
                                    FeedbackSearch<double>&, Controls<double>&);
 
 namespace tiltrotor {

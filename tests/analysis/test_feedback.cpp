@@ -100,8 +100,7 @@ TEST_OF_XV15(feedback_away_from_its_reference_has_the_slopes_of_its_controls) {
     Controls<double> hands, out;
     unflatten(x, state);
     unflatten(u, hands);
-    CHECK(feed_back<double>(law, *reference, c, 60.0, state, nullptr, hands, 0.0, *search, out) ==
-          Status::ok);
+    CHECK(feed_back<double>(law, *reference, c, state, nullptr, hands, 0.0, *search, out) == Status::ok);
     flatten(out, found);
   };
   double x[state_count], u[control_count], there[control_count];

@@ -113,6 +113,30 @@ TEST_OF_XV15(cli_feedback_modes_are_the_roots_of_the_closed_loop) {
   CHECK_EQ(run_tiltrotor("modes --scas on " + kFlight + shipped()).exit_status, 0);
 }
 
+// A governor adds a lever's travel: its column of C is that of D, and forces hang on the rest as without.
+TEST_OF_XV15(cli_linearize_governed_outputs_are_those_of_the_airframe) {
+  const ExportedModel free(kFlight), governed(kFlight + "--option governor=pi");
+  CHECK(governed.outputs == free.outputs && governed.c.size() == governed.outputs.size() * governed.n());
+  const std::size_t governor = ExportedModel::place(governed.states, "governor");
+  const std::size_t lever = ExportedModel::place(governed.controls, "collective");
+  for (const char* const name : {"airspeed", "thrust_right", "thrust_left", "specific_force_z", "load_factor",
+                                 "collective_right", "elevator"}) {
+    const std::size_t y = ExportedModel::place(free.outputs, name);
+    CHECK_NEAR(governed.y0[y], free.y0[y], 1e-9 * std::fabs(free.y0[y]) + 1e-9);
+    double size = 1e-12;
+    for (std::size_t j = 0; j < free.n(); ++j) size = std::max(size, std::fabs(free.c[y * free.n() + j]));
+    for (std::size_t j = 0; j < free.n(); ++j)
+      if (!CHECK_NEAR(governed.c[y * governed.n() + ExportedModel::place(governed.states, free.states[j])],
+                      free.c[y * free.n() + j], 1e-9 * size))
+        NOTE(name << " " << free.states[j]);
+    CHECK_NEAR(governed.c[y * governed.n() + governor], governed.d[y * governed.m() + lever],
+               1e-9 * std::fabs(governed.d[y * governed.m() + lever]));
+    for (std::size_t j = 0; j < free.m(); ++j)
+      CHECK_NEAR(governed.d[y * governed.m() + j], free.d[y * free.m() + j],
+                 1e-9 * std::fabs(free.d[y * free.m() + j]));
+  }
+}
+
 TEST_OF_XV15(cli_feedback_is_in_bode_and_qualities) {
   const check::ScratchFolder folder;
   for (const std::string& loop :
@@ -205,7 +229,7 @@ TEST(cli_bad_feedback_files_are_refused) {
           "1: column 'thta' is no reading of this model (did you mean theta?); choose ");
   refused("input,psi\nlong_stick,1\n", "1: column 'psi' is no reading");
   refused("input,b0_R\nlong_stick,1\n", "1: column 'b0_R' is no reading");
-  refused("input,airspeed\npedal,1\n", "1: column 'airspeed' is no reading", "--option governor=pi ");
+  refused("input,airspeed\npedal,1\n", "1: column 'airspeed' is no reading", "--option azimuth=individual ");
   refused("input,theta\nlong_stik,1\n",
           "2: 'long_stik' is no input (did you mean long_stick?); choose among ");
   refused("input,theta\ngust_w,1\n", "2: 'gust_w' is no input");

@@ -69,39 +69,57 @@ Numbers states_of(const check::CsvText& flight, std::size_t row, const ExportedM
     x[ExportedModel::place(model.states, state)] =
         unit * (flight.number(row, column) - flight.number(0, column));
   }
+  for (std::size_t i = 0; i < model.n(); ++i) {
+    const double rpm = std::acos(-1.0) / 30, degree = std::acos(-1.0) / 180;
+    if (model.states[i] == "rotor_speed")
+      x[i] = rpm * (flight.number(row, "rotor_rpm") - flight.number(0, "rotor_rpm"));
+    if (model.states[i] == "governor")
+      x[i] = degree * (flight.number(row, "governor_deg") - flight.number(0, "governor_deg"));
+  }
   return x;
+}
+
+// Twice as far from trim, four times as far from the linear flight.
+void check_second_order(const std::string& loop) {
+  const ExportedModel closed(kFlight + loop);
+  double off[2] = {};
+  for (int twice = 0; twice < 2; ++twice) {
+    const std::string size = twice == 1 ? "0.4" : "0.2";
+    const check::CsvText flight(run_tiltrotor("respond --format csv --duration 1 --dt 0.02 " + kFlight +
+                                              loop + "--input gust_w=" + size +
+                                              "@0..0.2 --input pedal=" + size + "@0..0.2")
+                                    .out);
+    if (!CHECK_EQ(flight.rows.size(), 51u)) return;
+    const Numbers expected = carried(closed.a, states_of(flight, 10, closed), 0.8);
+    const Numbers found = states_of(flight, 50, closed);
+    double moved = 0;
+    for (const char* const state : {"u", "w", "q", "theta", "v", "p", "phi", "r"}) {
+      const std::size_t i = ExportedModel::place(closed.states, state);
+      off[twice] = std::max(off[twice], std::fabs(found[i] - expected[i]));
+      moved = std::max(moved, std::fabs(found[i]));
+    }
+    CHECK_LT(off[twice], 0.02 * moved);
+  }
+  if (!CHECK_NEAR(off[1] / off[0], 4, 0.8)) NOTE(loop);
+}
+
+std::string outputs_fed_back(const check::ScratchFolder& folder) {
+  return law(folder, "outputs.csv",
+             "input,q,theta,load_factor,power_right\nlong_stick,-9,-8,0.5,0\ncollective,0,0,0.05,1e-7\n");
 }
 
 }  // namespace
 
-// Twice as far from trim, four times as far from the linear flight.
 TEST_OF_XV15(cli_feedback_flight_is_that_of_the_model_to_second_order) {
   const check::ScratchFolder folder;
-  const std::string outputs = law(folder, "outputs.csv",
-                                  "input,q,theta,load_factor,power_right\nlong_stick,-9,-8,0.5,0\n"
-                                  "collective,0,0,0.05,1e-7\n");
-  for (const std::string& loop : {shipped(), outputs}) {
-    const ExportedModel closed(kFlight + loop);
-    double off[2] = {};
-    for (int twice = 0; twice < 2; ++twice) {
-      const std::string size = twice == 1 ? "0.4" : "0.2";
-      const check::CsvText flight(run_tiltrotor("respond --format csv --duration 1 --dt 0.02 " + kFlight +
-                                                loop + "--input gust_w=" + size +
-                                                "@0..0.2 --input pedal=" + size + "@0..0.2")
-                                      .out);
-      if (!CHECK_EQ(flight.rows.size(), 51u)) return;
-      const Numbers expected = carried(closed.a, states_of(flight, 10, closed), 0.8);
-      const Numbers found = states_of(flight, 50, closed);
-      double moved = 0;
-      for (const char* const state : {"u", "w", "q", "theta", "v", "p", "phi", "r"}) {
-        const std::size_t i = ExportedModel::place(closed.states, state);
-        off[twice] = std::max(off[twice], std::fabs(found[i] - expected[i]));
-        moved = std::max(moved, std::fabs(found[i]));
-      }
-      CHECK_LT(off[twice], 0.02 * moved);
-    }
-    CHECK_NEAR(off[1] / off[0], 4, 0.8);
-  }
+  check_second_order(shipped());
+  check_second_order(outputs_fed_back(folder));
+}
+
+TEST_OF_XV15(cli_feedback_of_a_governed_flight_is_that_of_the_model_to_second_order) {
+  const check::ScratchFolder folder;
+  for (const char* const governor : {"pi ", "ideal "})
+    check_second_order(outputs_fed_back(folder) + "--option governor=" + governor);
 }
 
 // Long after a kick of the pedal the bank is left to the slowest lateral root.

@@ -10,6 +10,7 @@
 #pragma once
 
 #include "tiltrotor/analysis/flight/response.hpp"
+#include "tiltrotor/analysis/flight/vehicle_readings.hpp"
 #include "tiltrotor/analysis/linear/feedback.hpp"
 
 namespace tiltrotor {
@@ -30,31 +31,45 @@ struct FeedbackSearch {
   FeedbackPoint<R> at;
   Matrix<R, control_count, control_count> loop;  // 1 + K D of the reference, by rows of the law
   LU<R, control_count> lu;
-  DerivativeSteps<R> steps;
   State<R> rates;
-  Instruments<R> readings;
+  VehicleReadings<R> vehicle;
+
+  // What the instruments read where `u` acts; an ideal governor's search goes on from the one before.
+  const Instruments<R>& read(const Configuration<R>& c, const State<R>& x, const FlownVehicle<R>* systems,
+                             SystemState<R>& s, const Controls<R>& u, R azimuth) {
+    if (systems == nullptr) {
+      derivative(c, x, u, vehicle.steps, rates, azimuth);
+      read_instruments(c, x, vehicle.steps, rates, vehicle.readings);
+    } else {
+      vehicle.read(*systems, c, x, s, u, azimuth);
+      if (systems->vehicle.on.governor == Governor::ideal) s.governor = vehicle.flows.governed;
+    }
+    return vehicle.readings;
+  }
 };
 
 inline constexpr int kMaxFeedbackSteps = 60;
 template <class R>
 inline constexpr R kFeedbackTolerance = R(1e5) * std::numeric_limits<R>::epsilon();  // of a control's bend
 
-// The controls that act where the hands are at `hands`. `s`: of the systems, or nullptr; instruments are read without
-// them. Where readings hang on the controls, both are found together by steps with (1 + K D) of the reference.
-// Status: ok; not_converged (D is another by far, or the loop nearly answers itself); singular; bad_argument
-// (instruments with systems). Cost: gains; with instruments some five derivatives.
+// The controls that act where the hands are at `hands`; `systems`: around the airframe, or nullptr. Where readings hang
+// on the controls, both are found together by steps with (1 + K D) of the reference. Status: ok; not_converged (D is
+// another by far, or the loop nearly answers itself); singular; not_finite. Cost: gains; with instruments some five
+// derivatives.
 template <class R>
 Status feed_back(const FeedbackLaw<R>& law, const FeedbackReference<R>& reference, const Configuration<R>& c,
-                 R mast_deg, const State<R>& x, const SystemState<R>* s, const Controls<R>& hands, R azimuth,
+                 const State<R>& x, const FlownVehicle<R>* systems, const Controls<R>& hands, R azimuth,
                  FeedbackSearch<R>& search, Controls<R>& acting) {
   R seen[kReadingCount] = {}, from[control_count], u[control_count];
   flatten(x, seen);
-  if (s != nullptr) flatten(*s, seen + state_count);
+  SystemState<R> s{};
+  if (systems != nullptr) s = systems->state;
+  flatten(s, seen + state_count);
   flatten(hands, from);
   flatten(hands, u);
-  search.at.mast_deg = mast_deg;
+  search.at.mast_deg = systems != nullptr ? systems->mast_deg() : c.setup.mast_deg;
   search.at.air = x.velocity - hands.gust;
-  const GainShares<R> shares = gain_shares(law, mast_deg, length(search.at.air));
+  const GainShares<R> shares = gain_shares(law, search.at.mast_deg, length(search.at.air));
   // By how much input i stands off the law.
   const auto distance = [&](int i) {
     R sum = from[law.input[i]] - u[law.input[i]];
@@ -71,7 +86,6 @@ Status feed_back(const FeedbackLaw<R>& law, const FeedbackReference<R>& referenc
     unflatten(u, acting);
     return Status::ok;
   }
-  if (s != nullptr) return Status::bad_argument;
   set_zero(search.loop);
   for (int i = 0; i < law.inputs; ++i)
     for (int j = 0; j < law.inputs; ++j) {
@@ -85,9 +99,7 @@ Status feed_back(const FeedbackLaw<R>& law, const FeedbackReference<R>& referenc
   if (status != Status::ok) return status;
   for (int step = 0; step < kMaxFeedbackSteps; ++step) {
     unflatten(u, acting);
-    derivative(c, x, acting, search.steps, search.rates, azimuth);
-    read_instruments(c, x, search.steps, search.rates, search.readings);
-    flatten(search.readings, seen + vehicle_state_count);
+    flatten(search.read(c, x, systems, s, acting, azimuth), seen + vehicle_state_count);
     look();
     R way[control_count];
     bool is_there = true;
@@ -142,14 +154,14 @@ struct RightSide<R, ClosedLoop> : RightSide<R, NumDiff> {
   // `x`: with Euler angles.
   Status act(const R* x, R azimuth) const {
     const SystemPart<R>* const parts = this->systems;
-    SystemState<R> s{};
-    if (parts != nullptr) s = this->system_state(x);
-    const bool converts = parts != nullptr && parts->flight->vehicle.on.conversion;
-    const R mast_deg = converts           ? s.mast * kDegPerRad<R>
-                       : parts != nullptr ? parts->base.mast_deg
-                                          : this->c.setup.mast_deg;
-    return feed_back(*work.law, work.reference, this->c, mast_deg, this->airframe_state(x),
-                     parts != nullptr ? &s : nullptr, hands, azimuth, work.search, work.acting);
+    const State<R> state = this->airframe_state(x);
+    if (parts == nullptr)
+      return feed_back<R>(*work.law, work.reference, this->c, state, nullptr, hands, azimuth, work.search,
+                          work.acting);
+    const SystemState<R> s = this->system_state(x);
+    const FlownVehicle<R> vehicle{parts->flight->vehicle, s, parts->base, *parts->c};
+    return feed_back<R>(*work.law, work.reference, this->c, state, &vehicle, hands, azimuth, work.search,
+                        work.acting);
   }
   void rates(const R* x, R* found, R azimuth) const {
     if (act(x, azimuth) != Status::ok) work.acting.collective = std::numeric_limits<R>::quiet_NaN();
