@@ -32,6 +32,7 @@
 #include "tiltrotor/analysis/linear/mode_tracker.hpp"
 #include "tiltrotor/analysis/linear/output_model.hpp"
 #include "tiltrotor/analysis/linear/rigid_model.hpp"
+#include "tiltrotor/analysis/linear/rigid_outputs.hpp"
 #include "tiltrotor/analysis/linear/system_gains.hpp"
 #include "tiltrotor/analysis/linear/vehicle_direction.hpp"
 #include "tiltrotor/analysis/linear/vehicle_modes.hpp"

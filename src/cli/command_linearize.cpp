@@ -78,15 +78,16 @@ class Linearizer {
       if (status == Status::ok && outputs != nullptr) shown.add_outputs(*outputs);
       return status;
     }
-    const bool has_outputs = !rigid_ && output_.wants_outputs();
-    Status status = feedback_.is_given() ? feedback_.linearize(c, x, u, controls_, *work_, *model_,
-                                                               has_outputs ? outputs_.get() : nullptr)
+    OutputMatrices* const outputs = output_.wants_outputs() ? outputs_.get() : nullptr;
+    Status status = feedback_.is_given() ? feedback_.linearize(c, x, u, controls_, *work_, *model_, outputs)
                                          : linearize(c, x, u, controls_, *work_, *model_);
-    if (status == Status::ok && rigid_) status = reduce_to_rigid(*model_, order_);
+    if (status == Status::ok && outputs != nullptr && !feedback_.is_given())
+      status = linearize_outputs(c, x, u, controls_, *work_, *outputs);
+    if (status == Status::ok && rigid_)
+      status =
+          outputs != nullptr ? reduce_to_rigid(*model_, order_, *outputs) : reduce_to_rigid(*model_, order_);
     shown = ShownModel(*model_);
-    if (status != Status::ok || !has_outputs) return status;
-    if (!feedback_.is_given()) status = linearize_outputs(c, x, u, controls_, *work_, *outputs_);
-    if (status == Status::ok) shown.add_outputs(*outputs_);
+    if (status == Status::ok && outputs != nullptr) shown.add_outputs(*outputs);
     return status;
   }
 
@@ -157,7 +158,7 @@ Command linearize_command() {
       "--speed or at the states of a file. JSON is an object for one case and an array for several:\n"
       "  case mast_deg speed_mps status program{name,version,aircraft,commit,derivatives}\n"
       "  settings{mast_deg,flap_deg,rotor_rpm,mass_kg,...,switches{NAME}} states[{name,unit}]\n"
-      "  controls[{name,unit}] x0 u0 A B, and without --reduce outputs[{name,unit}] y0 C D.\n"
+      "  controls[{name,unit}] x0 u0 A B outputs[{name,unit}] y0 C D.\n"
       "With --feedback they are those of the closed loop, with what the pilot adds in the place of u.\n"
       "The matlab script makes `model`, with the same members, and of every case model(k).ss where ss() is known.\n",
       "tiltrotor linearize --mast 90 --speed 80 --format json",

@@ -9,6 +9,7 @@
 #include "cli/exported_model.hpp"
 #include "cli/feedback_law.hpp"
 #include "tiltrotor/math/algebra/eigen.hpp"
+#include "tiltrotor/math/algebra/lu.hpp"
 
 using check::ExportedModel;
 using check::Gains;
@@ -42,6 +43,29 @@ void check_equal(const Numbers& found, const Numbers& expected, std::size_t widt
       row = std::max(row, std::fabs(expected[j]));
     if (!CHECK_NEAR(found[i], expected[i], tolerance * row + 1e-300)) NOTE("entry " << i);
   }
+}
+
+// Every output over control v at a real s: C (s - A)^-1 B + D.
+Numbers transfer(const ExportedModel& model, double s, std::size_t v) {
+  const std::size_t n = model.n(), m = model.m();
+  constexpr int most = 40;
+  const auto lu = std::make_unique<tiltrotor::LU<double, most>>();
+  const auto matrix = std::make_unique<tiltrotor::Matrix<double, most, most>>();
+  tiltrotor::set_zero(*matrix);
+  double x[most] = {};
+  for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t j = 0; j < n; ++j)
+      (*matrix)(static_cast<int>(i), static_cast<int>(j)) = (i == j ? s : 0) - model.a[i * n + j];
+    x[i] = model.b[i * m + v];
+  }
+  CHECK(lu_factor(*matrix, static_cast<int>(n), *lu) == tiltrotor::Status::ok);
+  CHECK(lu_solve(*lu, x) == tiltrotor::Status::ok);
+  Numbers y;
+  for (std::size_t k = 0; k < model.outputs.size(); ++k) {
+    y.push_back(model.d[k * m + v]);
+    for (std::size_t j = 0; j < n; ++j) y.back() += model.c[k * n + j] * x[j];
+  }
+  return y;
 }
 
 using Root = std::complex<double>;
@@ -111,6 +135,28 @@ TEST_OF_XV15(cli_feedback_modes_are_the_roots_of_the_closed_loop) {
     CHECK_LT(slowest(roots_of(a, model.n())), slowest(slow) + 0.1);
   }
   CHECK_EQ(run_tiltrotor("modes --scas on " + kFlight + shipped()).exit_status, 0);
+}
+
+// y/u at s = 0 is that of the full model, whatever the order; near it the lag of rotors and wash is what is off by a
+// surface, and to first order next to nothing.
+TEST_OF_XV15(cli_linearize_reduced_outputs_are_those_of_slow_motion) {
+  const ExportedModel full(kFlight), lagging(kFlight + "--reduce rigid"),
+      steady(kFlight + "--reduce quasi_steady");
+  CHECK(lagging.outputs == full.outputs && lagging.n() == 8 && steady.y0 == full.y0);
+  for (std::size_t v = 0; v < 2; ++v) {
+    for (const double s : {0.0, 0.01}) {
+      const Numbers expected = transfer(full, s, v), first = transfer(lagging, s, v),
+                    none = transfer(steady, s, v);
+      for (const char* const name :
+           {"airspeed", "climb_rate", "thrust_right", "torque_left", "gimbal_tilt_right"}) {
+        const std::size_t y = ExportedModel::place(full.outputs, name);
+        const double size = std::fabs(expected[y]), off = std::fabs(first[y] - expected[y]);
+        if (s == 0) CHECK_LT(std::max(off, std::fabs(none[y] - expected[y])), 1e-10 * size);
+        if (s > 0) CHECK_LT(off, 2e-3 * size);
+        if (s > 0 && v == 1 && !CHECK_LT(off, 0.01 * std::fabs(none[y] - expected[y]))) NOTE(name);
+      }
+    }
+  }
 }
 
 // A governor adds a lever's travel: its column of C is that of D, and forces hang on the rest as without.
