@@ -29,7 +29,7 @@ $(BUILD)/envelope: $(ENVELOPE_OBJECTS) $(BUILD)/libanalyses.a $(BUILD)/libtiltro
 # ---- fuzzing ----
 
 SECONDS ?= 60
-FUZZ_TARGETS := c_interface solvers command_line state_file tables
+FUZZ_TARGETS := c_interface solvers command_line state_file feedback_file tables
 FUZZ_CXX ?= clang++
 has_fuzzer = echo 'extern "C" int LLVMFuzzerTestOneInput(const char*, long) { return 0; }' | \
              $(FUZZ_CXX) -fsanitize=fuzzer,address,undefined -x c++ - -o /dev/null 2>/dev/null
@@ -55,7 +55,7 @@ fuzz: ## SECONDS=60 of mutated input for every reader, solver and the C interfac
 
 fuzzers: $(FUZZ_TARGETS:%=$(BUILD)/fuzz_%)
 $(BUILD)/fuzz_tables: $(TABLEGEN_PARTS)
-$(BUILD)/fuzz_command_line $(BUILD)/fuzz_state_file: $(PROGRAM_PARTS)
+$(BUILD)/fuzz_command_line $(BUILD)/fuzz_state_file $(BUILD)/fuzz_feedback_file: $(PROGRAM_PARTS)
 $(FUZZ_TARGETS:%=$(BUILD)/fuzz_%): $(BUILD)/fuzz_%: $(BUILD)/tests/fuzz/test_%.o $(BUILD)/libanalyses.a $(BUILD)/libtiltrotor.a
 	$(link)
 	$(Q)$(CXX) $(FLAGS) $(LDFLAGS) -fsanitize=fuzzer $(filter %.o,$^) $(filter %.a,$^) $(LDLIBS) -o $@

@@ -6,6 +6,7 @@
 
 #include "cli/command.hpp"
 #include "cli/errors.hpp"
+#include "cli/feedback.hpp"
 #include "cli/figure.hpp"
 #include "cli/governed.hpp"
 #include "cli/output.hpp"
@@ -45,6 +46,7 @@ class Bode {
   Bode(const Arguments& arguments, const Options& options)
       : show_(static_cast<Show>(arguments.choice("--show", "response", {"response", "roots", "margins"}))),
         scas_(wants_scas(arguments)),
+        feedback_(arguments, options, scas_),
         choices_(channel_choices(arguments, governed_shape(options, kAllControls, scas_))),
         frequencies_(frequencies(arguments)),
         loop_gain_(arguments.number("--gain", 1, gain_range)),
@@ -73,8 +75,8 @@ class Bode {
         add_row(flight, which, empty(), trim_status_word(flight.trim.status));
       return exit_case_failed;
     }
-    Status status = linearize_governed(flight.configuration, flight.trim.state, flight.trim.controls,
-                                       kAllControls, work, *matrices_, scas_);
+    const Status status = feedback_.linearize_governed(
+        flight.configuration, flight.trim.state, flight.trim.controls, kAllControls, work, *matrices_, scas_);
     int exit_status = exit_success;
     for (const ChannelChoice& which : choices_) {
       Status found = status == Status::ok ? transfer_.find(*matrices_, which) : status;
@@ -173,6 +175,7 @@ class Bode {
 
   Show show_;
   bool scas_;
+  Feedback feedback_;
   std::vector<ChannelChoice> choices_;
   std::vector<double> frequencies_;
   double loop_gain_;
@@ -211,6 +214,7 @@ Command bode_command() {
       "types; by phase alone for attitude response types) and the phase delay, ADS-33E-PRF 3.3.2.1, the input\n"
       "taken with the sign to which the attitude follows; of the loop input = -K output the margins nearest to\n"
       "instability and the unstable roots without and with it. Crossings are looked for in 0.01..1000 rad/s.\n"
+      "With --feedback the inputs are what the pilot adds to the law.\n"
       "A status of no_response: the input does not act on the output.\n"
       "Everything that describes the flight takes a value, a list or a range; so do --altitude, --mass, --cg-sl,\n"
       "--flap, --rotor-rpm and --isa-offset.\n",
@@ -219,8 +223,8 @@ Command bode_command() {
           OptionList{frequency_option(),
                      {"--show", "KIND", "response, roots or margins (response)"},
                      {"--gain", "K", "of the loop, in the unit of the input over that of the output (1)"}} +
-          scas_option() + figure_option("Bode plot as SVG") + flight_list() + SetupOptions::list() +
-          Output::list(),
+          scas_option() + feedback_option() + figure_option("Bode plot as SVG") + flight_list() +
+          SetupOptions::list() + Output::list(),
       run};
 }
 

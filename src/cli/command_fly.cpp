@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <memory>
 
+#include "cli/chosen_columns.hpp"
 #include "cli/command.hpp"
 #include "cli/errors.hpp"
 #include "cli/flight_columns.hpp"
@@ -139,20 +140,19 @@ int run(const Arguments& arguments) {
     throw UsageError(arguments.where("--script") + ": is missing; give a file");
   const FlightScript script = read_flight_script(arguments.text("--script", ""));
   const FlightStart start = read_start(arguments);
-  std::string all;
-  for (const std::string& name : flight_columns()) all += (all.empty() ? "" : ",") + name;
-  const std::vector<std::size_t> columns =
-      chosen_columns(arguments.text("--columns", all), arguments.where("--columns"));
+  if (start.on_ground && arguments.given("--feedback"))
+    throw UsageError(arguments.where("--feedback") +
+                     ": counts from the trim a flight begins in; give --mast, --speed or --height");
+  const Feedback feedback(arguments, start.setup.options, FlightModes::shape(start.setup.options));
+  const ChosenColumns columns(arguments, flight_columns());
   const double every = arguments.number("--every", 0.1, kEvery);
   const std::size_t thinned =
       std::max<std::size_t>(1, static_cast<std::size_t>(std::lround(every / start.dt)));
   Companions companions(arguments, start.setup.options);
   Output output(arguments);
-  std::vector<std::string> names;
-  for (const std::size_t place : columns) names.push_back(flight_columns()[place]);
-  Records records = output.records(names, Output::to_read);
+  Records records = output.records(columns.names(), Output::to_read);
 
-  ScriptFlight flight(script, start);
+  ScriptFlight flight(script, start, feedback);
   FlightSummary summary;
   const auto steps = static_cast<std::size_t>(std::ceil(script.duration() / start.dt - 1e-9));
   Progress progress("fly", steps + 1);
@@ -161,7 +161,7 @@ int run(const Arguments& arguments) {
   for (std::size_t step = 0; goes_on; ++step) {
     summary.add(flight.now());
     if (step % thinned == 0 || step == steps) {
-      records.add(flight_row(flight.now(), columns));
+      records.add(columns.row(flight_row(flight.now()), flight.now().readings));
       companions.add(flight.now());
     }
     const Status modes = companions.accompany(flight);
@@ -189,7 +189,6 @@ OptionList options() {
       {"--speed", "MPS", "of the trim (0)"},
       {"--height", "M", "of the trim above the ground, 1..10000 (300)"},
       {"--dt", "S", "time step, 0.002..0.02 (0.01)"},
-      {"--columns", "A,B,..", "only these, in this order"},
       {"--modes", "FILE", "modes of the whole vehicle along the flight, as CSV"},
       {"--matrices", "DIR",
        "writes A and B of the whole vehicle to DIR/a.csv and DIR/b.csv;\nwhat is switched off has no rows, and empty cells"},
@@ -215,7 +214,8 @@ Command fly_command() {
       "the whole vehicle flown by a script, from the ground to the ground",
       description().c_str(),
       "tiltrotor fly --script src/examples/mission.txt --every 1 --columns time_s,height_m,airspeed_mps,mast_deg",
-      options() + control_set_option() + SetupOptions::list() + Output::list_of_one_piece(),
+      options() + columns_option() + feedback_option() + control_set_option() + SetupOptions::list() +
+          Output::list_of_one_piece(),
       run};
 }
 

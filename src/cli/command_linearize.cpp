@@ -6,6 +6,7 @@
 #include "cli/command.hpp"
 #include "cli/derived_columns.hpp"
 #include "cli/errors.hpp"
+#include "cli/feedback.hpp"
 #include "cli/governed.hpp"
 #include "cli/linear_options.hpp"
 #include "cli/linear_output.hpp"
@@ -20,10 +21,11 @@ namespace {
 // One linear model after another, written to the output.
 class Linearizer {
  public:
-  Linearizer(const Arguments& arguments, bool single)
+  Linearizer(const Arguments& arguments, const Options& options, bool single)
       : rigid_(wants_rigid(arguments)),
         order_(reduction_order(arguments)),
         controls_(control_set(arguments)),
+        feedback_(arguments, options, false),
         output_(arguments, single),
         model_(std::make_unique<LinearModel<double>>()),
         matrices_(std::make_unique<VehicleMatrices>()),
@@ -61,39 +63,49 @@ class Linearizer {
     which.settings = LinearSettings(c.setup);
     which.settings.numbers.insert(which.settings.numbers.end(), flight.numbers.begin(), flight.numbers.end());
     which.settings.switches.emplace_back("reduce", reduce_word(rigid_, order_));
+    which.settings.switches.emplace_back("feedback", feedback_.name());
   }
 
   Status find(const Configuration<double>& c, const State<double>& x, const Controls<double>& u,
               ShownModel& shown) {
     if (c.setup.options.governor != Governor::off) {
-      const Status status = linearize_governed(c, x, u, controls_, *work_, *matrices_);
+      VehicleOutputs* const outputs = output_.wants_outputs() ? governed_outputs_.get() : nullptr;
+      const Status status =
+          feedback_.linearize_governed(c, x, u, controls_, *work_, *matrices_, false, outputs);
       Controls<double> at = u;
       const SystemFlight<double> flight = governed(c, x, at);
       shown = ShownModel(*matrices_, x, flight.state, u, flight.vehicle.commands);
+      if (status == Status::ok && outputs != nullptr) shown.add_outputs(*outputs);
       return status;
     }
-    Status status = linearize(c, x, u, controls_, *work_, *model_);
-    if (status == Status::ok && rigid_) status = reduce_to_rigid(*model_, order_);
+    OutputMatrices* const outputs = output_.wants_outputs() ? outputs_.get() : nullptr;
+    Status status = feedback_.is_given() ? feedback_.linearize(c, x, u, controls_, *work_, *model_, outputs)
+                                         : linearize(c, x, u, controls_, *work_, *model_);
+    if (status == Status::ok && outputs != nullptr && !feedback_.is_given())
+      status = linearize_outputs(c, x, u, controls_, *work_, *outputs);
+    if (status == Status::ok && rigid_)
+      status =
+          outputs != nullptr ? reduce_to_rigid(*model_, order_, *outputs) : reduce_to_rigid(*model_, order_);
     shown = ShownModel(*model_);
-    if (status != Status::ok || rigid_ || !output_.wants_outputs()) return status;
-    const Status of_outputs = linearize_outputs(c, x, u, controls_, *work_, *outputs_);
-    if (of_outputs == Status::ok) shown.add_outputs(*outputs_);
-    return of_outputs;
+    if (status == Status::ok && outputs != nullptr) shown.add_outputs(*outputs);
+    return status;
   }
 
   bool rigid_;
   Reduction order_;
   ControlSet controls_;
+  Feedback feedback_;
   LinearOutput output_;  // last of what arguments can refuse, since it begins to write
   std::unique_ptr<LinearModel<double>> model_;
   std::unique_ptr<VehicleMatrices> matrices_;
   std::unique_ptr<OutputMatrices> outputs_;
+  std::unique_ptr<VehicleOutputs> governed_outputs_ = std::make_unique<VehicleOutputs>();
   AnalysesWorkspace work_;
 };
 
 int at_given_states(const Arguments& arguments, const SetupOptions& setup) {
   GivenStates given(arguments, setup);
-  Linearizer linearizer(arguments, given.file().size() == 1);
+  Linearizer linearizer(arguments, setup.switches(), given.file().size() == 1);
   const auto visit = [&](const StateRow& row, const Configuration<double>& configuration) -> int {
     const bool usable = row.fault.empty();
     // In the digits that files of states have.
@@ -111,7 +123,7 @@ int at_given_states(const Arguments& arguments, const SetupOptions& setup) {
 }
 
 int at_trim(const Arguments& arguments, const SetupOptions& setup) {
-  Linearizer linearizer(arguments, flight_cases(arguments).size() == 1);
+  Linearizer linearizer(arguments, setup.switches(), flight_cases(arguments).size() == 1);
   const int exit_status = for_each_trim(
       arguments, {setup}, linearizer.shard(), linearizer.work(), [&](const TrimmedFlight& flight) -> int {
         const bool trimmed = is_trimmed(flight.trim.status);
@@ -146,11 +158,12 @@ Command linearize_command() {
       "--speed or at the states of a file. JSON is an object for one case and an array for several:\n"
       "  case mast_deg speed_mps status program{name,version,aircraft,commit,derivatives}\n"
       "  settings{mast_deg,flap_deg,rotor_rpm,mass_kg,...,switches{NAME}} states[{name,unit}]\n"
-      "  controls[{name,unit}] x0 u0 A B, and with neither governor nor --reduce outputs[{name,unit}] y0 C D.\n"
+      "  controls[{name,unit}] x0 u0 A B outputs[{name,unit}] y0 C D.\n"
+      "With --feedback they are those of the closed loop, with what the pilot adds in the place of u.\n"
       "The matlab script makes `model`, with the same members, and of every case model(k).ss where ss() is known.\n",
       "tiltrotor linearize --mast 90 --speed 80 --format json",
-      reduce_option() + control_set_option() + states_option() + flight_list() + SetupOptions::list() +
-          LinearOutput::list(),
+      reduce_option() + control_set_option() + feedback_option() + states_option() + flight_list() +
+          SetupOptions::list() + LinearOutput::list(),
       run};
 }
 

@@ -8,6 +8,7 @@
 
 #include "cli/command.hpp"
 #include "cli/errors.hpp"
+#include "cli/feedback.hpp"
 #include "cli/figure.hpp"
 #include "cli/governed.hpp"
 #include "cli/linear_options.hpp"
@@ -181,12 +182,13 @@ class ModeRows {
 
 // Modes of a model with a governor or SCAS.
 struct SystemModes {
+  const Feedback& feedback;
   std::unique_ptr<VehicleMatrices> matrices = std::make_unique<VehicleMatrices>();
   std::unique_ptr<VehicleModes<double>> modes = std::make_unique<VehicleModes<double>>();
 
   Status find(const TrimmedFlight& flight, bool scas, Analyses& work) const {
-    const Status status = linearize_governed(flight.configuration, flight.trim.state, flight.trim.controls,
-                                             ControlSet{}, work, *matrices, scas);
+    const Status status = feedback.linearize_governed(
+        flight.configuration, flight.trim.state, flight.trim.controls, ControlSet{}, work, *matrices, scas);
     return status == Status::ok ? vehicle_modes(*matrices, work, *modes) : status;
   }
 };
@@ -194,12 +196,15 @@ struct SystemModes {
 // Modes of the airframe alone, of its full or of a reduced model.
 class AirframeModes {
  public:
-  explicit AirframeModes(const Arguments& arguments)
-      : reduced_(wants_rigid(arguments)), order_(reduction_order(arguments)) {}
+  AirframeModes(const Arguments& arguments, const Feedback& feedback)
+      : feedback_(feedback), reduced_(wants_rigid(arguments)), order_(reduction_order(arguments)) {}
 
   Status find(const TrimmedFlight& flight, bool connects, Analyses& work) {
-    Status status =
-        linearize(flight.configuration, flight.trim.state, flight.trim.controls, ControlSet{}, work, *model_);
+    const Configuration<double>& c = flight.configuration;
+    const State<double>& x = flight.trim.state;
+    const Controls<double>& u = flight.trim.controls;
+    Status status = feedback_.is_given() ? feedback_.linearize(c, x, u, ControlSet{}, work, *model_, nullptr)
+                                         : linearize(c, x, u, ControlSet{}, work, *model_);
     if (status == Status::ok && reduced_) status = modes(*model_, *workspace_, *full_);
     if (status == Status::ok && reduced_) status = reduce_to_rigid(*model_, order_);
     if (status == Status::ok) status = tracker.find(*model_, connects);
@@ -211,6 +216,7 @@ class AirframeModes {
   ModeTracker<double> tracker;
 
  private:
+  const Feedback& feedback_;
   bool reduced_;
   Reduction order_;
   std::unique_ptr<LinearModel<double>> model_ = std::make_unique<LinearModel<double>>();
@@ -227,11 +233,12 @@ int run(const Arguments& arguments) {
   if (scas && wants_rigid(arguments))
     throw UsageError(arguments.where("--reduce") + ": goes with --scas off alone");
   flight_cases(arguments, setups.size());
+  const Feedback feedback(arguments, setups.front().switches(), scas);
   Output output(arguments);
   ModeRows rows(arguments, output);
   const AnalysesWorkspace work;
-  const SystemModes with_systems;
-  AirframeModes airframe(arguments);
+  const SystemModes with_systems{feedback};
+  AirframeModes airframe(arguments, feedback);
   double mast_before = 0;
   double speed_before = 0;
   const auto visit = [&](const TrimmedFlight& flight) -> int {
@@ -287,7 +294,7 @@ Command modes_command() {
       "tiltrotor modes --mast 30,60,90 --speed 60",
       OptionList{{"--show", "KIND", "modes or shapes (modes)"}} + normalise_option() +
           figure_option("phasor diagrams of the rigid body's modes as SVG") + reduce_option() +
-          scas_option() + flight_list() + SetupOptions::list() + Output::list(),
+          scas_option() + feedback_option() + flight_list() + SetupOptions::list() + Output::list(),
       run};
 }
 

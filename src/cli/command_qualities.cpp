@@ -5,6 +5,7 @@
 
 #include "cli/command.hpp"
 #include "cli/errors.hpp"
+#include "cli/feedback.hpp"
 #include "cli/figure.hpp"
 #include "cli/governed.hpp"
 #include "cli/handling_figure.hpp"
@@ -22,10 +23,11 @@ const std::vector<std::string> columns = {"mast_deg",   "speed_mps", "criterion"
 
 class Qualities {
  public:
-  Qualities(const Arguments& arguments)
+  Qualities(const Arguments& arguments, const Options& options)
       : criteria_(handling_criteria("ABC"[arguments.choice("--category", "B", {"A", "B", "C"})],
                                     arguments.command())),
         scas_(wants_scas(arguments)),
+        feedback_(arguments, options, scas_),
         output_(arguments),
         figure_(arguments),
         records_(output_.records(columns, Output::to_read)) {}
@@ -36,8 +38,8 @@ class Qualities {
     const char* const trim_status = trim_status_word(flight.trim.status);
     if (!is_trimmed(flight.trim.status)) return add_failed(flight, trim_status);
     const auto& [state, controls] = std::tie(flight.trim.state, flight.trim.controls);
-    Status status =
-        linearize_governed(flight.configuration, state, controls, kInceptors, work, *matrices_, scas_);
+    Status status = feedback_.linearize_governed(flight.configuration, state, controls, kInceptors, work,
+                                                 *matrices_, scas_);
     JudgedFlight judged{flight.mast_deg, flight.flight.speed, {}};
     if (status == Status::ok)
       status =
@@ -93,6 +95,7 @@ class Qualities {
 
   std::vector<Criterion> criteria_;
   bool scas_;
+  Feedback feedback_;
   Output output_;  // last of what arguments can refuse
   Figure figure_;
   Records records_;
@@ -103,7 +106,7 @@ class Qualities {
 int run(const Arguments& arguments) {
   const std::vector<SetupOptions> setups = SetupOptions::every_combination(arguments);
   flight_cases(arguments, setups.size());
-  Qualities qualities(arguments);
+  Qualities qualities(arguments, setups.front().switches());
   const AnalysesWorkspace work;
   const int exit_status =
       for_each_trim(arguments, setups, qualities.shard(), *work,
@@ -130,8 +133,8 @@ Command qualities_command() {
       "tiltrotor qualities --mast 90 --speed 80:20:120 --scas on --option governor=pi",
       OptionList{
           {"--category", "A|B|C", "flight phase of forward flight: A precise, B cruise, C landing (B)"}} +
-          scas_option() + figure_option("flights against the boundaries as SVG") + flight_list() +
-          SetupOptions::list() + Output::list(),
+          scas_option() + feedback_option() + figure_option("flights against the boundaries as SVG") +
+          flight_list() + SetupOptions::list() + Output::list(),
       run};
 }
 

@@ -6,8 +6,10 @@
 #include <memory>
 #include <optional>
 
+#include "cli/chosen_columns.hpp"
 #include "cli/command.hpp"
 #include "cli/errors.hpp"
+#include "cli/feedback_flight.hpp"
 #include "cli/flight_range.hpp"
 #include "cli/governed.hpp"
 #include "cli/input_text.hpp"
@@ -93,19 +95,29 @@ FlightCase single_flight(const Arguments& arguments) {
   return cases.front();
 }
 
-// A flight as it stands.
+// A flight as it stands, and what carries it on.
 struct Flown {
+  Flown(const Configuration<double>& at, const Feedback& law, Simulation<double>& s, Analyses& analyses)
+      : c(at),
+        simulation(s),
+        systems(governed(c, s.state, s.controls)),
+        feedback(law, is_governed() ? &systems : nullptr, analyses) {}
+  Flown(const Flown&) = delete;
   Configuration<double> c;
   Simulation<double>& simulation;
   SystemFlight<double> systems;  // where the rotors have a governor
+  FeedbackFlight feedback;
   bool is_governed() const { return c.setup.options.governor != Governor::off; }
 };
 
 // Linear models along the flight, where somebody wants them.
 class Companions {
  public:
-  Companions(const Arguments& arguments, const Plan& plan)
-      : controls_(control_set(arguments)), whole_steps_(plan.steps), modes_every_(plan.modes_every) {}
+  Companions(const Arguments& arguments, const Feedback& feedback, const Plan& plan)
+      : feedback_(feedback),
+        controls_(control_set(arguments)),
+        whole_steps_(plan.steps),
+        modes_every_(plan.modes_every) {}
 
   // Throws UsageError when the folder cannot be written.
   void open_matrices(const std::string& folder, const std::string& where) {
@@ -131,8 +143,13 @@ class Companions {
  private:
   Status look_at_airframe(const Flown& flown, bool wants_modes, Analyses& analyses) {
     const Simulation<double>& s = flown.simulation;
-    const Status status = linearize(flown.c, current_state(s), current_controls(s), controls_, analyses,
-                                    *model_, current_azimuth(flown.c, s));
+    const State<double> x = current_state(s);
+    const Controls<double>& u = flown.feedback.acting();
+    const double azimuth = current_azimuth(flown.c, s);
+    const Status status = feedback_.is_given()
+                              ? feedback_.linearize(flown.c, x, u, controls_, analyses, *model_, nullptr,
+                                                    flown.feedback.point(), azimuth)
+                              : linearize(flown.c, x, u, controls_, analyses, *model_, azimuth);
     if (status != Status::ok) return status;
     if (matrices_) matrices_->add(current_time(s), ShownModel(*model_));
     return wants_modes ? modes_.find(*model_, true) : status;
@@ -140,9 +157,10 @@ class Companions {
   Status look_at_vehicle(const Flown& flown, bool wants_modes, Analyses& analyses) {
     const Simulation<double>& s = flown.simulation;
     const State<double> x = current_state(s);
-    const Controls<double> u = current_controls(s);
-    const Status status = linearize_flight(flown.c, flown.systems, x, u, controls_, CommandColumns::throttles,
-                                           analyses, *vehicle_, current_azimuth(flown.c, s));
+    const Controls<double>& u = flown.feedback.acting();
+    const Status status = feedback_.linearize_flight(flown.c, flown.systems, x, u, controls_,
+                                                     CommandColumns::throttles, analyses, *vehicle_, nullptr,
+                                                     flown.feedback.point(), current_azimuth(flown.c, s));
     if (status != Status::ok) return status;
     if (matrices_) {
       const ShownModel shown(*vehicle_, x, flown.systems.state, u, flown.systems.vehicle.commands);
@@ -158,6 +176,7 @@ class Companions {
     }
   }
 
+  const Feedback& feedback_;
   ControlSet controls_;
   std::size_t whole_steps_;
   std::size_t modes_every_;
@@ -168,35 +187,41 @@ class Companions {
   std::unique_ptr<VehicleModes<double>> vehicle_modes_ = std::make_unique<VehicleModes<double>>();
 };
 
-int fly(const TrimmedFlight& flight, const Plan& plan, Simulation<double>& simulation, Analyses& analyses,
-        Companions& companions, Records& records) {
-  Flown flown{flight.configuration, simulation,
-              governed(flight.configuration, simulation.state, simulation.controls)};
+int fly(const TrimmedFlight& flight, const Plan& plan, const Feedback& feedback,
+        Simulation<double>& simulation, Analyses& analyses, Companions& companions,
+        const ChosenColumns& columns, Records& records) {
+  Flown flown(flight.configuration, feedback, simulation, analyses);
   Configuration<double>& c = flown.c;
   const std::size_t steps = plan.steps + (plan.rest > 0 ? 1 : 0);
   Progress progress("respond", steps);
   int exit_status = exit_success;
+  Status status = flown.feedback.begin(c, simulation);
   for (std::size_t step = 0;; ++step) {
     const std::string now = number_text(current_time(simulation), 6) + " s";
-    const double added = governed_collective(c, flown.systems, current_state(simulation),
-                                             current_controls(simulation), current_azimuth(c, simulation));
-    Row row = response_row(flight, c, simulation, added);
-    const Status linear = companions.accompany(step, flown, analyses, row);
-    records.add(row);
-    if (linear != Status::ok) {
-      progress.message("respond: linear model at " + now + ": " + status_text(linear));
-      exit_status = exit_case_failed;
-    }
-    if (step == steps) return exit_status;
-    Status status = step == plan.steps ? change_step(simulation, plan.rest) : Status::ok;
-    if (status == Status::ok)
-      status = plan.masts.advance(c, flown.is_governed() ? &flown.systems : nullptr, analyses, simulation);
+    if (status == Status::ok) status = flown.feedback.act(c, simulation);
     if (status != Status::ok) {
       progress.message("respond: the flight cannot be continued beyond " + now + fault_text(simulation) +
                        ": " + status_text(status));
       return exit_case_failed;
     }
-    progress.advance();
+    const Controls<double>& acting = flown.feedback.acting();
+    const double added = governed_collective(c, flown.systems, current_state(simulation), acting,
+                                             current_azimuth(c, simulation));
+    Row row = response_row(flight, c, simulation, acting, added);
+    const Status linear = companions.accompany(step, flown, analyses, row);
+    const Instruments<double> readings = columns.have_readings()
+                                             ? vehicle_readings(flown.systems, c, current_state(simulation),
+                                                                acting, current_azimuth(c, simulation))
+                                             : no_readings();
+    records.add(columns.row(row, readings));
+    if (linear != Status::ok) {
+      progress.message("respond: linear model at " + now + ": " + status_text(linear));
+      exit_status = exit_case_failed;
+    }
+    if (step == steps) return exit_status;
+    if (step == plan.steps) status = change_step(simulation, plan.rest);
+    if (status == Status::ok) status = plan.masts.advance(c, flown.feedback, simulation);
+    if (status == Status::ok) progress.advance();
   }
 }
 
@@ -205,14 +230,16 @@ int run(const Arguments& arguments) {
   single_flight(arguments);
   const Plan plan = read_plan(arguments);
   if (plan.integrator >= Integrator::rodas3) require_no_governor(setup.switches(), arguments, "--method");
-  Companions companions(arguments, plan);
+  const Feedback feedback(arguments, setup.switches(), false);
+  Companions companions(arguments, feedback, plan);
   if (arguments.given("--control-set") && !arguments.given("--matrices"))
     throw UsageError(arguments.where("--control-set") + ": of the columns of --matrices, which is not given");
+  const ChosenColumns columns(arguments, response_columns(plan.modes_every > 0, setup.switches()));
   Output output(arguments);
   if (arguments.given("--matrices")) {
     companions.open_matrices(arguments.text("--matrices", ""), arguments.where("--matrices"));
   }
-  Records records = output.records(response_columns(plan.modes_every > 0, setup.switches()), Output::to_read);
+  Records records = output.records(columns.names(), Output::to_read);
   const AnalysesWorkspace work;
   const auto visit = [&](const TrimmedFlight& flight) -> int {
     if (!is_trimmed(flight.trim.status)) return exit_case_failed;
@@ -225,7 +252,7 @@ int run(const Arguments& arguments) {
     if (status == Status::ok) {
       require_inputs(*simulation, arguments.where("--input"));
       plan.masts.require_range(flight.configuration.setup.mast_deg, arguments.where("--input"));
-      return fly(flight, plan, *simulation, *work, companions, records);
+      return fly(flight, plan, feedback, *simulation, *work, companions, columns, records);
     }
     std::fprintf(stderr, "tiltrotor: respond: cannot start: %s\n", status_text(status));
     return exit_case_failed;
@@ -264,13 +291,13 @@ const std::string& description() {
 }  // namespace
 
 Command respond_command() {
-  return {
-      "respond",
-      "time response to control inputs, with linear models along the way",
-      description().c_str(),
-      "tiltrotor respond --mast 0 --speed 40 --input collective=1deg@0 --duration 3 --modes-every 1",
-      options() + control_set_option() + flight_list() + SetupOptions::list() + Output::list_of_one_piece(),
-      run};
+  return {"respond",
+          "time response to control inputs, with linear models along the way",
+          description().c_str(),
+          "tiltrotor respond --mast 0 --speed 40 --input collective=1deg@0 --duration 3 --modes-every 1",
+          options() + columns_option() + feedback_option() + control_set_option() + flight_list() +
+              SetupOptions::list() + Output::list_of_one_piece(),
+          run};
 }
 
 }  // namespace tiltrotor::cli

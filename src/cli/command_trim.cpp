@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "cli/chosen_columns.hpp"
 #include "cli/command.hpp"
 #include "cli/flight_range.hpp"
 #include "cli/model_options.hpp"
@@ -125,18 +126,30 @@ Row row(Flight flight, const std::vector<std::string>& completing) {
   return cells;
 }
 
+Instruments<double> readings(Flight flight) {
+  const Configuration<double>& c = flight.configuration;
+  DerivativeSteps<double> steps;
+  State<double> rates;
+  Instruments<double> found;
+  derivative(c, flight.trim.state, flight.trim.controls, steps, rates, 0.0);
+  read_instruments(c, flight.trim.state, steps, rates, found);
+  return found;
+}
+
 int run(const Arguments& arguments) {
   const std::vector<SetupOptions> setups = SetupOptions::every_combination(arguments);
   flight_cases(arguments, setups.size());
-  Output output(arguments);
   std::vector<std::string> names = column_names();
   const std::vector<std::string> completing = completing_columns(names, setups.front().switches(), false);
   names.insert(names.end(), completing.begin(), completing.end());
   names.emplace_back(kModelColumn);
-  Records records = output.records(names, Output::to_read);
+  const ChosenColumns columns(arguments, names);
+  Output output(arguments);
+  Records records = output.records(columns.names(), Output::to_read);
   const AnalysesWorkspace work;
   const int exit_status = for_each_trim(arguments, setups, output.shard(), *work, [&](Flight flight) {
-    records.add(row(flight, completing));
+    const bool reads = columns.have_readings() && is_trimmed(flight.trim.status);
+    records.add(columns.row(row(flight, completing), reads ? readings(flight) : no_readings()));
     return 0;
   });
   records.finish();
@@ -173,7 +186,7 @@ Command trim_command() {
       "power_limit, torque_limit: the first that holds; `limits` lists all), or no trim\n"
       "(rotor_stall, not_converged, singular; out_of_range where the flight asked for cannot be).\n",
       "tiltrotor trim --mast 0,30 --speed 0,40,50 --format csv",
-      flight_list() + SetupOptions::list() + Output::list(),
+      flight_list() + SetupOptions::list() + columns_option() + Output::list(),
       run};
 }
 

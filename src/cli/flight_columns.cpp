@@ -1,12 +1,6 @@
 #include "cli/flight_columns.hpp"
 
-#include <algorithm>
-
-#include "cli/arguments.hpp"
-#include "cli/errors.hpp"
 #include "cli/flight_options.hpp"
-#include "text/csv_line.hpp"
-#include "text/nearest.hpp"
 
 namespace tiltrotor::cli {
 
@@ -85,28 +79,9 @@ const std::vector<std::string>& flight_columns() {
   return names;
 }
 
-std::vector<std::size_t> chosen_columns(const std::string& list, const std::string& where) {
-  const std::vector<std::string>& all = flight_columns();
-  std::vector<std::size_t> places;
-  std::size_t begin = 0;
-  while (begin <= list.size()) {
-    const std::size_t end = std::min(list.find(',', begin), list.size());
-    const std::string name(csv::trimmed(std::string_view(list).substr(begin, end - begin)));
-    const std::size_t place = static_cast<std::size_t>(std::find(all.begin(), all.end(), name) - all.begin());
-    if (place == all.size())
-      throw UsageError(where + ": no column " + quoted(name) + did_you_mean(name, all) + "; choose " +
-                       one_of(all));
-    if (std::find(places.begin(), places.end(), place) != places.end())
-      throw UsageError(where + ": " + name + " stands there twice");
-    places.push_back(place);
-    begin = end + 1;
-  }
-  return places;
-}
-
-text::Row flight_row(const FlightMoment& moment, const std::vector<std::size_t>& chosen) {
+text::Row flight_row(const FlightMoment& moment) {
   text::Row row;
-  for (const std::size_t place : chosen) row.emplace_back(columns[place].value(moment));
+  for (const Column& column : columns) row.emplace_back(column.value(moment));
   return row;
 }
 

@@ -13,13 +13,18 @@ struct FlightModes::Work {
 FlightModes::FlightModes(const ControlSet& controls) : controls_(controls), work_(std::make_unique<Work>()) {}
 FlightModes::~FlightModes() = default;
 
-std::vector<std::string> FlightModes::states(const Options& options) const {
+VehicleShape FlightModes::shape(const Options& options) {
   Vehicle<double> v{};
   v.on = {Governor::pi, true, true, true, true, true, true, true};
-  VehicleShape shape;
+  VehicleShape shape{};
   vehicle_states(v, options, shape);
+  return shape;
+}
+
+std::vector<std::string> FlightModes::states(const Options& options) const {
+  const VehicleShape all = shape(options);
   std::vector<std::string> names;
-  for (int i = 0; i < shape.states; ++i) names.emplace_back(vehicle_variable(shape.state[i]).name);
+  for (int i = 0; i < all.states; ++i) names.emplace_back(vehicle_variable(all.state[i]).name);
   return names;
 }
 
@@ -32,8 +37,9 @@ std::vector<std::string> FlightModes::inputs() const {
 
 Status FlightModes::linearize(const ScriptFlight& flight) {
   const FlightMoment& now = flight.now();
-  return linearize_flight(flight.configuration(), flight.systems(), now.state, now.controls, controls_,
-                          CommandColumns::all, *work_->analyses, work_->matrices, flight.azimuth());
+  return flight.loop().feedback().linearize_flight(
+      flight.configuration(), flight.systems(), now.state, now.controls, controls_, CommandColumns::all,
+      *work_->analyses, work_->matrices, nullptr, flight.loop().point(), flight.azimuth());
 }
 
 ShownModel FlightModes::model(const ScriptFlight& flight) const {

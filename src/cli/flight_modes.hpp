@@ -10,12 +10,14 @@ namespace tiltrotor::cli {
 class FlightModes {
  public:
   explicit FlightModes(const ControlSet& controls);
+  // Whatever is switched on.
+  static VehicleShape shape(const Options& options);
   ~FlightModes();
   // Names of every state and input that a model may have, whatever is switched on.
   std::vector<std::string> states(const Options& options) const;
   std::vector<std::string> inputs() const;
 
-  // At this moment, every system that is on within, in the air that there is.
+  // At this moment, every system that is on within, in the air that there is; of the loop that a feedback law closes.
   Status linearize(const ScriptFlight& flight);
   ShownModel model(const ScriptFlight& flight) const;
   // Of that model.

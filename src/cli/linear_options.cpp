@@ -2,6 +2,8 @@
 
 #include <memory>
 
+#include "tiltrotor/analysis/linear/rigid_outputs.hpp"
+
 namespace tiltrotor::cli {
 
 OptionList reduce_option() {
@@ -39,12 +41,23 @@ const ControlSet& control_set(const Arguments& arguments) {
   return sets[arguments.choice("--control-set", "inceptors", {"inceptors", "blades", "all"})];
 }
 
-Status reduce_to_rigid(LinearModel<double>& model, Reduction order) {
+namespace {
+
+Status reduce(LinearModel<double>& model, Reduction order, OutputMatrices* outputs) {
   const auto work = std::make_unique<RigidModelWorkspace<double>>();
   const auto reduced = std::make_unique<LinearModel<double>>();
   const Status status = rigid_model(model, order, *work, *reduced);
+  if (status == Status::ok && outputs != nullptr)
+    reduce_outputs(model, order, *work, *reduced, OutputMatrices::outputs, outputs->c, outputs->d);
   model = *reduced;
   return status;
+}
+
+}  // namespace
+
+Status reduce_to_rigid(LinearModel<double>& model, Reduction order) { return reduce(model, order, nullptr); }
+Status reduce_to_rigid(LinearModel<double>& model, Reduction order, OutputMatrices& outputs) {
+  return reduce(model, order, &outputs);
 }
 
 }  // namespace tiltrotor::cli

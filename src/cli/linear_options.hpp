@@ -2,6 +2,7 @@
 #pragma once
 
 #include "cli/arguments.hpp"
+#include "library/analyses.hpp"
 #include "tiltrotor/analysis/linear/rigid_model.hpp"
 
 namespace tiltrotor::cli {
@@ -16,5 +17,7 @@ const ControlSet& control_set(const Arguments& arguments);
 
 // The rigid-body model in place of the full one. Status as rigid_model().
 Status reduce_to_rigid(LinearModel<double>& model, Reduction order);
+// The same with its outputs, of which the first columns of C are then those of the rigid body.
+Status reduce_to_rigid(LinearModel<double>& model, Reduction order, OutputMatrices& outputs);
 
 }  // namespace tiltrotor::cli

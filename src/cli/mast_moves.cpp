@@ -80,8 +80,7 @@ double MastMoves::next_edge(double after, double before) const {
   return next;
 }
 
-Status MastMoves::advance(Configuration<double>& c, SystemFlight<double>* systems, Analyses& analyses,
-                          Simulation<double>& s) const {
+Status MastMoves::advance(Configuration<double>& c, FeedbackFlight& flight, Simulation<double>& s) const {
   const double dt = s.dt, end = current_time(s) + dt;
   bool is_cut = false;
   Status status = Status::ok;
@@ -94,10 +93,7 @@ Status MastMoves::advance(Configuration<double>& c, SystemFlight<double>* system
       is_cut = true;
       if (status == Status::ok) status = change_step(s, edge - now);
     }
-    MovingConfiguration<double> moving{&c, false, 0, {}, 0};
-    if (status == Status::ok)
-      status = systems != nullptr ? advance_vehicle(c, *systems, analyses, s)
-                                  : advance_moving(moving, analyses, s);
+    if (status == Status::ok) status = flight.advance(c, s);
     now = edge;
   }
   if (is_cut && status == Status::ok) status = change_step(s, dt);

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "library/analyses.hpp"
+#include "cli/feedback_flight.hpp"
 
 namespace tiltrotor::cli {
 
@@ -27,9 +27,8 @@ class MastMoves {
   // Throws UsageError when the masts leave their range on the way.
   void require_range(double mast_deg, const std::string& where) const;
 
-  // One step, cut where a move begins or ends; with systems, or nullptr.
-  Status advance(Configuration<double>& c, SystemFlight<double>* systems, Analyses& analyses,
-                 Simulation<double>& s) const;
+  // One step, cut where a move begins or ends.
+  Status advance(Configuration<double>& c, FeedbackFlight& flight, Simulation<double>& s) const;
 
  private:
   double rate_after(double time) const;

@@ -87,9 +87,8 @@ std::vector<std::string> response_columns(bool with_modes, const Options& option
 }
 
 Row response_row(const TrimmedFlight& flight, const Configuration<double>& now,
-                 const Simulation<double>& simulation, double governed) {
-  const Controls<double> hands = current_controls(simulation);
-  Moment moment{simulation, simulation.state, hands};
+                 const Simulation<double>& simulation, const Controls<double>& acting, double governed) {
+  Moment moment{simulation, simulation.state, acting};
   moment.u.collective += governed;
   Row row;
   for (const Column& column : columns) row.emplace_back(column.value(moment));
@@ -106,7 +105,7 @@ Row response_row(const TrimmedFlight& flight, const Configuration<double>& now,
     row.emplace_back(is_position ? without_drift(value, moment) : value);
   }
   if (options.governor != Governor::off) row.emplace_back(governed / radian);
-  row.emplace_back(words_of(controls_beyond_stops(hands)));
+  row.emplace_back(words_of(controls_beyond_stops(acting)));
   row.emplace_back(model_text(options));
   return row;
 }

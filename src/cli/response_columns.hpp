@@ -15,7 +15,7 @@ std::vector<std::string> response_columns(bool with_modes, const Options& option
 // State now and the controls that act from now on, with the collective that a governor adds, rad; `flight` is where it
 // began.
 Row response_row(const TrimmedFlight& flight, const Configuration<double>& now,
-                 const Simulation<double>& simulation, double governed);
+                 const Simulation<double>& simulation, const Controls<double>& acting, double governed);
 
 // Name, real and imaginary part and branch of the body's and the downwash's modes; the rotors' are left out.
 // Empty cells when `set` is null.

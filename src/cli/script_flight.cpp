@@ -62,6 +62,8 @@ struct ScriptFlight::Parts : ScriptCommander {
     rotor_target = c.setup.rotor_speed;
     followed = flight.vehicle.commands.throttle[right];
     begin(x, u);
+    if (closed.begin(c, simulation) != Status::ok)
+      throw std::runtime_error("fly: cannot begin with this law");
     aims.holds_speed = true;
     aims.speed = levelled(x).x;
     aims.vertical = Vertical::height;
@@ -92,7 +94,7 @@ struct ScriptFlight::Parts : ScriptCommander {
     for (int k = 0; k < settling; ++k) {
       observe();
       act();
-      if (advance_vehicle(c, flight, *work, simulation) != Status::ok)
+      if (closed.advance(c, simulation) != Status::ok)
         throw std::runtime_error("fly: the aircraft does not come to rest on its wheels: " + fault());
     }
     State<double> rested = current_state(simulation);
@@ -190,7 +192,9 @@ struct ScriptFlight::Parts : ScriptCommander {
 
   void observe() {
     const State<double> x = current_state(simulation);
-    const Controls<double> u = simulation.controls;
+    const Status acts = closed.act(c, simulation);
+    if (acts != Status::ok) simulation.status = acts;
+    const Controls<double> u = closed.acting();
     Configuration<double> here = c;
     here.around = with_turbulence(c, x, u, flight.vehicle, flight.state);
     VehicleFlows<double> flows;
@@ -208,6 +212,7 @@ struct ScriptFlight::Parts : ScriptCommander {
     if (flight.vehicle.on.governor == Governor::ideal) m.systems.governor = flows.governed;
     m.commands = flight.vehicle.commands;
     m.rates = answer.rates;
+    read_vehicle(flight.vehicle, here, x, steps, answer.rates, found, m.readings);
     m.velocity_n = over_ground(x, c.around.wind_n);
     m.height = height();
     m.airspeed = length(x.velocity - u.gust);
@@ -241,8 +246,8 @@ struct ScriptFlight::Parts : ScriptCommander {
   }
 };
 
-ScriptFlight::ScriptFlight(const FlightScript& script, const FlightStart& start)
-    : parts_(std::make_unique<Parts>(script, start)) {
+ScriptFlight::ScriptFlight(const FlightScript& script, const FlightStart& start, const Feedback& feedback)
+    : parts_(std::make_unique<Parts>(script, start, feedback)) {
   if (start.on_ground) {
     parts_->begin_on_ground();
   } else {
@@ -259,7 +264,7 @@ bool ScriptFlight::step() {
   Parts& p = *parts_;
   constexpr double rounding = 1e-9;
   if (p.time() >= p.script.duration() - rounding) return false;
-  if (advance_vehicle(p.c, p.flight, *p.work, p.simulation, p.rates) != Status::ok) return false;
+  if (p.closed.advance(p.c, p.simulation, p.rates) != Status::ok) return false;
   if (p.has_struck()) return false;
   p.meet();
   return true;
@@ -269,6 +274,7 @@ Status ScriptFlight::status() const { return parts_->simulation.status; }
 std::string ScriptFlight::fault() const { return parts_->fault(); }
 const Configuration<double>& ScriptFlight::configuration() const { return parts_->c; }
 const SystemFlight<double>& ScriptFlight::systems() const { return parts_->flight; }
+const FeedbackFlight& ScriptFlight::loop() const { return parts_->closed; }
 double ScriptFlight::azimuth() const { return current_azimuth(parts_->c, parts_->simulation); }
 const std::vector<std::string>& ScriptFlight::ignored() const { return parts_->ignored; }
 

@@ -12,8 +12,10 @@
 #include <string>
 #include <vector>
 
+#include "cli/feedback_flight.hpp"
 #include "cli/flight_script.hpp"
 #include "cli/pilot_training.hpp"
+#include "tiltrotor/analysis/flight/instruments.hpp"
 #include "tiltrotor/analysis/flight/response.hpp"
 
 namespace tiltrotor::cli {
@@ -29,7 +31,7 @@ struct FlightStart {
 struct FlightMoment {
   double time;
   State<double> state;
-  Controls<double> controls;  // of the pilot, without the augmentation
+  Controls<double> controls;  // of the pilot and of a feedback law, without the augmentation
   SystemState<double> systems;
   Commands<double> commands;
   State<double> rates;
@@ -44,12 +46,14 @@ struct FlightMoment {
   double weight_on_wheels;
   double wanted_height;  // m; not a number where none is held
   bool height_settles;   // its reference has arrived
+  Instruments<double> readings;
 };
 
 class ScriptFlight {
  public:
   // Throws UsageError or std::runtime_error when the flight cannot begin.
-  ScriptFlight(const FlightScript& script, const FlightStart& start);
+  // A feedback law adds to what the pilot does; it counts from the trim in which the flight begins.
+  ScriptFlight(const FlightScript& script, const FlightStart& start, const Feedback& feedback = {});
   ~ScriptFlight();
 
   const FlightMoment& now() const;
@@ -62,6 +66,7 @@ class ScriptFlight {
   // What is flown now, for linear models.
   const Configuration<double>& configuration() const;
   const SystemFlight<double>& systems() const;
+  const FeedbackFlight& loop() const;
   double azimuth() const;
   // Commands that the aircraft did not obey, a line each: "gear up at 12 s: ignored, ...".
   const std::vector<std::string>& ignored() const;

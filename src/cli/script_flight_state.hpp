@@ -48,6 +48,7 @@ struct ScriptFlightState {
   SystemFlight<double> flight{};
   Simulation<double> simulation{};
   AnalysesWorkspace work;
+  FeedbackFlight closed;
   pilot::PilotAims aims{};
   pilot::PilotMemory memory{};
   pilot::PilotReach reach = pilot::pilot_reach(aircraft);
@@ -65,8 +66,8 @@ struct ScriptFlightState {
   AirframeDemand<double> demand{};
   AirframeAnswer<double> answer{};
 
-  ScriptFlightState(const FlightScript& s, const FlightStart& at)
-      : script(s), start(at), training(where_trained(at)), inputs(s) {}
+  ScriptFlightState(const FlightScript& s, const FlightStart& at, const Feedback& feedback)
+      : script(s), start(at), training(where_trained(at)), closed(feedback, &flight, *work), inputs(s) {}
 
   double time() const { return current_time(simulation); }
   double rest_height() const { return c.setup.wl_cg - aircraft.gear.ground_wl; }

@@ -20,8 +20,12 @@ ShownModel::ShownModel(const LinearModel<double>& exact) : states(exact.states),
   }
 }
 
-void ShownModel::add_outputs(const OutputMatrices& found) {
-  outputs = OutputMatrices::outputs;
+void ShownModel::add_outputs(const OutputMatrices& found) { add(found); }
+void ShownModel::add_outputs(const VehicleOutputs& found) { add(found); }
+
+template <class Outputs>
+void ShownModel::add(const Outputs& found) {
+  outputs = Outputs::outputs;
   constexpr double point_terms = 1;
   for (int i = 0; i < outputs; ++i) {
     double terms = 0;

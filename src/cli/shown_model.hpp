@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "cli/output_names.hpp"
-#include "library/analyses.hpp"
+#include "library/vehicle_outputs.hpp"
 
 namespace tiltrotor::cli {
 
@@ -18,6 +18,7 @@ class ShownModel {
 
   // The outputs of the same point beside it; none before.
   void add_outputs(const OutputMatrices& found);
+  void add_outputs(const VehicleOutputs& found);
 
   int states = 0, controls = 0, outputs = 0;
   std::vector<double> x, u, y;
@@ -37,6 +38,8 @@ class ShownModel {
   static std::size_t place(int row, int width, int column) {
     return static_cast<std::size_t>(row) * static_cast<std::size_t>(width) + static_cast<std::size_t>(column);
   }
+  template <class Outputs>
+  void add(const Outputs& found);
   const Variable& state(int i) const { return vehicle_variable(state_[static_cast<std::size_t>(i)]); }
   const Variable& control(int j) const { return vehicle_input(control_[static_cast<std::size_t>(j)]); }
 

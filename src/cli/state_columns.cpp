@@ -6,6 +6,7 @@
 
 #include "cli/flight_options.hpp"
 #include "cli/model_options.hpp"
+#include "cli/output_names.hpp"
 #include "cli/response_columns.hpp"
 #include "cli/trim_columns.hpp"
 #include "text/number.hpp"
@@ -157,6 +158,7 @@ const std::vector<std::string>& derived_columns() {
     Options governed;
     governed.governor = Governor::pi;
     for (const std::string& name : response_columns(true, governed)) all.push_back(name);
+    for (const OutputName& output : kOutputNames) all.emplace_back(output.name);
     return all;
   }();
   return names;

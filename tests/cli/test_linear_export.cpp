@@ -117,9 +117,6 @@ TEST(cli_linearize_has_the_outputs) {
       CHECK_NEAR(c[power * n + j], speed * c[torque * n + j], 1e-6 + 1e-9 * std::fabs(c[power * n + j]));
   }
   CHECK(d[place(outputs, "elevator") * m + 1] > 0 && d[place(outputs, "collective_right") * m] > 0);
-  // A model without them says so by their absence.
-  for (const char* const other : {"--option governor=pi", "--reduce rigid"})
-    CHECK(!contains(run_tiltrotor(kFlight + "--format json " + other).out, "\"outputs\""));
 }
 
 // Another program's poles of the script's system are the modes of this one.

@@ -1,0 +1,64 @@
+#include "cli/chosen_columns.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include "cli/errors.hpp"
+#include "cli/output_names.hpp"
+#include "text/csv_line.hpp"
+#include "text/nearest.hpp"
+
+namespace tiltrotor::cli {
+
+OptionList columns_option() {
+  return {{"--columns", "A,B,..",
+           "only these, in this order: of those printed without it, and of the outputs\n"
+           "of linearize by their names (airspeed, power_right), in SI"}};
+}
+
+ChosenColumns::ChosenColumns(const Arguments& arguments, const std::vector<std::string>& own) : names_(own) {
+  if (!arguments.given("--columns")) {
+    for (std::size_t k = 0; k < own.size(); ++k) place_.push_back(k);
+    return;
+  }
+  const auto place_in = [](const std::vector<std::string>& names, const std::string& name) {
+    return static_cast<std::size_t>(std::find(names.begin(), names.end(), name) - names.begin());
+  };
+  std::vector<std::string> outputs, all = own;
+  for (const OutputName& output : kOutputNames) {
+    outputs.emplace_back(output.name);
+    if (place_in(own, output.name) == own.size()) all.emplace_back(output.name);
+  }
+  names_.clear();
+  const std::string where = arguments.where("--columns");
+  for (const std::string& text : split(arguments.text("--columns", ""), ',')) {
+    const std::string name(csv::trimmed(text));
+    std::size_t place = place_in(own, name);
+    if (place == own.size()) place += place_in(outputs, name);
+    if (place == own.size() + outputs.size())
+      throw UsageError(where + ": no column " + quoted(name) + did_you_mean(name, all) + "; choose " +
+                       one_of(all));
+    if (std::find(place_.begin(), place_.end(), place) != place_.end())
+      throw UsageError(where + ": " + name + " stands there twice");
+    names_.push_back(name);
+    place_.push_back(place);
+    have_readings_ = have_readings_ || place >= own.size();
+  }
+}
+
+Row ChosenColumns::row(const Row& own, const Instruments<double>& readings) const {
+  double reading[Instruments<double>::kCount];
+  flatten(readings, reading);
+  Row row;
+  for (const std::size_t place : place_)
+    row.push_back(place < own.size() ? own[place] : Cell(reading[place - own.size()]));
+  return row;
+}
+
+Instruments<double> no_readings() {
+  Instruments<double> readings;
+  Instruments<double>::each(readings, [](double& x) { x = std::numeric_limits<double>::quiet_NaN(); });
+  return readings;
+}
+
+}  // namespace tiltrotor::cli

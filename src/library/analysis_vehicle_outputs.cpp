@@ -1,0 +1,39 @@
+#include "library/vehicle_outputs.hpp"
+
+#include "tiltrotor/analysis/flight/vehicle_readings.hpp"
+
+namespace tiltrotor {
+
+namespace {
+
+Configuration<double> in_its_air(const SystemFlight<double>& flight, const Configuration<double>& c,
+                                 const State<double>& x, const Controls<double>& u) {
+  Configuration<double> put = c;
+  put.around = with_turbulence(c, x, u, flight.vehicle, flight.state);
+  return put;
+}
+
+}  // namespace
+
+Instruments<double> vehicle_readings(const SystemFlight<double>& flight, const Configuration<double>& c,
+                                     const State<double>& x, const Controls<double>& u, double azimuth) {
+  Configuration<double> put = in_its_air(flight, c, x, u);
+  VehicleReadings<double> now;
+  now.read({flight.vehicle, flight.state, c.setup, put}, put, x, flight.state, u, azimuth);
+  return now.readings;
+}
+
+Status linearize_vehicle_outputs(const SystemFlight<double>& flight, const Configuration<double>& c,
+                                 const State<double>& x, const Controls<double>& u, const VehicleShape& shape,
+                                 VehicleOutputs& found, double azimuth) {
+  flatten(vehicle_readings(flight, c, x, u, azimuth), found.y);
+  Configuration<double> put = in_its_air(flight, c, x, u);
+  set_zero(found.c);
+  set_zero(found.d);
+  return linearize_vehicle_outputs(
+      flight.vehicle, put, x, flight.state, u, shape, found.work,
+      [&found](int i, int j, double slope) { found.c(i, j) = slope; },
+      [&found](int i, int j, double slope) { found.d(i, j) = slope; }, azimuth);
+}
+
+}  // namespace tiltrotor
