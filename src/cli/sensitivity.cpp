@@ -9,6 +9,9 @@ namespace {
 
 using Numbers = std::vector<double>;
 
+constexpr double kStep =
+    0.002;  // of a usual change: few elements change their place among the knots of a table
+
 template <int N>
 void append(const Matrix<double, N, N>& a, int n, Numbers& to) {
   for (int i = 0; i < n; ++i)
@@ -169,7 +172,7 @@ Status Sensitivity::move(const SensitivityParameter& p, FlightMotion& out) {
   const Controls<double>& u = flight_->trim.controls;
   const bool by_aircraft = changes_aircraft(p);
   const double change = by_aircraft ? p.amount : p.amount * p.in_si(c);
-  const double step = 0.01 * change;
+  const double step = kStep * change;
   out.exact = !by_aircraft && !systems_.any();
   Status status = Status::ok;
 

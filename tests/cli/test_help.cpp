@@ -13,7 +13,7 @@ namespace {
 
 const char* const commands[] = {"trim",        "linearize", "modes",       "bode",       "qualities",
                                 "performance", "respond",   "fly",         "derivative", "loads",
-                                "rotor",       "report",    "conventions", "version"};
+                                "rotor",       "report",    "conventions", "version",    "sensitivity"};
 
 bool contains(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
