@@ -47,11 +47,10 @@ ShownModel names_of(const QlpvGrid& grid) {
 
 std::string head_json(const QlpvGrid& grid) {
   std::string variables;
-  for (int k = 0; k < scheduling_count; ++k)
-    variables += std::string(k > 0 ? ",\n" : "") +
-                 json_object({{"name", json_text(kSchedulingNames[k])},
-                              {"unit", json_text(kSchedulingUnits[k])},
-                              {"values", json_array(grid.axis(static_cast<Scheduling>(k)))}});
+  for (int k = 0; k < kSchedulingVariables; ++k)
+    variables += std::string(k > 0 ? ",\n" : "") + json_object({{"name", json_text(kSchedulingNames[k])},
+                                                                {"unit", json_text(kSchedulingUnits[k])},
+                                                                {"values", json_array(grid.axis(k))}});
   return "{\n\"kind\": \"qlpv\",\n\"program\": " + program_and_commit_json() + ",\n\"scheduling\": [\n" +
          variables + "\n],\n\"interpolation\": " +
          json_text(
@@ -62,7 +61,7 @@ std::string head_json(const QlpvGrid& grid) {
 
 std::string point_json(const QlpvGrid& grid, const SchedulingPoint& at, const QlpvPoint& point) {
   std::string text = "{\n";
-  for (int k = 0; k < scheduling_count; ++k)
+  for (int k = 0; k < kSchedulingVariables; ++k)
     text += "\"" + std::string(kSchedulingNames[k]) + "\": " + json_number(at[k]) + ", ";
   LinearSettings settings(point.flight->configuration.setup);
   settings.numbers.push_back({"climb_deg", point.flight->climb_deg});
@@ -149,16 +148,16 @@ class Checker {
     const Status status = qlpv_errors(*exact.model, mean_model(models), errors);
     if (status != Status::ok) return add_failed(centre, status_word(status));
     for (const QlpvRoot& root : errors.roots)
-      records_.add({centre[by_mast], centre[by_speed], centre[by_altitude], "root", root.name,
+      records_.add({centre[kByMast], centre[kBySpeed], centre[kByAltitude], "root", root.name,
                     root.exact.real(), root.exact.imag(), root.interpolated.real(), root.interpolated.imag(),
                     root.error(), kNothing, exact.status});
     for (const QlpvResponse& response : errors.responses)
-      records_.add({centre[by_mast], centre[by_speed], centre[by_altitude], "response", response.name,
+      records_.add({centre[kByMast], centre[kBySpeed], centre[kByAltitude], "response", response.name,
                     kNothing, kNothing, kNothing, kNothing, response.error, response.omega, exact.status});
     return exit_success;
   }
   int add_failed(const SchedulingPoint& centre, const std::string& status) {
-    records_.add({centre[by_mast], centre[by_speed], centre[by_altitude], "", "", kNothing, kNothing,
+    records_.add({centre[kByMast], centre[kBySpeed], centre[kByAltitude], "", "", kNothing, kNothing,
                   kNothing, kNothing, kNothing, kNothing, status});
     return exit_case_failed;
   }

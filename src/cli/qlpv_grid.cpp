@@ -30,13 +30,13 @@ QlpvGrid::QlpvGrid(const Arguments& arguments)
       order_(reduction_order(arguments)),
       controls_(control_set(arguments)) {
   const Range ranges[] = {kAltitudeRange, kMastRange, kSpeedRange};
-  for (int k = 0; k < scheduling_count; ++k) {
+  for (int k = 0; k < kSchedulingVariables; ++k) {
     axis_[k] = arguments.sweep(kOptions[k], "0", ranges[k]);
     if (std::adjacent_find(axis_[k].begin(), axis_[k].end(), std::greater_equal<double>()) != axis_[k].end())
       throw UsageError(arguments.where(kOptions[k]) + ": the values of a grid must increase");
   }
-  const bool one_flight = flight_cases(arguments).size() == axis_[by_mast].size() * axis_[by_speed].size();
-  if (!one_flight || SetupOptions::every_combination(arguments).size() != axis_[by_altitude].size())
+  const bool one_flight = flight_cases(arguments).size() == axis_[kByMast].size() * axis_[kBySpeed].size();
+  if (!one_flight || SetupOptions::every_combination(arguments).size() != axis_[kByAltitude].size())
     throw UsageError(
         command_ +
         ": the scheduling variables are --altitude, --mast and --speed; everything else takes one value");
@@ -47,7 +47,7 @@ QlpvGrid::QlpvGrid(const Arguments& arguments)
 std::size_t QlpvGrid::points() const { return axis_[0].size() * axis_[1].size() * axis_[2].size(); }
 
 void QlpvGrid::place_point(std::size_t number, SchedulingPoint& at) const {
-  for (int k = scheduling_count; k-- > 0;) at[k] = axis_[k][digit(number, axis_[k].size())];
+  for (int k = kSchedulingVariables; k-- > 0;) at[k] = axis_[k][digit(number, axis_[k].size())];
 }
 
 std::size_t QlpvGrid::cells() const {
@@ -64,7 +64,7 @@ void QlpvGrid::place_cell(std::size_t number, SchedulingPoint& centre,
                           std::vector<std::size_t>& corners) const {
   corners.assign(1, 0);
   std::size_t stride = 1;
-  for (int k = scheduling_count; k-- > 0;) {
+  for (int k = kSchedulingVariables; k-- > 0;) {
     const std::size_t size = axis_[k].size();
     const std::size_t first = digit(number, std::max<std::size_t>(size, 2) - 1);
     const std::size_t last = size > 1 ? first + 1 : first;
@@ -78,7 +78,7 @@ void QlpvGrid::place_cell(std::size_t number, SchedulingPoint& centre,
 }
 
 std::string QlpvGrid::where(const SchedulingPoint& at) const {
-  return flight_text(command_, at[by_mast], at[by_speed]) + ", " + number_text(at[by_altitude], 6) + " m";
+  return flight_text(command_, at[kByMast], at[kBySpeed]) + ", " + number_text(at[kByAltitude], 6) + " m";
 }
 
 QlpvPoint QlpvGrid::find(const SchedulingPoint& at, Analyses& work) const {
@@ -86,18 +86,18 @@ QlpvPoint QlpvGrid::find(const SchedulingPoint& at, Analyses& work) const {
       std::make_unique<TrimmedFlight>(), std::make_unique<LinearModel<double>>(), nullptr, false, "", ""};
   TrimmedFlight& f = *point.flight;
   f.where = where(at);
-  f.mast_deg = at[by_mast];
+  f.mast_deg = at[kByMast];
   f.flight = flight_.flight;
-  f.flight.speed = at[by_speed];
+  f.flight.speed = at[kBySpeed];
   f.climb_deg = flight_.climb_deg;
   f.sideslip_deg = flight_.sideslip_deg;
   f.turn_rate_degps = flight_.turn_rate_degps;
   f.azimuth_deg = flight_.azimuth_deg;
   f.targets = flight_.targets;
   f.setup = &setup_;
-  f.configuration = setup_.configuration(at[by_mast]);
+  f.configuration = setup_.configuration(at[kByMast]);
   ConfigurationSetting<double> setting = f.configuration.setup;
-  setting.altitude = at[by_altitude];
+  setting.altitude = at[kByAltitude];
   if (reconfigure(setting, f.configuration) != Status::ok) throw UsageError(f.where + ": out of range");
   const std::string unreached = trim_to_targets(f.targets, work, f);
   point.status = trim_status_word(f.trim.status);

@@ -11,10 +11,10 @@
 namespace tiltrotor::cli {
 
 // The scheduling variables, in the order in which points and cells are counted: altitude slowest, speed fastest.
-enum Scheduling : unsigned char { by_altitude, by_mast, by_speed, scheduling_count };
+inline constexpr int kByAltitude = 0, kByMast = 1, kBySpeed = 2, kSchedulingVariables = 3;
 inline constexpr const char* kSchedulingNames[] = {"altitude_m", "mast_deg", "speed_mps"};
 inline constexpr const char* kSchedulingUnits[] = {"m", "deg", "m/s"};
-using SchedulingPoint = double[scheduling_count];
+using SchedulingPoint = double[kSchedulingVariables];
 
 // A trimmed flight with its model; `status` is that of the trim or, where the model failed, the model's.
 struct QlpvPoint {
@@ -31,7 +31,7 @@ class QlpvGrid {
   // Throws UsageError when something but the scheduling variables takes several values, or theirs do not increase.
   explicit QlpvGrid(const Arguments& arguments);
 
-  const std::vector<double>& axis(Scheduling variable) const { return axis_[variable]; }
+  const std::vector<double>& axis(int variable) const { return axis_[variable]; }
   std::size_t points() const;
   void place_point(std::size_t number, SchedulingPoint& at) const;
   // Cells between neighbours; an axis of one value has no extent.
@@ -56,7 +56,7 @@ class QlpvGrid {
   bool reduced_;
   Reduction order_;
   ControlSet controls_;
-  std::vector<double> axis_[scheduling_count];
+  std::vector<double> axis_[kSchedulingVariables];
 };
 
 }  // namespace tiltrotor::cli
