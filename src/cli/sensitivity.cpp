@@ -86,7 +86,7 @@ Sensitivity::~Sensitivity() = default;
 
 // In systems the aircraft is changed where it can be: they make what follows from a setting anew.
 bool Sensitivity::changes_aircraft(const SensitivityParameter& p) const {
-  return p.parameter == ConfigurationParameter::count || (systems_.any() && p.change != nullptr);
+  return p.change != nullptr && (p.parameter == ConfigurationParameter::count || systems_.any());
 }
 
 Status Sensitivity::begin(const TrimmedFlight& flight, Analyses& work) {
@@ -149,6 +149,7 @@ Numbers Sensitivity::closed_loop_numbers(const Configuration<double>& c, const T
 Numbers Sensitivity::slopes(const SensitivityParameter& p, const TrimMotion<double>& motion, double h,
                             NumbersOf numbers_of, Status& status) {
   const auto at = [&](double by) {
+    if (p.held != nullptr) return (this->*numbers_of)(flight_->configuration, motion, by, status);
     if (!changes_aircraft(p)) {
       moved_configuration(flight_->configuration, &p.parameter, &by, 1, memory_->moved);
       return (this->*numbers_of)(memory_->moved, motion, by, status);
@@ -165,6 +166,28 @@ Numbers Sensitivity::slopes(const SensitivityParameter& p, const TrimMotion<doub
   return out;
 }
 
+// At the attitude of the trim velocity is proportional to speed, and body rates to the turn rate.
+State<double> Sensitivity::set_by_flight(const SensitivityParameter& p) const {
+  const State<double>& x = flight_->trim.state;
+  SteadyFlight<double> unit = flight_->flight;
+  unit.*p.held = 1;
+  State<double> direct{};
+  if (p.held == &SteadyFlight<double>::speed) direct.velocity = steady_velocity(unit, x.roll, x.pitch);
+  if (p.held == &SteadyFlight<double>::turn_rate) direct.rates = steady_rates(unit, x.roll, x.pitch);
+  return direct;
+}
+
+Numbers Sensitivity::rates_along(const State<double>& direct) const {
+  const LinearModel<double>& model = memory_->model;
+  double x[state_count];
+  flatten(direct, x);
+  Numbers rates(state_count);
+  for (int i = 0; i < model.states; ++i)
+    for (int j = 0; j < model.states; ++j)
+      rates[static_cast<std::size_t>(model.state[i])] += model.a(i, j) * x[model.state[j]];
+  return rates;
+}
+
 Status Sensitivity::move(const SensitivityParameter& p, FlightMotion& out) {
   Memory& m = *memory_;
   const Configuration<double>& c = flight_->configuration;
@@ -178,7 +201,11 @@ Status Sensitivity::move(const SensitivityParameter& p, FlightMotion& out) {
 
   // With state and controls held.
   Numbers held;
-  if (by_aircraft) {
+  State<double> direct{};  // what the flight sets itself
+  if (p.held != nullptr) {
+    direct = set_by_flight(p);
+    held = rates_along(direct);
+  } else if (by_aircraft) {
     held = slopes(p, {}, step, &Sensitivity::airframe_numbers, status);
   } else {
     status = configuration_sensitivity(c, x, u, {1, {p.parameter}}, m.columns, m.column);
@@ -186,6 +213,8 @@ Status Sensitivity::move(const SensitivityParameter& p, FlightMotion& out) {
   }
   if (status == Status::ok) status = trim_motion(held.data(), m.trims, out.trim);
   if (status != Status::ok) return status;
+  out.trim.x.velocity = out.trim.x.velocity + direct.velocity;
+  out.trim.x.rates = out.trim.x.rates + direct.rates;
 
   // And with the trim, of the airframe,
   const int n = m.model.states;

@@ -58,6 +58,8 @@ class Sensitivity {
   // Of these numbers per unit of the parameter.
   Numbers slopes(const SensitivityParameter& parameter, const TrimMotion<double>& motion, double step,
                  NumbersOf numbers_of, Status& status);
+  State<double> set_by_flight(const SensitivityParameter& parameter) const;
+  Numbers rates_along(const State<double>& direct) const;
   bool changes_aircraft(const SensitivityParameter& parameter) const;
 
   SensitivitySystems systems_;

@@ -34,21 +34,23 @@ void scale_inertia(A& a, double Inertia<double>::*axis, double by) {
 using Change = void (*)(A& aircraft, double by);
 SensitivityParameter setting(const char* name, double amount, const char* unit, P parameter,
                              double (*in_si)(const Configured&)) {
-  return {name, amount, unit, Kind::setting, parameter, in_si, nullptr};
+  return {name, amount, unit, Kind::setting, parameter, in_si, nullptr, nullptr};
 }
 SensitivityParameter consequence(const char* name, double amount, const char* unit, P parameter,
                                  double (*in_si)(const Configured&), Change change) {
-  return {name, amount, unit, Kind::consequence, parameter, in_si, change};
+  return {name, amount, unit, Kind::consequence, parameter, in_si, change, nullptr};
 }
 SensitivityParameter number(const char* name, double amount, const char* unit, Change change) {
-  return {name, amount, unit, Kind::aircraft, P::count, nullptr, change};
+  return {name, amount, unit, Kind::aircraft, P::count, nullptr, change, nullptr};
 }
 SensitivityParameter gain(Kind kind, const char* name, Change change) {
-  return {name, 5, "%", kind, P::count, nullptr, change};
+  return {name, 5, "%", kind, P::count, nullptr, change, nullptr};
 }
 
 std::vector<SensitivityParameter> settings() {
   return {
+      {"speed", 1, "m/s", Kind::flight, P::count, one, nullptr, &SteadyFlight<double>::speed},
+      {"turn_rate", 1, "deg/s", Kind::flight, P::count, degree, nullptr, &SteadyFlight<double>::turn_rate},
       setting("mass", 100, "kg", P::mass, one),
       setting("cg_station", 1, "in", P::sl_cg, inch),
       setting("cg_waterline", 1, "in", P::wl_cg, inch),

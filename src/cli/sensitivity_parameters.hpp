@@ -7,10 +7,12 @@
 
 #include "cli/changed_aircraft.hpp"
 #include "tiltrotor/analysis/linear/configuration_sensitivity.hpp"
+#include "tiltrotor/analysis/trim/steady_flight.hpp"
 
 namespace tiltrotor::cli {
 
 enum class ParameterKind : unsigned char {
+  flight,         // what the trim holds: exact
   setting,        // of the configuration: exact, and moves with systems too
   consequence,    // what follows from the setting: exact; with systems by its `change`, if it has one
   aircraft,       // a number or table of it
@@ -26,6 +28,7 @@ struct SensitivityParameter {
   ConfigurationParameter parameter;                      // `count`: none
   double (*in_si)(const Configuration<double>&);         // a unit of the amount in that of the parameter
   void (*change)(ChangedAircraft& aircraft, double by);  // by so many units; nullptr: none
+  double SteadyFlight<double>::*held = nullptr;  // of a flight: velocity or body rates are proportional to it
 };
 
 const std::vector<SensitivityParameter>& sensitivity_parameters();

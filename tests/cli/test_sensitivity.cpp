@@ -51,13 +51,12 @@ struct Setting {
   const char *parameter, *option;
   double value, step;
 };
-const Setting settings[] = {{"mass", "--mass", 5700, 0.4},
-                            {"cg_station", "--cg-sl", 299, 0.005},
-                            {"flap", "--flap", 12, 0.005},
-                            {"rotor_speed", "--rotor-rpm", 560, 0.02},
+const Setting settings[] = {{"speed", "--speed", 57, 0.002},   {"turn_rate", "--turn-rate", 2, 0.002},
+                            {"mass", "--mass", 5700, 0.4},     {"cg_station", "--cg-sl", 299, 0.005},
+                            {"flap", "--flap", 12, 0.005},     {"rotor_speed", "--rotor-rpm", 560, 0.02},
                             {"altitude", "--altitude", 700, 1}};
 std::string flight(const std::string& changed, const std::string& value) {
-  std::string options = " --mast 37 --speed 57 --sideslip 2 --turn-rate 2";
+  std::string options = " --mast 37 --sideslip 2";
   for (const Setting& s : settings)
     options += std::string(" ") + s.option + " " + (changed == s.option ? value : exactly(s.value));
   return options;
