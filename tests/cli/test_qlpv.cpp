@@ -2,7 +2,6 @@
 // interpolation, which fall with the square of the distance.
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "check.hpp"
 #include "cli/csv_text.hpp"
@@ -11,17 +10,15 @@
 #include "this_aircraft.hpp"
 
 using check::CsvText;
-using check::run_tiltrotor;
+using this_aircraft::flown;
 
 namespace {
 
 const std::string grid = "qlpv --grid realtime --flap 0 ";
 
-std::string speed(double mps) {
-  char text[40];
-  std::snprintf(text, sizeof text, "%.12g", mps * this_aircraft::speed());
-  return text;
-}
+check::ProgramResult run_tiltrotor(const std::string& words) { return check::run_tiltrotor(flown(words)); }
+
+std::string speed(double mps) { return this_aircraft::shortest(mps); }
 
 CsvText check_of(const std::string& options) {
   return CsvText(run_tiltrotor(grid + "--show check --format csv " + options).out);
@@ -92,7 +89,7 @@ TEST(cli_qlpv_shards_join_to_the_whole) {
   }
 }
 
-TEST(cli_qlpv_check_compares_with_the_modes_at_the_centre) {
+TEST_OF_XV15(cli_qlpv_check_compares_with_the_modes_at_the_centre) {
   const CsvText found = check_of("--mast 90 --speed " + speed(90) + "," + speed(110));
   const CsvText modes = CsvText(
       run_tiltrotor("modes --grid realtime --flap 0 --format csv --mast 90 --speed " + speed(100)).out);
@@ -121,7 +118,7 @@ TEST_OF_XV15(cli_qlpv_errors_fall_with_the_square_of_the_cell) {
 
 TEST(cli_bad_qlpv_is_refused_in_one_line) {
   const auto refused = [](const std::string& options, const std::string& words) {
-    const auto run = run_tiltrotor("qlpv " + options);
+    const auto run = check::run_tiltrotor("qlpv " + options);
     CHECK_EQ(run.exit_status, 2);
     CHECK(run.out.empty());
     CHECK_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1);
