@@ -167,6 +167,45 @@ TEST(sensitivity_of_trim_and_matrices_equals_differences_of_new_trims) {
   NOTE("largest error " << worst);
 }
 
+// Every switch behind which the model goes by another formula; with coning states there are more directions than one pass
+// takes. In hover the derivative of the total speed is that of its smoothing.
+TEST(sensitivity_under_other_switches_equals_differences_of_new_trims) {
+  Options coning = fast();
+  coning.coning_states = coning.flap_angular_acceleration = coning.lateral_cyclic = coning.stall_delay = true;
+  coning.wash = WashFactor::vortex_cylinder;
+  coning.engine_jets = true;
+  Options other = fast();
+  other.flapping = FlapOrder::first;
+  other.inflow = InflowShape::uniform;
+  other.tables = Interpolation::linear;
+  other.side_by_side = other.sideward_flight = other.disk_plane_inflow = true;
+  other.wake = WakeModel::gtrs_empirical;
+  other.wake_load = WakeLoadFactor::gtrs;
+  other.mast_drag = MastDrag::linear;
+  other.wing_rate_velocity = other.tail_sideslip_loss = true;
+  other.tail_wash = TailWash::closed_form;
+  const SteadyFlight<double> forward = flown({52, 0.03, 0.05, 0.02}), hover = flown({0, 0, 0, 0});
+  static Motion motion;
+  for (const Options& options : {coning, other}) {
+    for (const SteadyFlight<double>& flight : {forward, hover}) {
+      // Hover stands on the knots at zero speed and sideslip, where linear tables have no derivative.
+      if (flight.speed == 0 && options.tables == Interpolation::linear) continue;
+      const Flight& p = point_at(flight.speed > 0 ? 37 : 3, flight, options);
+      const Numbers base = numbers(p);
+      for (const Parameter parameter : {Parameter::mass, Parameter::wl_cg, Parameter::rotor_speed,
+                                        Parameter::mast, Parameter::inertia_xz}) {
+        const double h = step_of(parameter);
+        find_motion(flight, p, parameter, motion);
+        CHECK(motion.status == Status::ok);
+        const double error =
+            worst_error(numbers(p.model, motion), difference(flight, p, parameter, h), base, h);
+        if (!CHECK_LT(error, 1e-9))
+          NOTE(facts(parameter).name << " at " << flight.speed << " m/s: " << error);
+      }
+    }
+  }
+}
+
 // The equations of the trim hold on the way: their rates do not move.
 TEST(sensitivity_keeps_the_aircraft_trimmed) {
   const SteadyFlight<double> flight = flown({30, 0, 0, 0});
