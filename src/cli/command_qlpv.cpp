@@ -120,15 +120,20 @@ class Checker {
   }
 
  private:
-  // Corners are shared by neighbours.
-  const QlpvPoint& corner(std::size_t number) {
+  struct Corner {
+    std::unique_ptr<LinearModel<double>> model;  // none: not valid
+    std::string status;
+  };
+  // Corners are shared by neighbours; those before the first of a cell are not asked for again.
+  const Corner& corner(std::size_t number) {
     const auto known = corners_.find(number);
     if (known != corners_.end()) return known->second;
     SchedulingPoint at;
     grid_.place_point(number, at);
-    QlpvPoint& found = corners_[number] = grid_.find(at, *work_);
+    QlpvPoint found = grid_.find(at, *work_);
     told(grid_, at, found, progress_);
-    return found;
+    if (!found.valid) found.model.reset();
+    return corners_[number] = {std::move(found.model), found.status};
   }
 
   int check_cell(std::size_t number) {
@@ -136,9 +141,10 @@ class Checker {
     std::vector<std::size_t> corners;
     grid_.place_cell(number, centre, corners);
     std::vector<const LinearModel<double>*> models;
+    corners_.erase(corners_.begin(), corners_.lower_bound(corners.front()));
     for (const std::size_t place : corners) {
-      const QlpvPoint& found = corner(place);
-      if (!found.valid) return add_failed(centre, "corner_" + found.status);
+      const Corner& found = corner(place);
+      if (found.model == nullptr) return add_failed(centre, "corner_" + found.status);
       models.push_back(found.model.get());
     }
     const QlpvPoint exact = grid_.find(centre, *work_);
@@ -167,7 +173,7 @@ class Checker {
   Records records_;
   Progress progress_;
   AnalysesWorkspace work_;
-  std::map<std::size_t, QlpvPoint> corners_;
+  std::map<std::size_t, Corner> corners_;
 };
 
 int run(const Arguments& arguments) {

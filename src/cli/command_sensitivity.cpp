@@ -4,12 +4,14 @@
 #include <cmath>
 #include <cstdio>
 #include <limits>
+#include <set>
 
 #include "cli/command.hpp"
 #include "cli/errors.hpp"
 #include "cli/governed.hpp"
 #include "cli/output.hpp"
 #include "cli/sensitivity.hpp"
+#include "text/nearest.hpp"
 #include "text/split.hpp"
 
 namespace tiltrotor::cli {
@@ -62,13 +64,26 @@ class SensitivityRows {
         sensitivity_(systems) {}
 
   const Shard& shard() const { return output_.shard(); }
-  void finish() { records_.finish(); }
+  // A name that no flight had is a slip of the hand.
+  int finish() {
+    records_.finish();
+    int exit_status = exit_success;
+    for (const std::string& name : split(modes_, ',')) {
+      if (modes_ == "all" || modes_ == "body" || !has_begun_ || seen_.count(name) == 1) continue;
+      std::fprintf(stderr, "tiltrotor: sensitivity: --mode: no flight has a mode called %s\n",
+                   quoted(name).c_str());
+      exit_status = exit_case_failed;
+    }
+    return exit_status;
+  }
 
   int add(const TrimmedFlight& flight, Analyses& work) {
     const char* const trim_status = trim_status_word(flight.trim.status);
     if (!is_trimmed(flight.trim.status)) return add_failed(flight, trim_status);
     Status status = sensitivity_.begin(flight, work);
     if (status != Status::ok) return fail(flight, status, "");
+    has_begun_ = true;
+    for (const NamedRoot& root : sensitivity_.roots()) seen_.insert(root.name);
     const std::vector<std::size_t> shown = shown_roots();
     if (of_ == Of::modes && shown.empty()) {
       std::fprintf(stderr, "tiltrotor: %s: no mode called %s here: %s\n", flight.where.c_str(),
@@ -177,6 +192,8 @@ class SensitivityRows {
   Output output_;  // last of what arguments can refuse
   Records records_;
   Sensitivity sensitivity_;
+  bool has_begun_ = false;
+  std::set<std::string> seen_;  // names of modes, in any flight
 };
 
 int run(const Arguments& arguments) {
@@ -195,8 +212,8 @@ int run(const Arguments& arguments) {
   const int exit_status =
       for_each_trim(arguments, setups, rows.shard(), *work,
                     [&](const TrimmedFlight& flight) -> int { return rows.add(flight, *work); });
-  rows.finish();
-  return exit_status;
+  const int names = rows.finish();
+  return exit_status != exit_success ? exit_status : names;
 }
 
 std::string parameter_names() {
