@@ -241,9 +241,8 @@ Command sensitivity_command() {
       "largest effect first: of a pair on the damping ratio, of a real root on the root, of a trim on the power. The trim\n"
       "moves with the parameter; speed, climb, turn rate, sideslip and what --hold let go stay. method `exact`: by second\n"
       "derivatives of the model and both eigenvectors. `difference`, for numbers of the aircraft: their own part by\n"
-      "extrapolated differences of exact matrices, the moving trim's exact; with a governor or --scas on, and in the vortex\n"
-      "ring state, all of the matrix. On a knot of a table along mast angle or flap it is that of\n"
-      "the interval above.\n"
+      "extrapolated differences of exact matrices, the moving trim's exact; with a governor or --scas on, all of the matrix.\n"
+      "On a knot of a table along mast angle or flap it is that of the interval above.\n"
       "Parameters: " +
       parameter_names() + ".\n";
   return {

@@ -219,14 +219,10 @@ Status Sensitivity::move(const SensitivityParameter& p, FlightMotion& out) {
   // And with the trim, of the airframe,
   const int n = m.model.states;
   const ConfigurationParameter parameter = by_aircraft ? ConfigurationParameter::count : p.parameter;
-  const bool known = model_motion(c, x, u, m.model, parameter, out.trim, m.motions, m.motion) == Status::ok;
-  if (!known) {
-    held = slopes(p, out.trim, step, &Sensitivity::airframe_numbers, status);
-    m.motion = {};
-  }
-  out.exact = out.exact && known;
+  status = model_motion(c, x, u, m.model, parameter, out.trim, m.motions, m.motion);
+  if (status != Status::ok) return status;
   out.power = m.motion.power[right] + m.motion.power[left];
-  if (by_aircraft || !known) {
+  if (by_aircraft) {
     out.power += held[state_count];
     const double* own = held.data() + state_count + 1;
     for (int i = 0; i < n; ++i)

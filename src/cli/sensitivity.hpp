@@ -28,8 +28,7 @@ struct FlightMotion {
 // Derivatives with respect to settings and what follows from them are exact. With respect to numbers of the aircraft
 // what the moving trim does is; the aircraft's own part is a difference of exact matrices over a small part of the usual
 // change and its half, extrapolated: to rounding where the loads are proportional to the number, as to coefficients.
-// With systems, and in the vortex ring state, whose law is known to its first derivatives, the matrices are such
-// differences along the exact motion of the trim.
+// With systems the matrices are such differences along the exact motion of the trim.
 class Sensitivity {
  public:
   explicit Sensitivity(const SensitivitySystems& systems);

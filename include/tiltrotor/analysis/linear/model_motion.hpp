@@ -35,8 +35,8 @@ struct ModelMotion {
 };
 
 // `parameter` moves by one and state and controls with `motion`; ConfigurationParameter::count: these alone.
-// Status: ok; bad_argument (c is not prepared); not_finite: so in the vortex ring state, whose law is known to its first
-// derivatives. At a knot of a table along mast angle or flap one-sided: configuration_sensitivity.hpp.
+// Status: ok; bad_argument (c is not prepared); not_finite. At a knot of a table along mast angle or flap one-sided:
+// configuration_sensitivity.hpp.
 // Cost: a pass for every 32 states and inputs, each some 8 Jacobians.
 template <class R>
 Status model_motion(const Configuration<R>& c, const State<R>& x, const Controls<R>& u,

@@ -2,9 +2,8 @@
 // numbers of its flow, and chained. To be included before the model is used on such numbers.
 #pragma once
 
-#include <limits>
-
 #include "tiltrotor/math/differentiation/nested_dual.hpp"
+#include "tiltrotor/model/rotor/nested_vortex_ring.hpp"
 #include "tiltrotor/model/rotor/rotor.hpp"
 
 namespace tiltrotor {
@@ -50,17 +49,5 @@ class BladeGroup<Nested<Dual<R, N>>> {
             chain(sum.tangential_moment, seen)};
   }
 };
-
-// In the rotor's own wake the inflow law is known with its first derivatives alone: the second are no numbers.
-template <class D>
-bool add_vortex_ring(const Nested<D>& mu_z, const Nested<D>& lambda_0, const Nested<D>& in_plane2,
-                     Real<D> windmill_descent, Real<D> ring_in_plane, Nested<D>& mass_flow,
-                     Nested<D>& harmonics) {
-  if (!add_vortex_ring(mu_z.v, lambda_0.v, in_plane2.v, windmill_descent, ring_in_plane, mass_flow.v,
-                       harmonics.v))
-    return false;
-  mass_flow.along = harmonics.along = D(std::numeric_limits<Real<D>>::quiet_NaN());
-  return true;
-}
 
 }  // namespace tiltrotor
