@@ -129,7 +129,8 @@ TABLEGEN_OBJECTS   := $(TABLEGEN_SOURCE:src/%.cpp=$(BUILD)/host/%.o)
 # differentiation and the instances name theirs: these are compiled once for both.
 C_SOURCE           := $(filter %/aircraft_data.cpp,$(LIBRARY_SOURCE)) $(filter src/library/c_%.cpp,$(LIBRARY_SOURCE))
 AIRCRAFT_OBJECT    := $(BUILD)/cpp/library/headers_aircraft.o
-COMMON_OBJECTS     := $(patsubst %,$(BUILD)/cpp/library/%.o,analysis_double analysis_float analysis_closed_loop analysis_vehicle_outputs c_processor c_compiled) $(AIRCRAFT_OBJECT)
+COMMON_OBJECTS     := $(patsubst %,$(BUILD)/cpp/library/%.o,analysis_double analysis_float analysis_closed_loop analysis_motion \
+                        analysis_vehicle_outputs c_processor c_compiled) $(AIRCRAFT_OBJECT)
 C_OBJECTS          := $(C_SOURCE:src/%.cpp=$(BUILD)/ad/%.o)
 LIBRARY_OBJECTS    := $(C_OBJECTS) $(AIRCRAFT_OBJECT)
 LIBRARY_ND_OBJECTS := $(BUILD)/ad/library/aircraft_data.o $(AIRCRAFT_OBJECT) \

@@ -20,6 +20,8 @@ Command linearize_command();
 Command modes_command();
 Command bode_command();
 Command qualities_command();
+Command sensitivity_command();
+Command qlpv_command();
 Command performance_command();
 Command respond_command();
 Command fly_command();

@@ -3,6 +3,7 @@
 #include <functional>
 
 #include "cli/errors.hpp"
+#include "cli/linear_json.hpp"
 #include "cli/output.hpp"
 #include "text/identity.hpp"
 #include "text/json.hpp"
@@ -14,21 +15,6 @@ namespace {
 
 using Model = ShownModel;
 
-std::string joined(int count, const std::string& separator, const std::function<std::string(int)>& item) {
-  std::string text;
-  for (int i = 0; i < count; ++i) text += (i > 0 ? separator : "") + item(i);
-  return text;
-}
-
-std::string matrix_text(int rows, int columns, const std::string& row_separator, const std::string& separator,
-                        const std::function<double(int, int)>& entry,
-                        const std::function<std::string(const std::string&)>& wrap) {
-  return joined(rows, row_separator, [&](int i) {
-    return wrap(joined(columns, separator, [&](int j) { return json_number(entry(i, j)); }));
-  });
-}
-
-std::string bracketed(const std::string& text) { return "[" + text + "]"; }
 // In single quotes, which are doubled inside.
 std::string matlab_text(const std::string& text) {
   std::string out = "'";
@@ -36,14 +22,6 @@ std::string matlab_text(const std::string& text) {
   return out + "'";
 }
 std::string unchanged(const std::string& text) { return text; }
-
-std::string settings_json(const LinearSettings& settings) {
-  std::vector<JsonMember> members, switches;
-  for (const LinearSettings::Number& n : settings.numbers) members.emplace_back(n.name, json_number(n.value));
-  for (const auto& [name, value] : settings.switches) switches.emplace_back(name, json_text(value));
-  members.emplace_back("switches", json_object(switches));
-  return json_object(members);
-}
 
 // The system object of MATLAB and of Octave's control package, whose states are its outputs where the model has none.
 std::string matlab_system(const std::string& name, bool has_outputs) {
@@ -129,40 +107,12 @@ void LinearOutput::add_csv(const LinearCase& which, const Model& model) {
 }
 
 void LinearOutput::add_json(const LinearCase& which, const Model& model) {
-  const auto named = [](const char* name, const char* unit) {
-    return json_object({{"name", json_text(name)}, {"unit", json_text(unit)}});
-  };
   std::string text = count_ > 0 ? ",\n" : "";
   text += "{\n\"case\": " + json_text(which.name) + ",\n\"mast_deg\": " + json_number(which.mast_deg) +
           ",\n\"speed_mps\": " + json_number(which.speed) + ",\n\"status\": " + json_text(which.status) +
           ",\n\"program\": " + program_and_commit_json() +
           ",\n\"settings\": " + settings_json(which.settings);
-  if (which.valid) {
-    const int n = model.states;
-    const int m = model.controls;
-    const int k = model.outputs;
-    const auto names = [&](const char* member, int count, const std::function<std::string(int)>& item) {
-      text += ",\n\"" + std::string(member) + "\": [" + joined(count, ", ", item) + "]";
-    };
-    const auto matrix = [&](const char* member, int rows, int columns,
-                            const std::function<double(int, int)>& entry) {
-      text += ",\n\"" + std::string(member) + "\": [\n" +
-              matrix_text(rows, columns, ",\n", ", ", entry, bracketed) + "\n]";
-    };
-    const auto vector = [&](const char* member, const std::vector<double>& values) {
-      text += ",\n\"" + std::string(member) + "\": " + json_array(values);
-    };
-    names("states", n, [&](int i) { return named(model.state_name(i), model.state_unit(i)); });
-    names("controls", m, [&](int j) { return named(model.control_name(j), model.control_unit(j)); });
-    if (k > 0) names("outputs", k, [&](int i) { return named(model.output_name(i), model.output_unit(i)); });
-    vector("x0", model.x);
-    vector("u0", model.u);
-    if (k > 0) vector("y0", model.y);
-    matrix("A", n, n, [&](int i, int j) { return model.a(i, j); });
-    matrix("B", n, m, [&](int i, int j) { return model.b(i, j); });
-    if (k > 0) matrix("C", k, n, [&](int i, int j) { return model.c(i, j); });
-    if (k > 0) matrix("D", k, m, [&](int i, int j) { return model.d(i, j); });
-  }
+  if (which.valid) text += ",\n" + names_json(model) + ",\n" + matrices_json(model);
   sink_.write(text + "\n}");
 }
 

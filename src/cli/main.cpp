@@ -17,10 +17,10 @@ namespace tiltrotor::cli {
 namespace {
 
 std::vector<Command> all_commands() {
-  return {trim_command(),        linearize_command(),   modes_command(),   bode_command(),
-          qualities_command(),   performance_command(), respond_command(), fly_command(),
-          derivative_command(),  loads_command(),       rotor_command(),   report_command(),
-          conventions_command(), version_command()};
+  return {trim_command(),      linearize_command(),   modes_command(),       bode_command(),
+          qualities_command(), sensitivity_command(), qlpv_command(),        performance_command(),
+          respond_command(),   fly_command(),         derivative_command(),  loads_command(),
+          rotor_command(),     report_command(),      conventions_command(), version_command()};
 }
 
 int print(const std::string& text) {

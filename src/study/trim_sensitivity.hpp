@@ -1,7 +1,6 @@
 // Exact derivatives of a trim with respect to the configuration.
 //
-// Along a trim f(z, p) = 0, z the unknowns and p a parameter: dz/dp = -(df/dz)^-1 df/dp. df/dz follows from the
-// linear model and from how velocity follows attitude, df/dp from configuration_sensitivity.hpp.
+// By tiltrotor/analysis/trim/trim_motion.hpp and configuration_sensitivity.hpp.
 #pragma once
 
 #include <array>

@@ -37,7 +37,7 @@ struct VortexRing {
   static constexpr R kInPlane = R(0.95);                        // the boundary from N to X closes here
 };
 
-namespace vortex_ring_detail {
+namespace vortex_ring_curve {
 
 // Total inflow over v_h at a descent, and its derivatives.
 template <class R>
@@ -168,7 +168,7 @@ T extended(Real<T> f, const Real<T> (&slope)[3], const T* const (&x)[3]) {
   }
 }
 
-}  // namespace vortex_ring_detail
+}  // namespace vortex_ring_curve
 
 // Adds to V_T^2 (`mass_flow`) and V_T V_m (`harmonics`) of the inflow law; false, and nothing added, where
 // momentum theory holds. The choice of the branch is safe: value and slope agree at every end, D, W and the
@@ -176,7 +176,7 @@ T extended(Real<T> f, const Real<T> (&slope)[3], const T* const (&x)[3]) {
 template <class T>
 bool add_vortex_ring(const T& mu_z, const T& lambda_0, const T& in_plane2, Real<T> windmill_descent,
                      Real<T> ring_in_plane, T& mass_flow, T& harmonics) {
-  using namespace vortex_ring_detail;
+  using namespace vortex_ring_curve;
   RingTerms<Real<T>> ring;
   if (!ring_terms(value(mu_z), value(lambda_0), value(in_plane2), windmill_descent, ring_in_plane, ring))
     return false;

@@ -1,0 +1,260 @@
+// `tiltrotor sensitivity`: what a change of aircraft, loading or gains does to trim and modes.
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <set>
+
+#include "cli/command.hpp"
+#include "cli/errors.hpp"
+#include "cli/governed.hpp"
+#include "cli/output.hpp"
+#include "cli/sensitivity.hpp"
+#include "text/nearest.hpp"
+#include "text/split.hpp"
+
+namespace tiltrotor::cli {
+
+namespace {
+
+constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
+enum class Of : unsigned char { modes, trim };
+
+const std::vector<std::string> mode_columns = {"mast_deg",
+                                               "speed_mps",
+                                               "axis",
+                                               "mode",
+                                               "parameter",
+                                               "change",
+                                               "unit",
+                                               "method",
+                                               "d_damping_ratio",
+                                               "d_frequency_rad_s",
+                                               "d_real",
+                                               "d_imag",
+                                               "damping_ratio",
+                                               "frequency_rad_s",
+                                               "real",
+                                               "imag",
+                                               "status",
+                                               "altitude_m",
+                                               "mass_kg",
+                                               "cg_sl_in",
+                                               "flap_deg"};
+const std::vector<std::string> trim_columns = {
+    "mast_deg",    "speed_mps",  "parameter",          "change",          "unit",           "method",
+    "d_pitch_deg", "d_roll_deg", "d_collective75_deg", "d_long_stick_in", "d_lat_stick_in", "d_pedal_in",
+    "d_power_kw",  "status",     "altitude_m",         "mass_kg",         "cg_sl_in",       "flap_deg"};
+
+// A row before it has its place among the others.
+struct Sorted {
+  double size;
+  Row row;
+};
+
+class SensitivityRows {
+ public:
+  SensitivityRows(const Arguments& arguments, const SensitivitySystems& systems)
+      : of_(static_cast<Of>(arguments.choice("--of", "modes", {"modes", "trim"}))),
+        parameters_(chosen_parameters(arguments.text("--to", "all"), arguments.where("--to"), systems)),
+        modes_(arguments.text("--mode", "body")),
+        output_(arguments),
+        records_(output_.records(of_ == Of::modes ? mode_columns : trim_columns, Output::to_read)),
+        sensitivity_(systems) {}
+
+  const Shard& shard() const { return output_.shard(); }
+  // A name that no flight had is a slip of the hand.
+  int finish() {
+    records_.finish();
+    int exit_status = exit_success;
+    for (const std::string& name : split(modes_, ',')) {
+      if (modes_ == "all" || modes_ == "body" || !has_begun_ || seen_.count(name) == 1) continue;
+      std::fprintf(stderr, "tiltrotor: sensitivity: --mode: no flight has a mode called %s\n",
+                   quoted(name).c_str());
+      exit_status = exit_case_failed;
+    }
+    return exit_status;
+  }
+
+  int add(const TrimmedFlight& flight, Analyses& work) {
+    const char* const trim_status = trim_status_word(flight.trim.status);
+    if (!is_trimmed(flight.trim.status)) return add_failed(flight, trim_status);
+    Status status = sensitivity_.begin(flight, work);
+    if (status != Status::ok) return fail(flight, status, "");
+    has_begun_ = true;
+    for (const NamedRoot& root : sensitivity_.roots()) seen_.insert(root.name);
+    const std::vector<std::size_t> shown = shown_roots();
+    if (of_ == Of::modes && shown.empty()) {
+      std::fprintf(stderr, "tiltrotor: %s: no mode called %s here: %s\n", flight.where.c_str(),
+                   modes_.c_str(), root_names().c_str());
+      return add_failed(flight, "no_such_mode");
+    }
+    std::vector<std::vector<Sorted>> rows(of_ == Of::modes ? shown.size() : 1);
+    int exit_status = exit_success;
+    for (const SensitivityParameter* parameter : parameters_) {
+      FlightMotion motion{};
+      status = sensitivity_.move(*parameter, motion);
+      if (status != Status::ok) {
+        exit_status = fail(flight, status, parameter->name);
+        continue;
+      }
+      if (of_ == Of::trim) rows[0].push_back(trim_row(flight, *parameter, motion));
+      for (std::size_t k = 0; k < shown.size() && of_ == Of::modes; ++k)
+        rows[k].push_back(mode_row(flight, *parameter, sensitivity_.roots()[shown[k]], motion.root[shown[k]],
+                                   motion.exact));
+    }
+    for (std::vector<Sorted>& part : rows) {
+      std::stable_sort(part.begin(), part.end(),
+                       [](const Sorted& a, const Sorted& b) { return a.size > b.size; });
+      for (const Sorted& sorted : part) records_.add(sorted.row);
+    }
+    return exit_status;
+  }
+
+ private:
+  std::vector<std::size_t> shown_roots() const {
+    const std::vector<std::string> names = split(modes_, ',');
+    const std::vector<NamedRoot>& roots = sensitivity_.roots();
+    std::vector<std::size_t> shown;
+    for (std::size_t i = 0; i < roots.size(); ++i) {
+      const bool wanted = modes_ == "all" ? true
+                          : modes_ == "body"
+                              ? roots[i].axis != "rotor"
+                              : std::find(names.begin(), names.end(), roots[i].name) != names.end();
+      if (wanted) shown.push_back(i);
+    }
+    return shown;
+  }
+  std::string root_names() const {
+    std::string names;
+    for (const NamedRoot& root : sensitivity_.roots()) names += (names.empty() ? "" : ", ") + root.name;
+    return names;
+  }
+
+  Row head(const TrimmedFlight& flight) const {
+    return {as_given(flight.mast_deg), as_given(flight.flight.speed)};
+  }
+  void end(const TrimmedFlight& flight, const char* status, Row& row) const {
+    row.emplace_back(std::string(status));
+    for (const char* setting : {"altitude_m", "mass_kg", "cg_sl_in", "flap_deg"})
+      row.emplace_back(as_given(flight.setting(setting)));
+  }
+  static void add_parameter(const SensitivityParameter& p, bool exact, Row& row) {
+    row.insert(row.end(), {p.name, as_given(p.amount), p.unit, exact ? "exact" : "difference"});
+  }
+
+  // Of a pair the damping ratio says what is better, of a real root the root.
+  Sorted mode_row(const TrimmedFlight& flight, const SensitivityParameter& p, const NamedRoot& root,
+                  const RootMotion<double>& motion, bool exact) const {
+    Row row = head(flight);
+    row.insert(row.end(), {root.axis, root.name});
+    add_parameter(p, exact, row);
+    for (const double number : {motion.damping_ratio, motion.frequency, motion.real, motion.imag,
+                                root.damping_ratio, root.frequency, root.real, root.imag})
+      row.emplace_back(number);
+    end(flight, trim_status_word(flight.trim.status), row);
+    return {std::abs(root.imag > 0 ? motion.damping_ratio : motion.real), row};
+  }
+
+  Sorted trim_row(const TrimmedFlight& flight, const SensitivityParameter& p,
+                  const FlightMotion& motion) const {
+    constexpr double radian = kRadPerDeg<double>;
+    Row row = head(flight);
+    add_parameter(p, motion.exact, row);
+    for (const double number :
+         {motion.trim.x.pitch / radian, motion.trim.x.roll / radian, motion.trim.u.collective / radian,
+          motion.trim.u.long_stick, motion.trim.u.lat_stick, motion.trim.u.pedal, motion.power / 1000})
+      row.emplace_back(number);
+    end(flight, trim_status_word(flight.trim.status), row);
+    return {std::abs(motion.power), row};
+  }
+
+  int add_failed(const TrimmedFlight& flight, const char* status, const char* parameter = "") {
+    Row row = head(flight);
+    const bool of_modes = of_ == Of::modes;
+    if (of_modes) row.insert(row.end(), {"", ""});
+    row.insert(row.end(), {parameter, kNothing, "", ""});
+    row.insert(row.end(), of_modes ? 8 : 7, kNothing);
+    end(flight, status, row);
+    records_.add(row);
+    return exit_case_failed;
+  }
+  int fail(const TrimmedFlight& flight, Status status, const char* parameter) {
+    std::fprintf(stderr, "tiltrotor: %s: %s%s%s\n", flight.where.c_str(), parameter,
+                 *parameter == '\0' ? "" : ": ", status_text(status));
+    return add_failed(flight, status_word(status), parameter);
+  }
+
+  Of of_;
+  std::vector<const SensitivityParameter*> parameters_;
+  std::string modes_;
+  Output output_;  // last of what arguments can refuse
+  Records records_;
+  Sensitivity sensitivity_;
+  bool has_begun_ = false;
+  std::set<std::string> seen_;  // names of modes, in any flight
+};
+
+int run(const Arguments& arguments) {
+  const std::vector<SetupOptions> setups = SetupOptions::every_combination(arguments);
+  const bool of_trim = arguments.choice("--of", "modes", {"modes", "trim"}) == 1;
+  const SensitivitySystems systems = {of_trim ? Governor::off : setups.front().switches().governor,
+                                      wants_scas(arguments)};
+  for (const char* option : {"--scas", "--mode"})
+    if (arguments.given(option) && of_trim)
+      throw UsageError(arguments.where(option) + ": goes with --of modes");
+  if (arguments.given("--azimuth"))
+    throw UsageError(arguments.where("--azimuth") + ": sensitivities hold the sideslip: give --sideslip");
+  flight_cases(arguments, setups.size());
+  SensitivityRows rows(arguments, systems);
+  const AnalysesWorkspace work;
+  const int exit_status =
+      for_each_trim(arguments, setups, rows.shard(), *work,
+                    [&](const TrimmedFlight& flight) -> int { return rows.add(flight, *work); });
+  const int names = rows.finish();
+  return exit_status != exit_success ? exit_status : names;
+}
+
+std::string parameter_names() {
+  std::string names;
+  std::size_t line = 0;
+  for (const SensitivityParameter& parameter : sensitivity_parameters()) {
+    const std::string word = parameter.name;
+    if (line + word.size() > 100) {
+      names += ",\n";
+      line = 0;
+    } else if (!names.empty()) {
+      names += ", ";
+    }
+    names += word;
+    line += word.size() + 2;
+  }
+  return names;
+}
+
+}  // namespace
+
+Command sensitivity_command() {
+  static const std::string description =
+      "For each mode, or for the trim, one row a parameter: what its usual `change`, in `unit`, does to first order, the\n"
+      "largest effect first: of a pair on the damping ratio, of a real root on the root, of a trim on the power. The trim\n"
+      "moves with the parameter; speed, climb, turn rate, sideslip and what --hold let go stay. method `exact`: by second\n"
+      "derivatives of the model and both eigenvectors. `difference`, for numbers of the aircraft: their own part by\n"
+      "extrapolated differences of exact matrices, the moving trim's exact; with a governor or --scas on, all of the matrix.\n"
+      "On a knot of a table along mast angle or flap it is that of the interval above.\n"
+      "Parameters: " +
+      parameter_names() + ".\n";
+  return {
+      "sensitivity",
+      "what would make a mode better: exact derivatives of modes and trim",
+      description.c_str(),
+      "tiltrotor sensitivity --mast 90 --speed 100 --mode dutch_roll --to all",
+      OptionList{{"--of", "WHAT", "modes or trim (modes)"},
+                 {"--to", "NAMES", "all, or parameters with commas between (all)"},
+                 {"--mode", "NAMES", "body: all but the rotors'; all; or modes with commas between (body)"}} +
+          scas_option() + flight_list() + SetupOptions::list() + Output::list(),
+      run};
+}
+
+}  // namespace tiltrotor::cli

@@ -1,0 +1,41 @@
+// What a model interpolated between the points of a grid is worth: at the centre of every cell, where multilinear
+// interpolation takes the mean of the corners, against the model of a trim there.
+#pragma once
+
+#include <complex>
+#include <string>
+#include <vector>
+
+#include "cli/qlpv_grid.hpp"
+#include "tiltrotor/analysis/linear/modes.hpp"
+
+namespace tiltrotor::cli {
+
+// A root of the exact model, and of the interpolated one that continues it; NaN where none does.
+struct QlpvRoot {
+  std::string axis, name;
+  std::complex<double> exact, interpolated;
+  double error() const;  // of the distance, over the size of the exact one
+};
+
+// A response: of an inceptor to the motion that it is there for.
+struct QlpvResponse {
+  std::string name;  // "long_stick>q"
+  double error;      // largest |G' - G| / |G| over the band, G' the interpolated
+  double omega;      // where, rad/s
+};
+inline constexpr double kQlpvBand[] = {0.1, 10};  // rad/s
+
+struct QlpvErrors {
+  std::vector<QlpvRoot> roots;
+  std::vector<QlpvResponse> responses;
+};
+
+// Mean of models with the same rows and columns.
+LinearModel<double> mean_model(const std::vector<const LinearModel<double>*>& corners);
+
+// Status: those of modes() and transfer_function().
+Status qlpv_errors(const LinearModel<double>& exact, const LinearModel<double>& interpolated,
+                   QlpvErrors& out);
+
+}  // namespace tiltrotor::cli

@@ -1,0 +1,62 @@
+// Linear models on a grid of altitude, mast angle and speed: what a quasi-linear parameter-varying model is made of.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "cli/linear_options.hpp"
+#include "cli/trimmed_flights.hpp"
+
+namespace tiltrotor::cli {
+
+// The scheduling variables, in the order in which points and cells are counted: altitude slowest, speed fastest.
+inline constexpr int kByAltitude = 0, kByMast = 1, kBySpeed = 2, kSchedulingVariables = 3;
+inline constexpr const char* kSchedulingNames[] = {"altitude_m", "mast_deg", "speed_mps"};
+inline constexpr const char* kSchedulingUnits[] = {"m", "deg", "m/s"};
+using SchedulingPoint = double[kSchedulingVariables];
+
+// A trimmed flight with its model; `status` is that of the trim or, where the model failed, the model's.
+struct QlpvPoint {
+  std::unique_ptr<TrimmedFlight> flight;
+  std::unique_ptr<LinearModel<double>> model;
+  std::unique_ptr<OutputMatrices> outputs;  // of a model that is not reduced
+  bool valid;
+  std::string status;
+  std::string explanation;  // of what is not `ok`
+};
+
+class QlpvGrid {
+ public:
+  // Throws UsageError when something but the scheduling variables takes several values, or theirs do not increase.
+  explicit QlpvGrid(const Arguments& arguments);
+
+  const std::vector<double>& axis(int variable) const { return axis_[variable]; }
+  std::size_t points() const;
+  void place_point(std::size_t number, SchedulingPoint& at) const;
+  // Cells between neighbours; an axis of one value has no extent.
+  std::size_t cells() const;
+  // The centre of a cell and the points at its corners.
+  void place_cell(std::size_t number, SchedulingPoint& centre, std::vector<std::size_t>& corners) const;
+
+  QlpvPoint find(const SchedulingPoint& at, Analyses& work) const;
+  // States, controls and, where it is not reduced, outputs of every model.
+  const ControlSet& controls() const { return controls_; }
+  bool reduced() const { return reduced_; }
+  const Options& switches() const { return setup_.switches(); }
+  const char* reduce_word() const { return cli::reduce_word(reduced_, order_); }
+  std::string where(const SchedulingPoint& at) const;
+
+ private:
+  Status find_model(QlpvPoint& point, Analyses& work) const;
+
+  std::string command_;
+  SetupOptions setup_;
+  FlightCase flight_;
+  bool reduced_;
+  Reduction order_;
+  ControlSet controls_;
+  std::vector<double> axis_[kSchedulingVariables];
+};
+
+}  // namespace tiltrotor::cli

@@ -1,0 +1,278 @@
+#include "cli/sensitivity_parameters.hpp"
+
+#include <algorithm>
+
+#include "cli/errors.hpp"
+#include "cli/flight_options.hpp"
+#include "text/nearest.hpp"
+#include "text/split.hpp"
+
+namespace tiltrotor::cli {
+
+namespace {
+
+using P = ConfigurationParameter;
+using A = ChangedAircraft;
+using Configured = Configuration<double>;
+using Kind = ParameterKind;
+
+constexpr double kPercent = 0.01;
+constexpr double kDegree = kRadPerDeg<double>;
+
+double one(const Configured&) { return 1; }
+double inch(const Configured&) { return kInch; }
+double degree(const Configured&) { return kDegree; }
+double factor(double percent) { return 1 + kPercent * percent; }
+
+// Every set of inertia that a switch may choose.
+void scale_inertia(A& a, double Inertia<double>::*axis, double by) {
+  MassTables<double>& m = a.aircraft.mass;
+  for (Inertia<double>* set : {&m.inertia, &m.inertia_slope, &m.design_0, &m.design_90})
+    set->*axis *= factor(by);
+}
+
+using Change = void (*)(A& aircraft, double by);
+SensitivityParameter setting(const char* name, double amount, const char* unit, P parameter,
+                             double (*in_si)(const Configured&)) {
+  return {name, amount, unit, Kind::setting, parameter, in_si, nullptr, nullptr};
+}
+SensitivityParameter consequence(const char* name, double amount, const char* unit, P parameter,
+                                 double (*in_si)(const Configured&), Change change) {
+  return {name, amount, unit, Kind::consequence, parameter, in_si, change, nullptr};
+}
+SensitivityParameter number(const char* name, double amount, const char* unit, Change change) {
+  return {name, amount, unit, Kind::aircraft, P::count, nullptr, change, nullptr};
+}
+SensitivityParameter gain(Kind kind, const char* name, Change change) {
+  return {name, 5, "%", kind, P::count, nullptr, change, nullptr};
+}
+
+std::vector<SensitivityParameter> settings() {
+  return {
+      {"speed", 1, "m/s", Kind::flight, P::count, one, nullptr, &SteadyFlight<double>::speed},
+      {"turn_rate", 1, "deg/s", Kind::flight, P::count, degree, nullptr, &SteadyFlight<double>::turn_rate},
+      setting("mass", 100, "kg", P::mass, one),
+      setting("cg_station", 1, "in", P::sl_cg, inch),
+      setting("cg_waterline", 1, "in", P::wl_cg, inch),
+      setting("mast", 1, "deg", P::mast, degree),
+      setting("flap", 1, "deg", P::flap, degree),
+      setting("rotor_speed", 10, "rpm", P::rotor_speed, [](const Configured&) { return kRpm; }),
+      setting("altitude", 300, "m", P::altitude, one),
+      consequence(
+          "air_density", 1, "%", P::air_density, [](const Configured& c) { return kPercent * c.air.density; },
+          nullptr),
+      consequence(
+          "speed_of_sound", 1, "%", P::speed_of_sound,
+          [](const Configured& c) { return kPercent * c.air.speed_of_sound; }, nullptr),
+      consequence(
+          "inertia_roll", 5, "%", P::inertia_xx,
+          [](const Configured& c) { return kPercent * c.mass.inertia.xx; },
+          [](A& a, double by) { scale_inertia(a, &Inertia<double>::xx, by); }),
+      consequence(
+          "inertia_pitch", 5, "%", P::inertia_yy,
+          [](const Configured& c) { return kPercent * c.mass.inertia.yy; },
+          [](A& a, double by) { scale_inertia(a, &Inertia<double>::yy, by); }),
+      consequence(
+          "inertia_yaw", 5, "%", P::inertia_zz,
+          [](const Configured& c) { return kPercent * c.mass.inertia.zz; },
+          [](A& a, double by) { scale_inertia(a, &Inertia<double>::zz, by); }),
+      consequence(
+          "inertia_roll_yaw", 5, "%", P::inertia_xz,
+          [](const Configured& c) { return kPercent * c.mass.inertia.xz; },
+          [](A& a, double by) { scale_inertia(a, &Inertia<double>::xz, by); }),
+      // The factor is of the aircraft's spring, whatever a switch makes of it.
+      consequence(
+          "hub_spring", 10, "%", P::hub_spring_factor,
+          [](const Configured& c) { return kPercent * c.hub_spring / c.aircraft->rotor.hub_spring; },
+          [](A& a, double by) { a.aircraft.rotor.hub_spring *= factor(by); }),
+  };
+}
+
+std::vector<SensitivityParameter> numbers() {
+  return {
+      number("tail_area", 5, "%", [](A& a, double by) { a.aircraft.htail.surface.area *= factor(by); }),
+      number("tail_incidence", 1, "deg",
+             [](A& a, double by) { a.aircraft.htail.surface.incidence += by * kDegree; }),
+      number("tail_station", 5, "in", [](A& a, double by) { a.aircraft.htail.surface.sl += by * kInch; }),
+      number("tail_waterline", 5, "in", [](A& a, double by) { a.aircraft.htail.surface.wl += by * kInch; }),
+      number("fin_area", 5, "%",
+             [](A& a, double by) {
+               a.aircraft.fin.surface.area *= factor(by);
+               a.aircraft.fin.area_report *= factor(by);
+             }),
+      number("fin_station", 5, "in", [](A& a, double by) { a.aircraft.fin.surface.sl += by * kInch; }),
+      number("fin_waterline", 5, "in", [](A& a, double by) { a.aircraft.fin.surface.wl += by * kInch; }),
+      number("nacelle_mass", 50, "kg",
+             [](A& a, double by) {
+               a.aircraft.mass.nacelles += by;
+               a.aircraft.mass.nacelles_quoted += by;
+             }),
+      number("mast_length", 1, "in", [](A& a, double by) { a.aircraft.mast.length += by * kInch; }),
+      number("mast_cant", 0.5, "deg", [](A& a, double by) { a.aircraft.mast.cant += by * kDegree; }),
+      number("blade_inertia", 5, "%", [](A& a, double by) { a.aircraft.rotor.flap_inertia *= factor(by); }),
+      number("delta3", 1, "deg", [](A& a, double by) { a.aircraft.rotor.delta3 += by * kDegree; }),
+      number("drag_area", 0.1, "m^2", [](A& a, double by) { a.aircraft.fuselage.extra_drag += by; }),
+      number("elevator_gearing", 5, "%",
+             [](A& a, double by) {
+               a.aircraft.controls.elevator *= factor(by);
+               a.aircraft.controls.elevator_replay *= factor(by);
+             }),
+      number("cyclic_rigging", 0.5, "deg",
+             [](A& a, double by) { a.aircraft.controls.cyclic_rigging += by * kDegree; }),
+  };
+}
+
+template <std::size_t Count, class Table>
+void scale_all(A& a, Table (&tables)[Count], double by) {
+  for (Table& table : tables) a.scale(table, factor(by));
+}
+template <std::size_t Count, class Table>
+void shift_all(A& a, Table (&tables)[Count], double by) {
+  for (Table& table : tables) a.shift(table, by);
+}
+
+// Tables of coefficients by component: all entries by a factor, or by an amount added.
+std::vector<SensitivityParameter> tables() {
+  return {
+      number("blade_lift_factor", 5, "%",
+             [](A& a, double by) { scale_all(a, a.aircraft.rotor.section_lift, by); }),
+      number("blade_lift_shift", 0.01, "-",
+             [](A& a, double by) { shift_all(a, a.aircraft.rotor.section_lift, by); }),
+      number("blade_drag_factor", 5, "%",
+             [](A& a, double by) { scale_all(a, a.aircraft.rotor.section_drag, by); }),
+      number("blade_drag_shift", 0.001, "-",
+             [](A& a, double by) { shift_all(a, a.aircraft.rotor.section_drag, by); }),
+      number("blade_twist_factor", 5, "%",
+             [](A& a, double by) { a.scale(a.aircraft.rotor.twist, factor(by)); }),
+      number("wing_lift_factor", 5, "%",
+             [](A& a, double by) {
+               scale_all(a, a.aircraft.wing.lift_0, by);
+               scale_all(a, a.aircraft.wing.lift_90, by);
+             }),
+      number("wing_lift_shift", 0.01, "-",
+             [](A& a, double by) {
+               shift_all(a, a.aircraft.wing.lift_0, by);
+               shift_all(a, a.aircraft.wing.lift_90, by);
+             }),
+      number("wing_drag_factor", 5, "%",
+             [](A& a, double by) {
+               scale_all(a, a.aircraft.wing.drag_0, by);
+               scale_all(a, a.aircraft.wing.drag_90, by);
+             }),
+      number("wing_drag_shift", 0.001, "-",
+             [](A& a, double by) {
+               shift_all(a, a.aircraft.wing.drag_0, by);
+               shift_all(a, a.aircraft.wing.drag_90, by);
+             }),
+      number("wing_moment_factor", 5, "%",
+             [](A& a, double by) { a.scale(a.aircraft.wing.moment, factor(by)); }),
+      number("wing_moment_shift", 0.01, "-", [](A& a, double by) { a.shift(a.aircraft.wing.moment, by); }),
+      number("wing_dihedral_shift", 0.01, "1/rad",
+             [](A& a, double by) { a.shift(a.aircraft.wing.roll_beta, by); }),
+      number("downwash_factor", 5, "%",
+             [](A& a, double by) { a.scale(a.aircraft.wing.downwash, factor(by)); }),
+      number("downwash_shift", 0.5, "deg",
+             [](A& a, double by) { a.shift(a.aircraft.wing.downwash, by * kDegree); }),
+      number("pylon_interference_factor", 5, "%",
+             [](A& a, double by) { a.scale(a.aircraft.pylon.interference, factor(by)); }),
+      number("fuselage_lift_factor", 5, "%",
+             [](A& a, double by) { a.scale(a.aircraft.fuselage.lift_alpha, factor(by)); }),
+      number("fuselage_moment_factor", 5, "%",
+             [](A& a, double by) { a.scale(a.aircraft.fuselage.moment_alpha, factor(by)); }),
+      number("fuselage_moment_shift", 0.1, "m^3",
+             [](A& a, double by) { a.shift(a.aircraft.fuselage.moment_alpha, by); }),
+      number("fuselage_side_factor", 5, "%",
+             [](A& a, double by) { a.scale(a.aircraft.fuselage.side_beta, factor(by)); }),
+      number("fuselage_yaw_factor", 5, "%",
+             [](A& a, double by) { a.scale(a.aircraft.fuselage.yaw_beta, factor(by)); }),
+      number("tail_lift_factor", 5, "%",
+             [](A& a, double by) {
+               a.scale(a.aircraft.htail.lift_elevator, factor(by));
+               a.scale(a.aircraft.htail.lift_mach, factor(by));
+             }),
+      number("tail_lift_shift", 0.01, "-",
+             [](A& a, double by) {
+               a.shift(a.aircraft.htail.lift_elevator, by);
+               a.shift(a.aircraft.htail.lift_mach, by);
+             }),
+      number("tail_drag_factor", 5, "%", [](A& a, double by) { a.scale(a.aircraft.htail.drag, factor(by)); }),
+      number("tail_wash_factor", 5, "%",
+             [](A& a, double by) { a.scale(a.aircraft.htail.rotor_wash, factor(by)); }),
+      number("tail_pressure_factor", 5, "%",
+             [](A& a, double by) { a.scale(a.aircraft.htail.pressure_ratio, factor(by)); }),
+      number("fin_side_factor", 5, "%",
+             [](A& a, double by) {
+               a.scale(a.aircraft.fin.side_rudder, factor(by));
+               a.scale(a.aircraft.fin.side_mach, factor(by));
+             }),
+      number("fin_drag_factor", 5, "%", [](A& a, double by) { a.scale(a.aircraft.fin.drag, factor(by)); }),
+      number("sidewash_factor", 5, "%",
+             [](A& a, double by) { a.scale(a.aircraft.fin.sidewash, factor(by)); }),
+  };
+}
+
+std::vector<SensitivityParameter> gains() {
+  return {
+      gain(Kind::scas_gain, "scas_pitch_gain",
+           [](A& a, double by) { a.scale(a.aircraft.systems.augmentation.pitch, factor(by)); }),
+      gain(Kind::scas_gain, "scas_roll_gain",
+           [](A& a, double by) { a.scale(a.aircraft.systems.augmentation.roll, factor(by)); }),
+      gain(Kind::scas_gain, "scas_yaw_gain",
+           [](A& a, double by) { a.scale(a.aircraft.systems.augmentation.yaw, factor(by)); }),
+      gain(Kind::scas_gain, "scas_washout",
+           [](A& a, double by) { a.aircraft.systems.augmentation.washout *= factor(by); }),
+      gain(Kind::scas_gain, "scas_servo",
+           [](A& a, double by) { a.aircraft.systems.augmentation.servo *= factor(by); }),
+      gain(Kind::governor_gain, "governor_proportional_gain",
+           [](A& a, double by) { a.scale(a.aircraft.systems.governor.proportional, factor(by)); }),
+      gain(Kind::governor_gain, "governor_integral_gain",
+           [](A& a, double by) { a.scale(a.aircraft.systems.governor.integral, factor(by)); }),
+  };
+}
+
+}  // namespace
+
+const std::vector<SensitivityParameter>& sensitivity_parameters() {
+  static const std::vector<SensitivityParameter> all = [] {
+    std::vector<SensitivityParameter> list = settings();
+    for (const auto& part : {numbers(), tables(), gains()}) list.insert(list.end(), part.begin(), part.end());
+    return list;
+  }();
+  return all;
+}
+
+bool acts(const SensitivityParameter& parameter, const SensitivitySystems& systems) {
+  if (parameter.kind == ParameterKind::governor_gain) return systems.governor == Governor::pi;
+  if (parameter.kind == ParameterKind::scas_gain) return systems.scas;
+  return parameter.kind != ParameterKind::consequence || !systems.any() || parameter.change != nullptr;
+}
+
+std::vector<const SensitivityParameter*> chosen_parameters(const std::string& text, const std::string& where,
+                                                           const SensitivitySystems& systems) {
+  std::vector<const SensitivityParameter*> chosen;
+  std::vector<std::string> names;
+  for (const SensitivityParameter& parameter : sensitivity_parameters()) {
+    names.emplace_back(parameter.name);
+    if (text == "all" && acts(parameter, systems)) chosen.push_back(&parameter);
+  }
+  if (text == "all") return chosen;
+  for (const std::string& word : split(text, ',')) {
+    const auto place = std::find(names.begin(), names.end(), word);
+    if (place == names.end())
+      throw UsageError(where + ": " + quoted(word) + " is none of the parameters" +
+                       did_you_mean(word, names) + "; choose all or some of " + one_of(names));
+    const auto* const parameter = &sensitivity_parameters()[static_cast<std::size_t>(place - names.begin())];
+    if (std::find(chosen.begin(), chosen.end(), parameter) != chosen.end())
+      throw UsageError(where + ": " + quoted(word) + " is there twice");
+    if (!acts(*parameter, systems))
+      throw UsageError(where + ": " + word + " goes with " +
+                       (parameter->kind == ParameterKind::scas_gain ? "--of modes --scas on"
+                        : parameter->kind == ParameterKind::governor_gain
+                            ? "--of modes --option governor=pi"
+                            : "governor=off and --scas off alone"));
+    chosen.push_back(parameter);
+  }
+  return chosen;
+}
+
+}  // namespace tiltrotor::cli

@@ -1,0 +1,135 @@
+// `qlpv`. Expected: the models that `linearize` writes for each flight and the modes of `modes`; errors of linear
+// interpolation, which fall with the square of the distance.
+#include <algorithm>
+#include <cmath>
+
+#include "check.hpp"
+#include "cli/csv_text.hpp"
+#include "cli/json_grammar.hpp"
+#include "run_program.hpp"
+#include "this_aircraft.hpp"
+
+using check::CsvText;
+using this_aircraft::flown;
+
+namespace {
+
+const std::string grid = "qlpv --grid realtime --flap 0 ";
+
+check::ProgramResult run_tiltrotor(const std::string& words) { return check::run_tiltrotor(flown(words)); }
+
+std::string speed(double mps) { return this_aircraft::shortest(mps); }
+
+CsvText check_of(const std::string& options) {
+  return CsvText(run_tiltrotor(grid + "--show check --format csv " + options).out);
+}
+
+double error_of(const CsvText& rows, const std::string& name) {
+  for (std::size_t i = 0; i < rows.rows.size(); ++i)
+    if (rows.text(i, "name") == name) return rows.number(i, "error");
+  return HUGE_VAL;
+}
+
+}  // namespace
+
+TEST(cli_qlpv_holds_the_models_of_linearize) {
+  for (const std::string reduce : {"none", "rigid"}) {
+    const std::string axes =
+        "--mast 80,90 --speed " + speed(85) + "," + speed(100) + " --altitude 0,300 --reduce " + reduce;
+    const std::string all = run_tiltrotor(grid + axes).out;
+    CHECK(check::JsonGrammar::accepts(all));
+    for (const char* mast : {"80", "90"})
+      for (const double mps : {85.0, 100.0})
+        for (const char* altitude : {"0", "300"}) {
+          const std::string one =
+              run_tiltrotor("linearize --grid realtime --flap 0 --format json --mast " + std::string(mast) +
+                            " --speed " + speed(mps) + " --altitude " + altitude + " --reduce " + reduce)
+                  .out;
+          const std::size_t matrices = one.find("\"x0\""), names = one.find("\"states\": [");
+          CHECK(matrices != std::string::npos && names < matrices);
+          const std::string model = one.substr(matrices, one.rfind("\n}") - matrices);
+          CHECK(all.find(model) != std::string::npos);
+          if (reduce == "rigid") CHECK(all.find(one.substr(names, matrices - names)) != std::string::npos);
+        }
+    const auto count = [&all](const std::string& word) {
+      std::size_t found = 0;
+      for (std::size_t at = all.find(word); at != std::string::npos; at = all.find(word, at + 1)) ++found;
+      return found;
+    };
+    CHECK_EQ(count("\"A\": ["), 8u);
+    CHECK_EQ(count("\"C\": ["), reduce == "none" ? 8u : 0u);
+    for (const char* name : {"\"altitude_m\", \"unit\": \"m\"", "\"mast_deg\", \"unit\": \"deg\"",
+                             "\"speed_mps\", \"unit\": \"m/s\""})
+      CHECK_EQ(count(name), 1u);
+  }
+}
+
+// A point without a trim keeps its place, without matrices.
+TEST(cli_qlpv_says_which_points_have_no_trim) {
+  const auto run = run_tiltrotor(grid + "--mast 90 --speed 0," + speed(100));
+  CHECK_EQ(run.exit_status, 1);
+  CHECK(check::JsonGrammar::accepts(run.out));
+  CHECK(run.out.find("\"A\": [") != std::string::npos);
+  CHECK_EQ(run.out.find("\"A\": ["), run.out.rfind("\"A\": ["));
+  CHECK_LT(0, std::count(run.err.begin(), run.err.end(), '\n'));
+  const CsvText checked = check_of("--mast 90 --speed 0," + speed(100));
+  CHECK_EQ(checked.rows.size(), std::size_t{1});
+  CHECK_EQ(checked.text(0, "status").substr(0, 7), std::string("corner_"));
+}
+
+TEST(cli_qlpv_shards_join_to_the_whole) {
+  for (const std::string& show : {std::string("model"), std::string("check --format csv")}) {
+    const std::string axes = grid + "--show " + show + " --reduce rigid --mast 80,85,90 --speed " +
+                             speed(90) + "," + speed(100) + " --altitude 0,300";
+    const std::string whole = run_tiltrotor(axes).out;
+    std::string joined;
+    for (const char* shard : {"1/5", "2/5", "3/5", "4/5", "5/5"})
+      joined += run_tiltrotor(axes + " --shard " + shard).out;
+    CHECK(whole == joined && !whole.empty());
+  }
+}
+
+TEST_OF_XV15(cli_qlpv_check_compares_with_the_modes_at_the_centre) {
+  const CsvText found = check_of("--mast 90 --speed " + speed(90) + "," + speed(110));
+  const CsvText modes = CsvText(
+      run_tiltrotor("modes --grid realtime --flap 0 --format csv --mast 90 --speed " + speed(100)).out);
+  CHECK_EQ(found.rows.size(), modes.rows.size() + 4);
+  for (std::size_t i = 0; i < modes.rows.size(); ++i) {
+    CHECK_EQ(found.text(i, "name"), modes.text(i, "mode"));
+    CHECK_REL(found.number(i, "real"), modes.number(i, "real"), 1e-9);
+    CHECK_NEAR(found.number(i, "imag"), modes.number(i, "imag"), 1e-9 * modes.number(i, "frequency_rad_s"));
+    const double error = std::hypot(found.number(i, "interpolated_real") - found.number(i, "real"),
+                                    found.number(i, "interpolated_imag") - found.number(i, "imag"));
+    CHECK_NEAR(found.number(i, "error"), error / modes.number(i, "frequency_rad_s"), 1e-9);
+  }
+}
+
+// To second order: a sixteenth of the cell leaves a 256th of the error, were it not for the knots of the tables.
+TEST_OF_XV15(cli_qlpv_errors_fall_with_the_square_of_the_cell) {
+  const auto around = [](double half) {
+    return check_of("--mast 90 --speed " + speed(100 - half) + "," + speed(100 + half));
+  };
+  const CsvText wide = around(8), narrow = around(0.5);
+  for (const char* name : {"short_period", "dutch_roll", "roll", "long_stick>q", "lat_stick>p"}) {
+    CHECK_LT(error_of(wide, name), 0.2);
+    CHECK_LT(error_of(narrow, name), 0.03 * error_of(wide, name));
+  }
+}
+
+TEST(cli_bad_qlpv_is_refused_in_one_line) {
+  const auto refused = [](const std::string& options, const std::string& words) {
+    const auto run = check::run_tiltrotor("qlpv " + options);
+    CHECK_EQ(run.exit_status, 2);
+    CHECK(run.out.empty());
+    CHECK_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1);
+    if (!CHECK(run.err.find(words) != std::string::npos)) NOTE(run.err);
+  };
+  refused("--speed 100,90", "--speed: the values of a grid must increase");
+  refused("--mast 30,30", "--mast: the values of a grid must increase");
+  refused("--speed 90,100 --climb 0,2", "everything else takes one value");
+  refused("--speed 90,100 --cg-sl 299,300", "everything else takes one value");
+  refused("--show check", "needs two values");
+  refused("--show other", "model or check");
+  refused("--format csv", "json");
+  refused("--option governor=pi", "goes with governor=off alone");
+}
