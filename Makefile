@@ -88,10 +88,11 @@ WARNINGS      := -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wdouble-promoti
 # -ffp-contract=off: a fused multiply-add rounds once instead of twice, and the compiler fuses differently in scalar
 #   and in vector code. Without fusing, the value of a plain evaluation and the value part of a dual number are equal
 #   bit for bit, on every machine.
-# -fno-tree-slp-vectorize: g++ 12 forms fused multiply-adds there in spite of the flag above.
+# -fno-tree-slp-vectorize: g++ 12 forms fused multiply-adds there in spite of the flag above; clang does not, and needs it.
 # -Wno-psabi: on 32-bit ARM g++ notes at every std::vector that its ABI changed with version 7.
 # -fno-math-errno: nobody reads errno after sqrt(); setting it costs a branch per call and stops vectorisation.
-FLAGS       = -std=c++17 $(CPPFLAGS) $(CXXFLAGS) $(ARCH_FLAGS) -ffp-contract=off -fno-tree-slp-vectorize -fno-math-errno \
+SLP        := $(or $(call accepts,-fslp-vectorize),-fno-tree-slp-vectorize)
+FLAGS       = -std=c++17 $(CPPFLAGS) $(CXXFLAGS) $(ARCH_FLAGS) -ffp-contract=off $(SLP) -fno-math-errno \
               $(WARNINGS) -Iinclude
 HOST_FLAGS := -std=c++17 $(HOST_CXXFLAGS) -ffp-contract=off -fno-tree-slp-vectorize $(WARNINGS) -Iinclude -Isrc
 FLAGS      += $(DEFINED:%=-D%)

@@ -133,8 +133,8 @@ tr_status tr_rigid_model(tr_work* work, const tr_linear_shape* shape, const tr_r
  * anyway, and the only one beyond 0.02 s. `control_rates`: of the columns of `shape`, a second, with which controls move
  * during the step and stay moved, and which needs `b`; NULL: they are held. The angles of Euler are integrated, whose
  * rates end at 90 deg pitch. With systems on TR_BAD_ARGUMENT. dt: 0..0.04 s. Statuses of tr_linearize_and_step. Cost: 1
- * Jacobian (2 with TR_ALL_CONTROLS), and 16 products with A for each part of the step in which the largest column sum
- * of dt A stays below 1: a tenth of a derivative each. */
+ * Jacobian (2 with TR_ALL_CONTROLS), and at most 34 products with A for each part of the step in which dt A stays below
+ * 5 (math/exponential_step.hpp): one part up to about 20 ms, together less than half a derivative. */
 tr_status tr_linearize_and_step_exponential(tr_sim* sim, tr_work* work, tr_real dt,
                                             const tr_real* control_rates, int32_t columns,
                                             tr_linear_shape* shape, tr_real* a, size_t a_length, tr_real* b,

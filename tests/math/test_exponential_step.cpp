@@ -1,4 +1,5 @@
 // The exponential step against solutions in closed form.
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -77,6 +78,51 @@ TEST(exponential_step_without_a_jacobian_is_a_straight_line) {
   CHECK(exponential_step(matrix(0, 1e9, 1e-9, 0), scale, {0.0, 0.5, y, 2, rates}, work) == Status::ok);
   CHECK_REL(y[0], std::exp(0.5), 1e-14);
   CHECK_REL(y[1], 1e-9 * std::exp(0.5), 1e-14);
+}
+
+// What couples two states may be large in one unit and small in another: x' = -x + 500 y, y' = -y is cut by neither.
+TEST(exponential_step_finds_the_sizes_of_the_states) {
+  for (const double coupling : {500.0, 1e6, 1e-6}) {
+    double x[] = {1, 0.5};
+    const double known[] = {-x[0] + coupling * x[1], -x[1]};
+    CHECK(exponential_step(matrix(-1, coupling, 0, -1), unit, {0.0, 1.0, x, 2, known}, work) == Status::ok);
+    CHECK_REL(x[0], std::exp(-1.0) * (1 + 0.5 * coupling), 1e-14);
+    CHECK_REL(x[1], 0.5 * std::exp(-1.0), 1e-14);
+  }
+}
+
+// The longest part and the shortest two; decay and growth.
+TEST(exponential_step_where_it_is_cut) {
+  Matrix<double, 1, 1> jacobian{};
+  ExponentialWorkspace<double, 1> small;
+  for (const double rate : {-10.01, -9.99, -5.01, -4.99, 4.99, 5.01}) {
+    jacobian(0, 0) = rate;
+    double x[] = {1};
+    CHECK(exponential_step(jacobian, unit, {0.0, 1.0, x, 1, &rate}, small) == Status::ok);
+    CHECK_NEAR(x[0], std::exp(rate), 1e-14 * (1 + std::exp(rate)));
+  }
+}
+
+// The series of phi1 and phi2 beyond the terms taken, summed from there on, of their first terms; and none too
+// many: a term less leaves out more than a third of the spacing of numbers.
+TEST(exponential_step_terms_leave_out_less_than_rounding) {
+  const auto left_out = [](double z, int m) {
+    double term = 1, one = 0, two = 0;  // z^k / (k + 1)!
+    for (int k = 1; k < 120; ++k) {
+      if (k > m) two += 2 * term / static_cast<double>(k + 1);
+      term *= z / static_cast<double>(k + 1);
+      if (k > m) one += term;
+    }
+    return std::max(one, two);
+  };
+  for (const double z : {0.0, 1e-9, 0.01, 0.5, 1.0, 1.9, 2.1, 3.5, 5.0}) {
+    const int m = exponential_terms(z), single = exponential_terms(static_cast<float>(z));
+    CHECK_LT(left_out(z, m), std::numeric_limits<double>::epsilon());
+    CHECK_LT(left_out(z, single), std::numeric_limits<float>::epsilon());
+    if (m > 1) CHECK_LT(std::numeric_limits<double>::epsilon() / 3, left_out(z, m - 1));
+  }
+  CHECK_EQ(exponential_terms(5.0), 33);
+  CHECK_EQ(exponential_terms(5.0F), 21);
 }
 
 TEST(exponential_step_has_order_2) {

@@ -336,7 +336,8 @@ inline FrancisResult francis(Matrix<R, N, lane_ceil<R>(N)>& h, int n, int low, i
                        ? R(-1)
                        : francis_detail::rounding_of<R, N>(h, last_top, high);
     while (top > low && !francis_detail::negligible<R, N>(h, top) && !(std::fabs(h(top, top - 1)) <= late)) {
-      const bool tiny = std::fabs(h(top, top - 1)) <= francis_detail::negligible_size<R>();
+      constexpr R kTiny = francis_detail::negligible_size<R>();  // not a loop of divisions here
+      const bool tiny = std::fabs(h(top, top - 1)) <= kTiny;
       vanishing = tiny && top > vanishing ? top : vanishing;
       --top;
     }

@@ -6,9 +6,11 @@
 #pragma once
 
 #include <cmath>
+#include <cstring>
 #include <limits>
 
 #include "tiltrotor/math/algebra/matrix.hpp"
+#include "tiltrotor/math/differentiation/lanes.hpp"
 #include "tiltrotor/math/status.hpp"
 
 namespace tiltrotor {
@@ -41,14 +43,16 @@ struct Pivot {
   }
 };
 
-// Eliminates the columns of one group of lanes after another, so that every inner loop runs over whole groups
-// and their number is a constant to the compiler. The search for the next pivot runs along with the
-// elimination.
+// Eliminates the columns of one group of lanes after another, so that every inner loop runs over whole vectors of the
+// target and their number is a constant to the compiler, which would unroll a short loop over numbers before it sees
+// lanes in it. The search for the next pivot runs along with the elimination.
 template <int kGroup, class R, int N>
 inline bool eliminate_groups(LU<R, N>& lu, Pivot<R> pivot) {
   constexpr int kBegin = kGroup * kLane<R>;
-  constexpr int kWidth = lane_ceil<R>(N) - kBegin;
-  if constexpr (kWidth > 0) {
+  if constexpr (kBegin < N) {
+    constexpr int kWidth = kWidestLanes<R>;
+    constexpr int kVectors = (N - kBegin + kWidth - 1) / kWidth;
+    using Vector = typename LaneType<R, kWidth>::type;
     const int n = lu.size;
     const int last = kBegin + kLane<R> < n ? kBegin + kLane<R> : n;
     for (int k = kBegin; k < last; ++k) {
@@ -58,17 +62,23 @@ inline bool eliminate_groups(LU<R, N>& lu, Pivot<R> pivot) {
       lu.row[k] = pivot_row;
       const R inverse = R(1) / lu.upper(pivot_row, k);
       lu.inverse_pivot[k] = inverse;
-      alignas(64) R from[kWidth];
-      for (int c = 0; c < kWidth; ++c) from[c] = lu.upper(pivot_row, kBegin + c);
-      const int here = k - kBegin, next = here + 1 < kWidth ? here + 1 : here;
+      Vector from[kVectors];
+      const R* const pivots = lu.upper.row(pivot_row) + kBegin;
+      for (int v = 0; v < kVectors; ++v) std::memcpy(&from[v], pivots + v * kWidth, sizeof from[v]);
+      const int here = k - kBegin;
       pivot = {k + 1, R(-1)};
       for (int i = k + 1; i < n; ++i) {
         const int row = lu.row[i];
         R* to = lu.upper.row(row) + kBegin;
         const R multiplier = to[here] * inverse;
         lu.lower(row, k) = multiplier;
-        for (int c = 0; c < kWidth; ++c) to[c] -= multiplier * from[c];
-        pivot.offer(i, to[next]);
+        for (int v = 0; v < kVectors; ++v) {
+          Vector whole;
+          std::memcpy(&whole, to + v * kWidth, sizeof whole);
+          whole = whole - multiplier * from[v];
+          std::memcpy(to + v * kWidth, &whole, sizeof whole);
+        }
+        pivot.offer(i, to[here + 1]);
       }
     }
     return eliminate_groups<kGroup + 1>(lu, pivot);
