@@ -44,16 +44,13 @@ Status residualise(const LinearModel<R>& full, ResidualisationWorkspace<R>& work
     reduced.state[i] = full.state[i];
     reduced.x[i] = full.x[i];
     reduced.rates[i] = full.rates[i];
-    for (int j = 0; j < r; ++j) {
-      R sum = full.a(i, j);
-      for (int k = 0; k < f; ++k) sum -= full.a(i, r + k) * work.response(k, j);
-      reduced.a(i, j) = sum;
-    }
-    for (int j = 0; j < m; ++j) {
-      R sum = full.b(i, j);
-      for (int k = 0; k < f; ++k) sum -= full.a(i, r + k) * work.response(k, r + j);
-      reduced.b(i, j) = sum;
-    }
+    alignas(64) R row[decltype(work.response)::kStride] = {};  // of [A_rr B_r]
+    for (int j = 0; j < r; ++j) row[j] = full.a(i, j);
+    for (int j = 0; j < m; ++j) row[r + j] = full.b(i, j);
+    for (int k = 0; k < f; ++k)
+      padded::add_scaled(-full.a(i, r + k), work.response.row(k), row, 0, lane_ceil<R>(r + m));
+    for (int j = 0; j < r; ++j) reduced.a(i, j) = row[j];
+    for (int j = 0; j < m; ++j) reduced.b(i, j) = row[r + j];
   }
   for (int j = 0; j < m; ++j) {
     reduced.control[j] = full.control[j];

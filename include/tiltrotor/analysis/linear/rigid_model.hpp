@@ -33,10 +33,11 @@ Status rigid_model(const LinearModel<R>& full, Reduction order, RigidModelWorksp
   Status status = lu_solve(work.residual.lu, work.residual.response, r, lag);
   const int m = reduced.controls;
   for (int i = 0; i < r; ++i) {
+    alignas(64) R row[decltype(work.residual.drive)::kStride] = {};
+    row[i] = R(1);
+    for (int k = 0; k < fast; ++k) padded::add_scaled(full.a(i, r + k), lag.row(k), row, 0, lane_ceil<R>(r));
     for (int j = 0; j < r; ++j) {
-      R sum = R(i == j);
-      for (int k = 0; k < fast; ++k) sum += full.a(i, r + k) * lag(k, j);
-      work.inertia(i, j) = sum;
+      work.inertia(i, j) = row[j];
       work.right(i, j) = reduced.a(i, j);
     }
     for (int j = 0; j < m; ++j) work.right(i, r + j) = reduced.b(i, j);
