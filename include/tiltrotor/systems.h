@@ -86,8 +86,8 @@ tr_status tr_get_systems(const tr_sim* sim, tr_systems* systems);
  * takes some 4 derivatives, tr_linearize_outputs as many for every 7 of its columns; both then know every state of
  * tr_state, fuel, position and attitude that is held included, and hold the turbulence alone. Where an
  * ideal governor finds no collective all of these are TR_NOT_CONVERGED. Modes of systems are named after the state that
- * takes part most; on a microcontroller tr_work has no room for them: tr_modes is TR_BAD_ARGUMENT there,
- * tr_eigenvalues has the roots. */
+ * takes part most; on a microcontroller tr_work is too small for them: tr_modes is TR_BAD_ARGUMENT
+ * there, tr_eigenvalues has the roots. */
 tr_status tr_set_systems(tr_sim* sim, const tr_systems* systems);
 
 /* tr_directional with the commands of tr_systems as well: `du` holds TR_INPUTS numbers, controls and then commands as

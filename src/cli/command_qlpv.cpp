@@ -41,7 +41,7 @@ ShownModel names_of(const QlpvGrid& grid) {
   }
   for (int j = 0; j < grid.controls().count; ++j) model.control[model.controls++] = grid.controls().index[j];
   ShownModel shown(model);
-  if (!grid.reduced()) shown.outputs = OutputMatrices::outputs;
+  shown.outputs = OutputMatrices::outputs;
   return shown;
 }
 

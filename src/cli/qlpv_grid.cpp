@@ -117,11 +117,12 @@ Status QlpvGrid::find_model(QlpvPoint& point, Analyses& work) const {
   const TrimmedFlight& f = *point.flight;
   const State<double>& x = f.trim.state;
   const Controls<double>& u = f.trim.controls;
-  const Status status = linearize(f.configuration, x, u, controls_, work, *point.model);
-  if (status != Status::ok) return status;
-  if (reduced_) return reduce_to_rigid(*point.model, order_);
   point.outputs = std::make_unique<OutputMatrices>();
-  return linearize_outputs(f.configuration, x, u, controls_, work, *point.outputs);
+  Status status = linearize(f.configuration, x, u, controls_, work, *point.model);
+  if (status == Status::ok)
+    status = linearize_outputs(f.configuration, x, u, controls_, work, *point.outputs);
+  if (status == Status::ok && reduced_) status = reduce_to_rigid(*point.model, order_, *point.outputs);
+  return status;
 }
 
 }  // namespace tiltrotor::cli
