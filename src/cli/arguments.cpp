@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "cli/config_file.hpp"
 #include "cli/errors.hpp"
 #include "text/nearest.hpp"
 
@@ -16,7 +17,7 @@ const Option* find(const OptionList& options, const std::string& name) {
 }
 
 std::vector<std::string> names_of(const OptionList& options) {
-  std::vector<std::string> names;
+  std::vector<std::string> names = {"--help"};
   for (const Option& option : options) names.emplace_back(option.name);
   return names;
 }
@@ -83,24 +84,73 @@ Arguments::Arguments(const std::string& command, const OptionList& options,
       throw UsageError(command + ": unexpected argument " + quoted(word) +
                        did_you_mean(name, names_of(options)) + "; " + choices(options));
     }
-    const Option* option = find(options, name);
-    if (option == nullptr) {
-      throw UsageError(command + ": unknown option " + name + did_you_mean(name, names_of(options)) + "; " +
-                       choices(options));
-    }
-    if (given(name) && !option->repeatable) throw UsageError(where(name) + ": given more than once");
-    const bool is_flag = *option->value == '\0';
+    const Option& option = option_of(name, options, command);
+    if (given(name) && !option.repeatable) throw UsageError(where(name) + ": given more than once");
+    const bool is_flag = *option.value == '\0';
     if (is_flag && equals != std::string::npos) throw UsageError(where(name) + ": takes no value");
     if (is_flag) {
-      given_.push_back({name, ""});
+      given_.push_back({name, "", ""});
     } else if (equals != std::string::npos) {
-      given_.push_back({name, word.substr(equals + 1)});
+      given_.push_back({name, word.substr(equals + 1), ""});
     } else if (i + 1 < words.size()) {
-      given_.push_back({name, words[++i]});
+      given_.push_back({name, words[++i], ""});
     } else {
-      throw UsageError(where(name) + ": a value " + option->value + " must follow");
+      throw UsageError(where(name) + ": a value " + option.value + " must follow");
     }
   }
+  if (given("--config")) take_config(options);
+  if (given("--units")) units_ = Units(text("--units", ""), where("--units"));
+}
+
+const Option& Arguments::option_of(const std::string& name, const OptionList& options,
+                                   const std::string& where) const {
+  const Option* const option = find(options, name);
+  if (option == nullptr)
+    throw UsageError(where + ": unknown option " + name + did_you_mean(name, names_of(options)) + "; " +
+                     choices(options));
+  return *option;
+}
+
+void Arguments::take_config(const OptionList& options) {
+  const std::vector<Given> here = given_;
+  for (const ConfigLine& line : read_config(text("--config", ""))) {
+    const std::string in = command_ + ": " + line.where;
+    const Option& option = option_of(line.name, options, in);
+    if (line.name == "--config") throw UsageError(in + ": --config: a file cannot name another");
+    const auto is_it = [&](const Given& g) { return g.name == line.name; };
+    if (std::any_of(here.begin(), here.end(), is_it)) continue;
+    const std::string where = in + ": " + line.name;
+    if (given(line.name) && !option.repeatable) throw UsageError(where + ": given more than once");
+    const bool is_flag = *option.value == '\0';
+    if (is_flag && line.has_value) throw UsageError(where + ": takes no value");
+    if (!is_flag && !line.has_value) throw UsageError(where + ": a value " + option.value + " must follow");
+    given_.push_back({line.name, line.value, line.where});
+  }
+}
+
+std::string Arguments::where(const std::string& name) const {
+  const auto place =
+      std::find_if(given_.begin(), given_.end(), [&](const Given& g) { return g.name == name; });
+  const bool in_file = place != given_.end() && !place->where.empty();
+  return command_ + ": " + (in_file ? place->where + ": " : "") + name;
+}
+
+std::string Arguments::line() const {
+  const auto is_plain = [](char c) {
+    return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') ||
+           std::string_view("_-+.,:/=@").find(c) != std::string_view::npos;
+  };
+  std::string line = command_;
+  for (const Given& g : given_) {
+    if (g.name == "--config" || g.name == "--output" || g.name == "--shard" || g.name == "--stamp") continue;
+    line += " " + g.name;
+    if (g.value.empty()) continue;
+    std::string word;
+    for (const char c : g.value) word += c == '\'' ? "'\\''" : std::string(1, c < ' ' && c >= 0 ? '?' : c);
+    const bool plain = std::all_of(g.value.begin(), g.value.end(), is_plain);
+    line += plain ? " " + word : " '" + word + "'";
+  }
+  return line;
 }
 
 bool Arguments::given(const std::string& name) const {
@@ -121,12 +171,14 @@ std::string Arguments::text(const std::string& name, const std::string& otherwis
 }
 
 double Arguments::number(const std::string& name, double otherwise, const Range& range) const {
-  return given(name) ? parse_number(text(name, ""), where(name), range) : otherwise;
+  return given(name) ? units_.number(text(name, ""), where(name), range) : otherwise;
 }
 
 std::vector<double> Arguments::sweep(const std::string& name, const std::string& otherwise,
                                      const Range& range) const {
-  return parse_sweep(text(name, otherwise), where(name), range);
+  // What is not given stands in the unit of the range.
+  return given(name) ? units_.sweep(text(name, ""), where(name), range)
+                     : parse_sweep(otherwise, where(name), range);
 }
 
 std::size_t Arguments::choice(const std::string& name, const std::string& otherwise,

@@ -13,12 +13,14 @@ namespace tiltrotor::cli {
 OptionList columns_option() {
   return {{"--columns", "A,B,..",
            "only these, in this order: of those printed without it, and of the outputs\n"
-           "of linearize by their names (airspeed, power_right), in SI"}};
+           "of linearize by their names (airspeed, power_right), in SI; a name may\n"
+           "end in another unit (speed_kt, altitude_ft, mass_lb, power_hp)"}};
 }
 
 ChosenColumns::ChosenColumns(const Arguments& arguments, const std::vector<std::string>& own) : names_(own) {
   if (!arguments.given("--columns")) {
     for (std::size_t k = 0; k < own.size(); ++k) place_.push_back(k);
+    size_.assign(own.size(), 1);
     return;
   }
   const auto place_in = [](const std::vector<std::string>& names, const std::string& name) {
@@ -34,6 +36,11 @@ ChosenColumns::ChosenColumns(const Arguments& arguments, const std::vector<std::
   for (const std::string& text : split(arguments.text("--columns", ""), ',')) {
     const std::string name(csv::trimmed(text));
     std::size_t place = place_in(own, name);
+    double size = 1;
+    if (const InUnit in = in_own_unit(name); place == own.size() && place_in(own, in.name) < own.size()) {
+      place = place_in(own, in.name);
+      size = in.size;
+    }
     if (place == own.size()) place += place_in(outputs, name);
     if (place == own.size() + outputs.size())
       throw UsageError(where + ": no column " + quoted(name) + did_you_mean(name, all) + "; choose " +
@@ -42,6 +49,7 @@ ChosenColumns::ChosenColumns(const Arguments& arguments, const std::vector<std::
       throw UsageError(where + ": " + name + " stands there twice");
     names_.push_back(name);
     place_.push_back(place);
+    size_.push_back(size);
     have_readings_ = have_readings_ || place >= own.size();
   }
 }
@@ -50,8 +58,10 @@ Row ChosenColumns::row(const Row& own, const Instruments<double>& readings) cons
   double reading[Instruments<double>::kCount];
   flatten(readings, reading);
   Row row;
-  for (const std::size_t place : place_)
-    row.push_back(place < own.size() ? own[place] : Cell(reading[place - own.size()]));
+  for (std::size_t k = 0; k < place_.size(); ++k) {
+    const std::size_t place = place_[k];
+    row.push_back(in_unit(place < own.size() ? own[place] : Cell(reading[place - own.size()]), size_[k]));
+  }
   return row;
 }
 

@@ -26,6 +26,7 @@ class ChosenColumns {
  private:
   std::vector<std::string> names_;
   std::vector<std::size_t> place_;  // among the own columns, then among the readings
+  std::vector<double> size_;        // of the unit of its name
   bool have_readings_ = false;
 };
 

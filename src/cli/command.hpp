@@ -30,6 +30,9 @@ Command loads_command();
 Command rotor_command();
 Command report_command();
 Command conventions_command();
+Command completion_command();
 Command version_command();
+
+std::vector<Command> all_commands();
 
 }  // namespace tiltrotor::cli

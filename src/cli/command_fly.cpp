@@ -18,6 +18,7 @@
 #include "cli/matrix_log.hpp"
 #include "cli/output.hpp"
 #include "cli/script_flight.hpp"
+#include "cli/stamp.hpp"
 #include "text/progress.hpp"
 #include "text/sink.hpp"
 
@@ -77,10 +78,11 @@ class Companions {
           std::vector<std::string>{"time_s", "mode", "real", "imag", "frequency_rad_s", "damping_ratio",
                                    "system_share"},
           Output::to_read, 0);
+      modes_->begin_with(stamp_of(arguments));
     }
     if (arguments.given("--matrices")) {
-      matrices_ =
-          std::make_unique<MatrixLog>(arguments.text("--matrices", ""), arguments.where("--matrices"));
+      matrices_ = std::make_unique<MatrixLog>(arguments.text("--matrices", ""), arguments.where("--matrices"),
+                                              stamp_of(arguments));
       matrices_->set_columns(finder_.states(options), finder_.inputs());
     }
     if (!arguments.given("--figures")) return;

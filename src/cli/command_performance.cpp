@@ -21,12 +21,14 @@ const std::vector<std::string> columns = {
     "mast_deg",          "figure",     "value",   "unit",     "speed_mps", "power_kw",  "limit",
     "flight_altitude_m", "altitude_m", "mass_kg", "cg_sl_in", "flap_deg",  "rotor_rpm", "model"};
 
-Row row(const Performance& p, double mast_deg, const SetupOptions& setup, const FlightSetup<double>& flown) {
+Row row(const Performance& p, double mast_deg, const SetupOptions& setup, const FlightSetup<double>& flown,
+        const Units& units) {
   constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+  const InUnit unit = units.sign(figure_unit(p.figure));
   Row cells = {as_given(mast_deg),
                figure_name(p.figure),
-               p.value.value_or(nothing),
-               figure_unit(p.figure),
+               p.value.value_or(nothing) / unit.size,
+               unit.name,
                p.speed,
                p.power_kw,
                p.limit,
@@ -52,7 +54,8 @@ int run(const Arguments& arguments) {
     const SetupOptions& setup = setups[i / masts.size()];
     const double mast_deg = masts[i % masts.size()];
     const Configuration<double> c = setup.configuration(mast_deg);
-    for (const Performance& p : performance(c, height, *work)) records.add(row(p, mast_deg, setup, c.setup));
+    for (const Performance& p : performance(c, height, *work))
+      records.add(row(p, mast_deg, setup, c.setup, arguments.units()));
     progress.advance();
   }
   records.finish();

@@ -18,6 +18,7 @@
 #include "cli/matrix_log.hpp"
 #include "cli/output.hpp"
 #include "cli/response_columns.hpp"
+#include "cli/stamp.hpp"
 #include "cli/trimmed_flights.hpp"
 #include "text/progress.hpp"
 #include "tiltrotor/analysis/linear/mode_tracker.hpp"
@@ -120,8 +121,8 @@ class Companions {
         modes_every_(plan.modes_every) {}
 
   // Throws UsageError when the folder cannot be written.
-  void open_matrices(const std::string& folder, const std::string& where) {
-    matrices_.emplace(folder, where);
+  void open_matrices(const Arguments& arguments) {
+    matrices_.emplace(arguments.text("--matrices", ""), arguments.where("--matrices"), stamp_of(arguments));
   }
 
   // Appends the cells of the modes, if there are such columns.
@@ -237,7 +238,7 @@ int run(const Arguments& arguments) {
   const ChosenColumns columns(arguments, response_columns(plan.modes_every > 0, setup.switches()));
   Output output(arguments);
   if (arguments.given("--matrices")) {
-    companions.open_matrices(arguments.text("--matrices", ""), arguments.where("--matrices"));
+    companions.open_matrices(arguments);
   }
   Records records = output.records(columns.names(), Output::to_read);
   const AnalysesWorkspace work;
@@ -269,7 +270,8 @@ OptionList options() {
       {"--duration", "S", "0..3600 (3); the last step is shorter where --dt does not divide it"},
       {"--dt", "S", "time step, 1e-4..0.1 (0.005); inputs act at their times, whatever the step"},
       {"--method", "NAME",
-       "rk3, rk4 (in equal parts of a step that is too long for\neither); for long steps rodas3, or exponential, of order 2 (rk4)"},
+       "rk3, rk4, rodas3 or exponential (rk4); the first two take a step that\n"
+       "is too long for them in equal parts, the others are for long steps,\nexponential of order 2"},
       {"--modes-every", "S",
        "adds name, real and imaginary part and branch of the body's modes\nto a row every S seconds, a "
        "multiple of --dt"},

@@ -70,8 +70,8 @@ class SensitivityRows {
     int exit_status = exit_success;
     for (const std::string& name : split(modes_, ',')) {
       if (modes_ == "all" || modes_ == "body" || !has_begun_ || seen_.count(name) == 1) continue;
-      std::fprintf(stderr, "tiltrotor: sensitivity: --mode: no flight has a mode called %s\n",
-                   quoted(name).c_str());
+      std::fprintf(stderr, "tiltrotor: sensitivity: --mode: no flight has a mode called %s%s\n",
+                   quoted(name).c_str(), did_you_mean(name, {seen_.begin(), seen_.end()}).c_str());
       exit_status = exit_case_failed;
     }
     return exit_status;

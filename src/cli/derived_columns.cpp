@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "cli/units.hpp"
 #include "text/nearest.hpp"
 #include "text/number.hpp"
 #include "text/rounding.hpp"
@@ -144,17 +145,20 @@ std::string contradiction(const StateRow& row, const StateFile& file, const Conf
   }
   for (std::size_t i = 0; i < row.cells.size(); ++i) {
     const std::string& name = file.columns()[i];
+    const double size = file.targets()[i].size;
+    const std::string own = size == 1 ? name : in_own_unit(name).name;
     const Column* const column =
-        std::find_if(std::begin(columns), std::end(columns), [&](const Column& k) { return name == k.name; });
+        std::find_if(std::begin(columns), std::end(columns), [&](const Column& k) { return own == k.name; });
     if (column == std::end(columns)) continue;
     if (const std::string* const word = std::get_if<std::string>(&row.cells[i]))
       return "column " + name + ": " + quoted(*word) + " is not a number";
     const Quotation* const cell = std::get_if<Quotation>(&row.cells[i]);
     if (cell == nullptr || !std::isfinite(cell->value)) continue;
-    const double value = column->value(now);
+    const double value = column->value(now) / size;
     const double difference = std::abs(value - cell->value);
     // The second is a few hundred times as much work.
-    if (difference <= printed.uncertainty(value) || difference <= uncertainty(*column, now, given, printed))
+    if (difference <= printed.uncertainty(value) ||
+        difference <= uncertainty(*column, now, given, printed) / size)
       continue;
     constexpr int digits = 12;
     return "column " + name + ": " + cell->text + ", but the states and controls of the row give " +

@@ -66,15 +66,19 @@ double read_script_number(const std::string& text, const ScriptArgument& argumen
   double number = 0;
   if (read_number(text, number)) return within_range(number, 0);
   std::string units;
+  std::vector<std::string> names;
   for (std::size_t unit = 0; unit < argument.units.size(); ++unit) {
     const std::string name = argument.units[unit].name;
     const std::size_t digits = text.size() - std::min(name.size(), text.size());
     if (text.substr(digits) == name && read_number(text.substr(0, digits), number))
       return within_range(number, unit);
+    names.push_back(name);
     units += (units.empty() ? "" : " or ") + name;
   }
+  const std::string sign = text.substr(text.find_last_of("0123456789.") + 1);  // npos + 1 is 0
   throw UsageError(where + ": " + quoted(text) + " is not a number" +
-                   (units.empty() ? "" : ", alone or with " + units) + "; give " + range_text(argument));
+                   (units.empty() ? "" : ", alone or with " + units + did_you_mean(sign, names)) + "; give " +
+                   range_text(argument));
 }
 
 // A name counts from the folder of the script.

@@ -63,7 +63,8 @@ bool next_row(LineReader& lines, std::vector<std::string>& cells) {
   std::string line;
   while (lines.next(line)) {
     const char* fault = lines.number() == 1 ? csv::begin_file(line) : nullptr;
-    if (fault == nullptr && csv::trimmed(line).empty()) continue;
+    const std::string_view text = csv::trimmed(line);
+    if (fault == nullptr && (text.empty() || text[0] == '#')) continue;
     if (fault == nullptr) fault = csv::split_line(line, cells);
     if (fault != nullptr) throw UsageError(lines.where() + ": " + fault);
     return true;

@@ -44,7 +44,9 @@ int find_control(const std::string& name, const std::string& where) {
     if (name == kControlVariables[i].name) return i;
     names.emplace_back(kControlVariables[i].name);
   }
-  throw UsageError(where + ": no control " + quoted(name) + did_you_mean(name, names) + "; choose " +
+  std::vector<std::string> near = names;
+  near.emplace_back("mast");
+  throw UsageError(where + ": no control " + quoted(name) + did_you_mean(name, near) + "; choose " +
                    one_of(names));
 }
 

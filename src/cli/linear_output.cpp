@@ -5,6 +5,7 @@
 #include "cli/errors.hpp"
 #include "cli/linear_json.hpp"
 #include "cli/output.hpp"
+#include "cli/stamp.hpp"
 #include "text/identity.hpp"
 #include "text/json.hpp"
 #include "text/number.hpp"
@@ -40,6 +41,8 @@ OptionList LinearOutput::list() {
        "csv (one entry a line: x0, u0, A, B), json, matlab (a script) or\n"
        "table (table on a terminal, else csv)"},
       output_option(),
+      units_option(),
+      stamp_option(),
       shard_option(),
   };
 }
@@ -50,13 +53,15 @@ LinearOutput::LinearOutput(const Arguments& arguments, bool single)
       kind_(static_cast<Kind>(
           arguments.choice("--format", sink_.is_terminal() && !arguments.given("--shard") ? "table" : "csv",
                            {"table", "csv", "json", "matlab"}))),
-      single_(single) {
+      single_(single),
+      stamp_(stamp_of(arguments, arguments.text("--format", "csv"))) {
   if (shard_.parts > 1 && kind_ != Kind::csv) {
     throw UsageError(arguments.where("--shard") + ": parts can be joined with --format csv only");
   }
   if (kind_ == Kind::csv && shard_.first()) {
-    sink_.write("case,mast_deg,speed_mps,status,matrix,row,row_unit,column,column_unit,value\n");
+    sink_.write(stamp_ + "case,mast_deg,speed_mps,status,matrix,row,row_unit,column,column_unit,value\n");
   }
+  if (kind_ == Kind::table) sink_.write(stamp_);
   if (kind_ == Kind::json && !single_) sink_.write("[\n");
 }
 

@@ -43,6 +43,7 @@ class LinearOutput {
   Shard shard_;
   Kind kind_;
   bool single_;
+  std::string stamp_;
   std::size_t count_ = 0;
 };
 

@@ -16,13 +16,6 @@ namespace tiltrotor::cli {
 
 namespace {
 
-std::vector<Command> all_commands() {
-  return {trim_command(),      linearize_command(),   modes_command(),       bode_command(),
-          qualities_command(), sensitivity_command(), qlpv_command(),        performance_command(),
-          respond_command(),   fly_command(),         derivative_command(),  loads_command(),
-          rotor_command(),     report_command(),      conventions_command(), version_command()};
-}
-
 int print(const std::string& text) {
   Sink sink("-", "");
   sink.write(text);
@@ -36,8 +29,10 @@ const Command& find_command(const std::vector<Command>& commands, const std::str
   if (place != commands.end()) return *place;
   std::vector<std::string> names;
   for (const Command& command : commands) names.emplace_back(command.name);
+  std::vector<std::string> near = names;
+  near.insert(near.end(), {"help", "--help", "--version"});
   throw UsageError(
-      (name.empty() ? "a command is needed" : "unknown command " + quoted(name) + did_you_mean(name, names)) +
+      (name.empty() ? "a command is needed" : "unknown command " + quoted(name) + did_you_mean(name, near)) +
       "; choose " + one_of(names));
 }
 
@@ -52,6 +47,8 @@ int run(std::vector<std::string> words) {
 
   const Command& command = find_command(commands, words.empty() ? "" : words.front());
   words.erase(words.begin());
+  const bool names_shell = first == "completion" && !words.empty() && words[0].rfind('-', 0) != 0;
+  if (names_shell) words[0].insert(0, "--shell=");
   if (first == "help" || std::any_of(words.begin(), words.end(), asks_for_help))
     return print(command_help(command));
   return command.run(Arguments(command.name, command.options, words));

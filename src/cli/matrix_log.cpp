@@ -20,10 +20,12 @@ std::vector<int> places(const std::vector<std::string>& names, const std::vector
 
 }  // namespace
 
-MatrixLog::MatrixLog(const std::string& folder, const std::string& where) {
+MatrixLog::MatrixLog(const std::string& folder, const std::string& where, const std::string& beginning) {
   require_writable_folder(folder, where);
   a_ = std::make_unique<Sink>(folder + "/a.csv", where);
   b_ = std::make_unique<Sink>(folder + "/b.csv", where);
+  a_->write(beginning);
+  b_->write(beginning);
 }
 
 void MatrixLog::set_columns(const std::vector<std::string>& states,

@@ -15,7 +15,8 @@ namespace tiltrotor::cli {
 class MatrixLog {
  public:
   // Throws UsageError "<where>: ..." when the folder cannot be written.
-  MatrixLog(const std::string& folder, const std::string& where);
+  // `beginning`: lines before the header of each.
+  MatrixLog(const std::string& folder, const std::string& where, const std::string& beginning);
 
   // Before the first model.
   void set_columns(const std::vector<std::string>& states, const std::vector<std::string>& controls);

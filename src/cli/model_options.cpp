@@ -162,6 +162,12 @@ std::string model_options_help() {
   return text;
 }
 
+std::vector<std::pair<std::string, std::string>> model_option_values() {
+  std::vector<std::pair<std::string, std::string>> all;
+  for (const Switch& s : switches()) all.emplace_back(s.name, s.values);
+  return all;
+}
+
 std::string model_text(const Options& options) {
   const Options standard;
   std::string text = aircraft_identity().name;

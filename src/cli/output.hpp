@@ -19,7 +19,7 @@ class Output {
   static OptionList list_of_one_piece();
   explicit Output(const Arguments& arguments);
 
-  // Rows of this run. With more than one shard only the first writes the header.
+  // Rows of this run, in the units chosen. With more than one shard only the first writes the header.
   Records records(std::vector<std::string> columns, int digits);
   const Shard& shard() const { return shard_; }
 
@@ -27,10 +27,13 @@ class Output {
   Sink sink_;
   Format format_;
   Shard shard_;
+  Units units_;
+  std::string stamp_;
 };
 
 // The option alone, for commands with formats of their own.
 Option output_option();
+Option units_option();
 Option shard_option();
 
 }  // namespace tiltrotor::cli

@@ -6,6 +6,7 @@
 #include "cli/arguments.hpp"
 #include "cli/flight_options.hpp"
 #include "cli/flight_range.hpp"
+#include "cli/units.hpp"
 #include "text/number.hpp"
 #include "tiltrotor/model/aircraft/aircraft_data.hpp"
 #include "tiltrotor/model/airframe/airflow.hpp"
@@ -15,7 +16,6 @@ namespace tiltrotor::cli {
 
 namespace {
 
-constexpr double kFoot = 0.3048;  // m
 constexpr double kDegree = kRadPerDeg<double>;
 
 // What the language allows where the aircraft has no limit of its own.

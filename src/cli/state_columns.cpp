@@ -9,6 +9,7 @@
 #include "cli/output_names.hpp"
 #include "cli/response_columns.hpp"
 #include "cli/trim_columns.hpp"
+#include "cli/units.hpp"
 #include "text/number.hpp"
 #include "tiltrotor/math/differentiation/preaccumulate.hpp"
 #include "tiltrotor/model/aircraft/aircraft_data.hpp"
@@ -164,9 +165,8 @@ const std::vector<std::string>& derived_columns() {
   return names;
 }
 
-}  // namespace
-
-std::optional<Target> find_target(const std::string& column) {
+// Under the names of the model and those that the program prints without --units.
+std::optional<Target> find_own_target(const std::string& column) {
   if (column.compare(0, 2, "d_") == 0) return Target{Target::Kind::rate};
   if (column == "case") return Target{Target::Kind::name};
   if (column == kModelColumn) return Target{Target::Kind::model};
@@ -181,6 +181,21 @@ std::optional<Target> find_target(const std::string& column) {
   if (const std::optional<Target> control = find_control(column)) return control;
   if (contains(derived_columns(), column)) return Target{Target::Kind::derived};
   return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<Target> find_target(const std::string& column) {
+  std::optional<Target> target = find_own_target(column);
+  const InUnit in = in_own_unit(column);
+  if (target || in.size == 1) return target;
+  target = find_own_target(in.name);
+  if (!target || target->kind == Target::Kind::rate) return std::nullopt;
+  target->unit *= in.size;
+  target->zero /= in.size;
+  target->size = in.size;
+  target->unit_name = in.sign;
+  return target;
 }
 
 std::vector<std::string> known_columns() {

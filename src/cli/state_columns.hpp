@@ -35,6 +35,7 @@ struct Target {
   double unit = 1;
   double zero = 0;
   const char* unit_name = "";
+  double size = 1;  // of the column's unit, in that of the name the program prints
 
   double read(double number) const { return (number - zero) * unit; }
   double shown(double value) const { return value / unit + zero; }

@@ -5,6 +5,7 @@
 
 #include "cli/errors.hpp"
 #include "cli/flight_options.hpp"
+#include "cli/units.hpp"
 #include "text/csv_line.hpp"
 #include "text/nearest.hpp"
 #include "tiltrotor/analysis/flight/response.hpp"
@@ -19,7 +20,9 @@ namespace {
 // A header in other units than the model's is told what it lacks in those.
 std::string missing_columns(const std::vector<std::string>& header, const Options& options) {
   const auto has = [&](const std::string& name) {
-    return std::find(header.begin(), header.end(), name) != header.end();
+    return std::any_of(header.begin(), header.end(), [&](const std::string& column) {
+      return column == name || in_own_unit(column).name == name;
+    });
   };
   bool printed = false;
   std::vector<std::vector<std::string>> missing;
@@ -78,12 +81,13 @@ void StateFile::each(std::size_t begin, std::size_t end, const std::function<voi
   }
 }
 
-// Lines without content do not count.
+// Lines without content and comments do not count.
 bool StateFile::next_row_line() {
   while (lines_.next(line_)) {
     const char* const fault = lines_.number() == 1 ? csv::begin_file(line_) : nullptr;
     if (fault != nullptr) throw UsageError(lines_.where() + ": " + fault);
-    if (!csv::trimmed(line_).empty()) return true;
+    const std::string_view text = csv::trimmed(line_);
+    if (!text.empty() && text[0] != '#') return true;
   }
   return false;
 }
@@ -125,19 +129,22 @@ Range StateFile::range_of(std::size_t column) const {
     return Range{given_as(low, target.unit) + target.zero, given_as(high, target.unit) + target.zero,
                  target.unit_name};
   };
+  const auto setting = [&](const Range& range) {
+    return Range{range.low / target.size, range.high / target.size, target.unit_name};
+  };
   switch (target.kind) {
     case Target::Kind::mast:
-      return kMastRange;
+      return setting(kMastRange);
     case Target::Kind::altitude:
-      return kAltitudeRange;
+      return setting(kAltitudeRange);
     case Target::Kind::flap:
-      return kFlapRange;
+      return setting(kFlapRange);
     case Target::Kind::rotor_speed:
-      return kRotorSpeedRange;
+      return setting(kRotorSpeedRange);
     case Target::Kind::mass:
-      return kMassRange;
+      return setting(kMassRange);
     case Target::Kind::sl_cg:
-      return kCgRange;
+      return setting(kCgRange);
     case Target::Kind::state: {
       const double bound = state_bound<double>(target.index);
       return between(-bound, bound);

@@ -76,10 +76,14 @@ std::vector<double> parse_sweep(std::string_view text, const std::string& where,
     } else {
       throw UsageError(where + ": '" + item + "' is not a range; write from:step:to, for example 0:5:50");
     }
-    if (values.size() > max_points)
-      throw UsageError(where + ": the list has more than " + std::to_string(max_points) + " values");
+    require_few_values(values.size(), where);
   }
   return values;
+}
+
+void require_few_values(std::size_t count, const std::string& where) {
+  if (count > max_points)
+    throw UsageError(where + ": the list has more than " + std::to_string(max_points) + " values");
 }
 
 void require_few(const std::string& command, const std::vector<std::size_t>& sizes) {

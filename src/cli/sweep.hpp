@@ -13,6 +13,9 @@ namespace tiltrotor::cli {
 // Throws UsageError "<where>: ..." for an empty range and for values outside `range`.
 std::vector<double> parse_sweep(std::string_view text, const std::string& where, const Range& range);
 
+// Throws UsageError "<where>: ..." for more values than a list may have.
+void require_few_values(std::size_t count, const std::string& where);
+
 // All combinations of sweeps of these sizes stand in memory: throws UsageError "<command>: ..." for more than
 // a million.
 void require_few(const std::string& command, const std::vector<std::size_t>& sizes);

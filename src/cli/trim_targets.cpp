@@ -30,17 +30,24 @@ Choices choices_of(const Arguments& arguments, const char* option, const char* h
   return choices;
 }
 
+// power_hp as power_kw, where that is among the names.
+InUnit own_name(const std::string& text, const std::vector<std::string>& names) {
+  const InUnit in = in_own_unit(text);
+  return std::find(names.begin(), names.end(), in.name) == names.end() ? InUnit{text} : in;
+}
+
 // "power_kw=0,500"
 Choices held_values(const Arguments& arguments, const std::string& text, const std::string& freed) {
   const std::string where = arguments.where("--hold") + " " + text;
   const std::size_t equals = text.find('=');
   if (equals == std::string::npos) throw UsageError(where + ": not NAME=VALUE, for example power_kw=0");
   const std::vector<std::string> names = held_quantities();
-  const std::string held = names[place_of(text.substr(0, equals), names, where)];
+  const InUnit in = own_name(text.substr(0, equals), names);
+  const std::string held = names[place_of(in.name, names, where)];
   constexpr Range any{-1e9, 1e9, "in the unit of the name"};
   Choices choices;
   for (const double value : parse_sweep(text.substr(equals + 1), where, any))
-    choices.push_back({held, value, freed, "--hold " + held});
+    choices.push_back({held, value * in.size, freed, "--hold " + held});
   return choices;
 }
 
@@ -116,7 +123,8 @@ std::vector<TrimTargets> target_sets(const Arguments& arguments) {
   for (std::size_t k = 0; k < holds.size(); ++k) {
     const std::vector<std::string> names = freed_names();
     all.push_back(
-        held_values(arguments, holds[k], names[place_of(frees[k], names, arguments.where("--free"))]));
+        held_values(arguments, holds[k],
+                    names[place_of(own_name(frees[k], names).name, names, arguments.where("--free"))]));
   }
   if (arguments.given("--bank"))
     all.push_back(choices_of(arguments, "--bank", "roll_deg", "turn_rate_degps", bank_range));

@@ -44,6 +44,14 @@ std::vector<std::string> row_texts(const Row& row, int digits) {
 
 Quotation as_given(double value) { return {number_text(value), value}; }
 
+Cell in_unit(Cell cell, double size) {
+  if (size == 1) return cell;
+  if (double* const number = std::get_if<double>(&cell)) *number /= size;
+  if (Quotation* const given = std::get_if<Quotation>(&cell); given != nullptr && std::isfinite(given->value))
+    *given = as_given(given_as(given->value, size));
+  return cell;
+}
+
 std::string csv_cell(const std::string& text) {
   if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
   std::string out = "\"";
@@ -63,7 +71,7 @@ Records::Records(Sink& sink, Format format, std::vector<std::string> columns, in
 }
 
 void Records::add(const Row& exact) {
-  const Row row = rounded(exact);
+  const Row row = shown(exact);
   write_header();
   if (format_ == Format::csv) sink_.write(csv_line(row_texts(row, digits_)));
   if (format_ == Format::json) write_json(row);
@@ -78,16 +86,17 @@ void Records::finish() {
   sink_.finish();
 }
 
-Row Records::rounded(Row row) const {
+Row Records::shown(Row row) const {
   for (std::size_t i = 0; i < row.size(); ++i) {
     double* const number = std::get_if<double>(&row[i]);
     if (number != nullptr && columns_[i] != "residual") *number = without_rounding(*number, terms_);
+    if (!sizes_.empty()) row[i] = in_unit(row[i], sizes_[i]);
   }
   return row;
 }
 
 void Records::write_header() {
-  if (format_ == Format::csv && header_) sink_.write(csv_line(columns_));
+  if (format_ == Format::csv && header_) sink_.write(beginning_ + csv_line(columns_));
   header_ = false;
 }
 
@@ -99,6 +108,7 @@ void Records::write_json(const Row& row) {
 }
 
 void Records::write_table() {
+  sink_.write(beginning_);
   std::vector<std::size_t> width(columns_.size(), 0);
   for (const std::vector<std::string>& row : table_) {
     for (std::size_t i = 0; i < row.size(); ++i) width[i] = std::max(width[i], row[i].size());

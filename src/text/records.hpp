@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -24,6 +25,9 @@ Quotation as_given(double value);
 using Cell = std::variant<double, std::string, Quotation>;
 using Row = std::vector<Cell>;
 
+// A number in a unit of that size; any other cell as it is.
+Cell in_unit(Cell cell, double size);
+
 // A cell of CSV: in quotation marks where it holds a comma, a quotation mark or the end of a line.
 std::string csv_cell(const std::string& text);
 
@@ -37,12 +41,18 @@ class Records {
   Records(Sink& sink, Format format, std::vector<std::string> columns, int digits, double terms,
           bool header = true);
 
+  // Columns are in other units than the rows: sizes of these, one a column, in the units of the rows.
+  void divide_by(std::vector<double> sizes) { sizes_ = std::move(sizes); }
+
+  // Lines before the header of CSV or of a table.
+  void begin_with(std::string text) { beginning_ = std::move(text); }
+
   void add(const Row& row);
   // Ends the output and the sink.
   void finish();
 
  private:
-  Row rounded(Row row) const;
+  Row shown(Row row) const;
   void write_header();
   void write_json(const Row& row);
   void write_table();
@@ -50,6 +60,8 @@ class Records {
   Sink& sink_;
   Format format_;
   std::vector<std::string> columns_;
+  std::vector<double> sizes_;
+  std::string beginning_;
   int digits_;
   double terms_;
   bool header_;
