@@ -9,7 +9,7 @@ BROWSER     ?= chromium
 PAGE_COMMON := $(PAGE_TARGET) -O2 -ffp-contract=off -fno-math-errno -Iinclude -Isrc
 PAGE_CXX_FLAGS := $(PAGE_COMMON) -std=c++17 $(CORE_FLAGS) -Dtiltrotor=tiltrotor_library_double -fvisibility=hidden
 PAGE_C_FLAGS   := $(PAGE_COMMON) -std=c99 -Wall -Wextra -Wpedantic
-PAGE_SCRIPTS := $(addprefix src/page/,module.js numbers.js svg.js chart.js corridor.js roots.js trim_bars.js side_view.js explore.js \
+PAGE_SCRIPTS := $(addprefix src/page/,module.js numbers.js svg.js chart.js corridor.js roots.js trim_bars.js side_view.js front_view.js phasors.js explore.js \
                   sticks.js recorder.js cockpit.js matrices.js fly.js self_test.js start.js)
 PAGE_PARTS   := src/page/explore.html src/page/style.css $(PAGE_SCRIPTS)
 PAGE_OBJECTS := $(patsubst src/%.cpp,$(BUILD)/page/%.o,$(C_SOURCE)) \
