@@ -11,7 +11,7 @@
 #include "cli/scratch_folder.hpp"
 #include "run_program.hpp"
 #include "tiltrotor/model/aircraft/aircraft_data.hpp"
-#include "tiltrotor/model/setup/flight_setup.hpp"
+#include "tiltrotor/model/setup/configuration.hpp"
 extern "C" {
 #include "page/page.h"
 }
