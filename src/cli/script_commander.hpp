@@ -54,13 +54,27 @@ struct ScriptCommander : ScriptFlightState {
     SystemState<double>& s = flight.state;
     if (v.on.governor == to) return;
     // The lever takes over what the governor had added, and the rotors turn as they do.
-    if (v.on.governor != Governor::off && to == Governor::off) {
-      memory.last.collective += s.governor;
-      s.governor = 0;
-    }
+    if (to == Governor::off) memory.last.collective += s.governor;
+    s.governor = 0;
     s.rotor_speed = v.commands.rotor_speed = c.setup.rotor_speed;
     c.setup.rotor_acceleration = 0;
     v.on.governor = to;
+  }
+
+  // From the flight as it is, unless it is still on its way out.
+  void engage_augmentation() {
+    Vehicle<double>& v = flight.vehicle;
+    SystemState<double>& s = flight.state;
+    if (!v.on.augmentation) {
+      const State<double> x = current_state(simulation);
+      const Controls<double>& u = simulation.controls;
+      const double airspeed = total_speed(x.velocity - u.gust, aircraft.smooth.airspeed);
+      s.washout = x.rates.z - turn_rate_wanted(aircraft.systems.augmentation, airspeed, x.roll);
+      s.rest_long = u.long_stick;
+      s.rest_lat = u.lat_stick;
+    }
+    v.on.augmentation = true;
+    v.disengages = false;
   }
 
   void change_wind(const Vec3<double>& wind_n) {
@@ -166,8 +180,7 @@ struct ScriptCommander : ScriptFlightState {
         return;
       case C::scas:
         if (e.word == 0) {
-          v.on.augmentation = true;
-          v.disengages = false;
+          engage_augmentation();
         } else {
           v.disengages = v.on.augmentation;
         }
@@ -192,6 +205,7 @@ struct ScriptCommander : ScriptFlightState {
         return;
       case C::turbulence:
         v.on.turbulence = first > 0;
+        if (!v.on.turbulence) flight.state.gusts = {};
         v.wind_20_ft = first;
         v.turbulence_seed = e.count > 1 ? static_cast<std::uint64_t>(e.number[1]) : 1;
         return;

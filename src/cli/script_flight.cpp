@@ -44,7 +44,8 @@ struct ScriptFlight::Parts : ScriptCommander {
 
   void begin_in_trim() {
     FlightSetup<double> setup = start.setup;
-    setup.altitude += start.height;
+    const double cg_height = start.height + setup.wl_cg - aircraft.gear.ground_wl;
+    setup.altitude += cg_height;
     prepare_vehicle(setup);
     const AnalysesWorkspace analyses;
     TrimResult<double> trimmed;
@@ -55,7 +56,7 @@ struct ScriptFlight::Parts : ScriptCommander {
       throw std::runtime_error(std::string("fly: cannot begin in this flight: ") + trim_status_word(status));
     State<double> x = trimmed.state;
     Controls<double> u = trimmed.controls;
-    x.position = {0, 0, -(start.height + rest_height())};
+    x.position = {0, 0, -cg_height};
     evaluate_aircraft(c, x, u, evaluation);
     settle(c, x, evaluation.rotor[right].loads.torque + evaluation.rotor[left].loads.torque, flight.vehicle,
            flight.state, u);

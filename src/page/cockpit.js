@@ -2,11 +2,13 @@
 
 const kLens = 520;        // pixels a unit of slope
 const kGridFar = 3000;    // m
+const kNarrow = 560;      // pixels of the page; there the picture has fewer of its own, so that its words can be read
 const kSky = '#a9cdea', kGround = '#7c8f63', kGridLine = '#5d7048', kInk = '#10202c', kPaper = '#ffffffd9';
 
 class Cockpit {
   constructor(canvas) {
     this.canvas = canvas;
+    if (canvas.clientWidth < kNarrow) Object.assign(canvas, {width: 480, height: 400});
     this.pen = canvas.getContext('2d');
     this.isStill = window.matchMedia('(prefers-reduced-motion: reduce)').matches;
   }

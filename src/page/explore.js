@@ -46,6 +46,8 @@ class Explore {
     this.all = new Roots(byId('all'), false);
     this.bars = new TrimBars(byId('bars'));
     this.view = new SideView(byId('side'));
+    this.front = new FrontView(byId('front'));
+    this.phasors = new Phasors(byId('phasors'), byId('phasor_mode'));
     for (const input of document.querySelectorAll('#choices [name]'))
       input.addEventListener('input', () => this.change({[input.name]: input.type === 'checkbox' ? Number(input.checked)
         : Number(input.value)}));
@@ -96,6 +98,8 @@ class Explore {
     this.corridor.show(this.point, this.trail);
     this.bars.show(found.seen || null);
     this.view.show(found.seen || null);
+    this.front.show(found.seen || null);
+    this.phasors.show(found.linear || null);
     const modes = found.linear ? found.linear.modes : [];
     this.near.show(modes);
     this.all.show(modes);

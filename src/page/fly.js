@@ -7,6 +7,8 @@ const kHeight = 300;              // m, of the wheels where a flight begins
 const kOffload = 0.5;             // 1/s: the lever takes over what the governor has added
 const kLeverCollective = 3 * kDegree, kLeverAlone = 8 * kDegree;  // of half its travel; alone: without a governor
 const kMastKey = 5;               // deg
+const kRotorRate = 1;             // rad/s^2, of the governor's reference: as the command line moves it
+const kClear = 1;                 // m, of the wheels: no weight on them
 
 // Of the CG above the wheels, m: as the command line counts heights.
 const restHeight = (seen) => kAircraft.WL_CG_helicopter - kAircraft.ground_WL_static;
@@ -37,30 +39,36 @@ class Fly {
     this.owed = 0;
     this.isOver = true;
     this.run(false);
-    const {aircraft} = this, governor = point.governor === 0 && !point.isFlown ? 2 : point.governor;
-    const scas = point.isFlown ? point.scas : 1;
+    const {aircraft} = this, governor = point.governor === 0 ? 2 : point.governor;
     if (aircraft.begin(loading(point)) !== 0) return this.say(`No such aircraft: ${aircraft.tiltrotor.lastText()}.`);
     const rest = restHeight();
     const status = [() => aircraft.setHeight(kHeight + rest), () => aircraft.setEnvironment([0, 0, 0], point.altitude),
-      () => aircraft.setSystems({governor, conversion: 1, engines: 1, actuators: 1, scas, gear: 1, groundEffect: 1}),
+      () => aircraft.setSystems({governor: 2, conversion: 1, engines: 1, actuators: 1, scas: 1, gear: 1, gearDown: 0}),
     ].reduce((before, call) => (before === 0 ? call() : before), 0);
-    if (status !== 0) return this.say(`The flight cannot begin: ${aircraft.tiltrotor.statusText(status)}.`);
+    const refuses = (code) => this.say(`The flight cannot begin: ${aircraft.tiltrotor.statusText(code)}.`);
+    if (status !== 0) return refuses(status);
     const trimmed = aircraft.trim(point.speed);
     if (!kTrimmed.has(trimmed))
       return this.say(`The flight cannot begin: no level flight at mast ${point.mast} deg and ${point.speed} m/s. ` +
         'Choose another point under Explore.');
     aircraft.look();
-    this.seen = aircraft.seen();
-    const {u, sys} = this.seen;
-    this.collective = u[kU.collective];
+    const {u, sys} = aircraft.seen();
     this.throttle = this.throttleOfTrim = clamp(sys[kSys.throttle], 0, 1);
+    const begun = aircraft.setSystems({governor, groundEffect: 1, throttle: this.throttle}) || aircraft.setControls(u.slice(0, 4)) ||
+      aircraft.look();
+    if (begun !== 0) return refuses(begun);
+    this.seen = aircraft.seen();
+    this.collective = this.seen.u[kU.collective];
+    this.rotor = this.rotorOfTrim = this.seen.conf[kConf.rotor];
     this.sticks.reset({long: u[kU.longStick], lat: u[kU.latStick], pedal: u[kU.pedal]});
-    this.recorder = new Recorder({...loading(point), speed: point.speed, height: kHeight, governor, scas}, kStep);
+    this.recorder = new Recorder({...loading(point), speed: point.speed, height: kHeight, governor}, kStep);
+    this.recorder.inputs(0, this.seen.u, this.throttle);
     this.lever('mast').value = point.mast;
     this.lever('flap').value = Math.round(sys[kSys.flap]);
     this.lever('wind').value = this.lever('w20').value = 0;
     this.lever('governor').value = governor;
-    this.lever('scas').checked = scas === 1;
+    this.lever('scas').checked = true;
+    this.lever('gear').checked = false;
     this.nameLevers();
     this.roots.clear();
     this.isOver = false;
@@ -109,17 +117,38 @@ class Fly {
     this.nameLevers();
     if (this.isOver) return;
     const {aircraft, recorder, steps} = this, value = Number(input.value);
+    if (input.name === 'gear' && !input.checked && this.height() < kClear) {
+      input.checked = true;
+      return this.say('The gear stays down near the ground.');
+    }
     const commands = {
       mast: () => [aircraft.setSystems({mast: value}), `mast ${value}`],
       flap: () => [aircraft.setSystems({flap: value}), `flap ${value}`],
       wind: () => [aircraft.setEnvironment([-value, 0, 0], this.point.altitude), `wind ${-value} 0 0`],
       w20: () => [aircraft.setSystems({turbulence: value > 0 ? 1 : 0, w20: value, seed: 1}), `turbulence ${value} 1`],
       scas: () => [aircraft.setSystems({scas: input.checked ? 1 : 0}), `scas ${input.checked ? 'on' : 'off'}`],
-      governor: () => [aircraft.setSystems({governor: value}), `governor ${kGovernors[value]}`],
+      gear: () => [aircraft.setSystems({gearDown: input.checked ? 1 : 0}), `gear ${input.checked ? 'down' : 'up'}`],
+      governor: () => this.moveGovernor(value),
     };
     const [status, words] = commands[input.name]();
-    if (status !== 0) this.say(`Not obeyed: ${aircraft.tiltrotor.statusText(status)}.`);
-    else recorder.command(steps, words);
+    if (status !== 0) return this.say(`Not obeyed: ${aircraft.tiltrotor.statusText(status)}.`);
+    for (const line of words.split('\n')) recorder.command(steps, line);
+    if (aircraft.look() === 0) this.seen = aircraft.seen();
+    return true;
+  }
+  // The lever takes over what the governor has added, and the rotors turn on as they do; a governor that is switched on leads
+  // them back to the speed of the trim.
+  moveGovernor(value) {
+    const {aircraft} = this, rotor = this.seen.conf[kConf.rotor];
+    if (value === 0) this.collective += this.seen.x[kX.governor];
+    this.rotor = value === 2 ? rotor : this.rotorOfTrim;
+    const target = value === 2 ? this.rotorOfTrim : rotor;
+    return [aircraft.setSystems({governor: value, rotor}), `governor ${kGovernors[value]}\nrotor ${target}rad/s`];
+  }
+  leadRotor() {
+    if (this.rotor === this.rotorOfTrim) return 0;
+    this.rotor += clamp(this.rotorOfTrim - this.rotor, -kRotorRate * kStep, kRotorRate * kStep);
+    return this.aircraft.setSystems({rotor: this.rotor});
   }
 
   // ---- a frame ----
@@ -154,13 +183,13 @@ class Fly {
     this.throttle = throttle;
     this.recorder.inputs(this.steps, inForce, throttle);
     for (let k = 0; k < steps && status === 0; ++k) {
-      status = aircraft.step(kStep);
+      status = this.leadRotor() || aircraft.step(kStep);
       if (status === 0) ++this.steps;
     }
     if (status === 0) status = aircraft.look();
     if (status !== 0) return this.end(status);
     this.seen = aircraft.seen();
-    if (-this.seen.x[kX.down] - restHeight() < 0 && !this.seen.sys[kSys.gearDown]) return this.strike();
+    if (this.height() < (this.seen.sys[kSys.gearDown] ? -restHeight() : 0)) return this.strike();
     if (this.steps % Math.round(kModelEvery / kStep) < steps) this.model();
     return true;
   }
@@ -171,6 +200,7 @@ class Fly {
     return this.say(`The flight ended at ${fixed(this.steps * kStep, 2)} s: ${aircraft.tiltrotor.statusText(status)}` +
       `${fault === '' ? '' : ` (state ${fault})`}. Begin again.`);
   }
+  height() { return -this.seen.x[kX.down] - restHeight(); }  // of the wheels
   strike() {
     this.isOver = true;
     this.run(false);
@@ -188,7 +218,7 @@ class Fly {
   draw() {
     const {x, out, conf, sys} = this.seen;
     this.cockpit.show({roll: x[kX.roll], pitch: x[kX.pitch], yaw: x[kX.yaw], north: x[kX.north], east: x[kX.east],
-      height: -x[kX.down] - restHeight(), airspeed: out[kOut.airspeed], climb: out[kOut.climb],
+      height: this.height(), airspeed: out[kOut.airspeed], climb: out[kOut.climb],
       loadFactor: out[kOut.loadFactor], power: out[kOut.power] + out[kOut.power + 1], rotor: conf[kConf.rotor],
       mast: conf[kConf.mast], mastCommand: sys[kSys.mast], lever: this.sticks.lever});
   }

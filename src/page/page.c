@@ -138,7 +138,8 @@ int32_t page_set_height(int32_t aircraft, tr_real height_m) {
 
 int32_t page_set_controls(int32_t aircraft) {
   uint32_t clipped;
-  return tr_saturate_controls(&sims[aircraft], state.u, 4, &clipped);
+  const tr_status status = tr_saturate_controls(&sims[aircraft], state.u, 4, &clipped);
+  return status == TR_OK ? tr_get_state(&sims[aircraft], &state) : status;
 }
 
 int32_t page_step(int32_t aircraft, tr_real dt) { return tr_step(&sims[aircraft], &work, dt); }

@@ -36,7 +36,7 @@ int32_t page_trim(int32_t aircraft, tr_real speed_mps);
 int32_t page_set_systems(int32_t aircraft);
 int32_t page_set_environment(int32_t aircraft);
 int32_t page_set_height(int32_t aircraft, tr_real height_m);
-int32_t page_set_controls(int32_t aircraft); /* the first 4 of PAGE_U */
+int32_t page_set_controls(int32_t aircraft); /* the first 4 of PAGE_U, which then has them as set */
 int32_t page_step(int32_t aircraft, tr_real dt);
 int32_t page_look(int32_t aircraft);
 uint32_t page_flags(int32_t aircraft);

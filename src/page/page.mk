@@ -9,7 +9,7 @@ BROWSER     ?= chromium
 PAGE_COMMON := $(PAGE_TARGET) -O2 -ffp-contract=off -fno-math-errno -Iinclude -Isrc
 PAGE_CXX_FLAGS := $(PAGE_COMMON) -std=c++17 $(CORE_FLAGS) -Dtiltrotor=tiltrotor_library_double -fvisibility=hidden
 PAGE_C_FLAGS   := $(PAGE_COMMON) -std=c99 -Wall -Wextra -Wpedantic
-PAGE_SCRIPTS := $(addprefix src/page/,module.js numbers.js svg.js chart.js corridor.js roots.js trim_bars.js side_view.js explore.js \
+PAGE_SCRIPTS := $(addprefix src/page/,module.js numbers.js svg.js chart.js corridor.js roots.js trim_bars.js side_view.js front_view.js phasors.js explore.js \
                   sticks.js recorder.js cockpit.js matrices.js fly.js self_test.js start.js)
 PAGE_PARTS   := src/page/explore.html src/page/style.css $(PAGE_SCRIPTS)
 PAGE_OBJECTS := $(patsubst src/%.cpp,$(BUILD)/page/%.o,$(C_SOURCE)) \
@@ -18,6 +18,13 @@ PAGE_EXPORTS := $(shell sed -n 's/^[a-z].*[ *]\(page_[a-z_]*\).*/--export=\1/p' 
 PAGE         := $(BUILD)/report/explore.html
 STAMP_page    = $(call COMPILER,$(PAGE_CXX)) $(PAGE_CXX_FLAGS) $(PAGE_C_FLAGS) $(PRIVATE)
 OBJECTS      += $(PAGE_OBJECTS)
+
+# The shim on this machine, for the tests.
+PAGE_ON_HOST := $(BUILD)/on_host/page/page.o $(BUILD)/firmware/reference_flight.o $(BUILD)/firmware/text.o
+$(BUILD)/run_tests: $(PAGE_ON_HOST)
+$(BUILD)/on_host/page/page.o: src/page/page.c $(wildcard src/page/*.h) $(FIRMWARE_HEADERS) $(BUILD)/c.stamp
+	@echo "  compile $<"; mkdir -p $(@D)
+	$(Q)$(CC) $(C_FLAGS) -c $< -o $@
 
 page_tools = tests/tool.sh $(1) $(PAGE_CXX) clang $(PAGE_LD) lld '$(PAGE_CXX) $(PAGE_TARGET):cmath' libc++-dev-wasm32 \
                '$(PAGE_CC) $(PAGE_TARGET):string.h' wasi-libc
@@ -28,9 +35,9 @@ page: ## the model in a browser, to explore and to fly: report/explore.html, one
 
 test-page: ## the page in a headless browser: the bits of this machine, no error, its controls moved
 	+$(Q)$(call page_tools,test-page) $(BROWSER) chromium || exit 0; set -e; \
-	$(MAKE) --no-print-directory $(PAGE) $(BUILD)/reference_flight; \
+	$(MAKE) --no-print-directory $(PAGE) $(BUILD)/reference_flight $(BUILD)/tiltrotor; \
 	$(BUILD)/reference_flight >$(BUILD)/reference_flight.txt; \
-	src/page/test.sh '$(BROWSER)' '$(abspath $(PAGE))' $(BUILD)/reference_flight.txt $(BUILD)/page
+	src/page/test.sh '$(BROWSER)' '$(abspath $(PAGE))' $(BUILD)/reference_flight.txt $(BUILD)/page $(abspath $(BUILD))/tiltrotor
 
 $(BUILD)/page/%.o: src/%.cpp $(BUILD)/page.stamp | $(GENERATED)
 	@echo "  compile $< (page)"; mkdir -p $(@D)

@@ -2,6 +2,7 @@
 
 const kDampingLine = 0.35;  // least of the short period for level 1, MIL-F-83330 and MIL-F-8785C
 const kTrail = 240;         // roots kept
+const kNameGap = 3;         // between names
 
 class Roots {
   constructor(element, isNear) {
@@ -78,7 +79,7 @@ class Roots {
     for (const [dx, dy] of places) {
       const box = {x0: x + dx, x1: x + dx + width, y0: y + dy - 10, y1: y + dy + 3};
       const fits = box.x0 > chart.left && box.x1 < chart.right && box.y0 > chart.top && box.y1 < chart.bottom;
-      const free = taken.every((t) => t.x1 < box.x0 || t.x0 > box.x1 || t.y1 < box.y0 || t.y0 > box.y1);
+      const free = taken.every((t) => t.x1 + kNameGap < box.x0 || t.x0 - kNameGap > box.x1 || t.y1 < box.y0 || t.y0 > box.y1);
       if (!fits || !free) continue;
       taken.push(box);
       return svg('text', {x: box.x0, y: y + dy, class: 'name', 'pointer-events': 'none', textLength: width}, mode.name);

@@ -17,6 +17,16 @@ function selfTest(library) {
   const shown = () => { explore.compute(); return explore.found; };
   check('trim', shown().isClean, explore.found.text);
   check('modes', explore.found.linear.modes.length > 8, explore.found.linear.modes.map((m) => m.name).join(', '));
+  {
+    const {linear} = explore.found, mode = linear.modes.find((m) => m.name === 'dutch roll') || linear.modes[0];
+    const x = eigenvector(linear.a, linear.n, mode);
+    const rest = x.map((_, i) => Math.hypot(...[0, 1].map((part) => x.reduce((sum, value, j) => sum + linear.a[i * linear.n + j] *
+      value[part], 0) - (part === 0 ? mode.real * x[i][0] - mode.imag * x[i][1] : mode.real * x[i][1] + mode.imag * x[i][0]))));
+    check('eigenvector', Math.max(...rest) < 1e-8, `${mode.name}, residual ${Math.max(...rest)}`);
+    check('phasors', byId('phasor_mode').options.length === linear.modes.length && byId('phasors').querySelectorAll('text').length > 1,
+      byId('phasors').getAttribute('aria-label'));
+    check('front view', byId('front').querySelectorAll('.thrust').length === 2, byId('front').getAttribute('aria-label'));
+  }
   press(explore.corridor.handle, 'ArrowRight');
   check('arrow key', explore.point.speed === 61, explore.point.speed);
   const box = byId('corridor').getBoundingClientRect();

@@ -9,13 +9,15 @@ function openRoom(isFlying) {
 }
 
 const kStillMap = 2500;  // ms
-const isStill = () => new URLSearchParams(location.hash.slice(1)).has('still');
+// As the page was opened: Explore writes another address.
+const kAsked = new URLSearchParams(location.hash.slice(1));
+const isStill = kAsked.has('still'), isSelfTest = kAsked.has('self_test');
 
 function begin(instance) {
   const library = new Library(instance);
   byId('about').textContent += ` Version ${library.version()}.`;
   followPointer();
-  if (location.hash.startsWith('#self_test')) {
+  if (isSelfTest) {
     byId('self_test').hidden = false;
     byId('self_test').textContent = selfTest(library);
     return;
@@ -36,8 +38,8 @@ function begin(instance) {
   byId('tab_fly').addEventListener('click', () => (fly === null ? takeOff(explore.point) : openRoom(true)));
   byId('fly_here').addEventListener('click', () => takeOff(explore.point));
   window.addEventListener('hashchange', () => { explore.change(readAddress(location.hash)); });
-  if (new URLSearchParams(location.hash.slice(1)).has('fly')) takeOff(explore.point);
-  if (isStill()) {
+  if (kAsked.has('fly')) takeOff(explore.point);
+  if (isStill) {
     explore.corridor.slice(kStillMap);
     if (fly !== null) fly.advance(100);
     if (fly !== null) fly.draw();
@@ -58,5 +60,5 @@ function fail(reason) {
 
 // At once in a test and in a still picture (#mast=30&still), which do not wait.
 if (typeof WebAssembly !== 'object') fail('the browser has no WebAssembly.');
-else if (isStill() || location.hash.startsWith('#self_test')) begin(new WebAssembly.Instance(new WebAssembly.Module(moduleBytes()), {}));
+else if (isStill || isSelfTest) begin(new WebAssembly.Instance(new WebAssembly.Module(moduleBytes()), {}));
 else WebAssembly.instantiate(moduleBytes(), {}).then((made) => begin(made.instance)).catch((error) => fail(error.message));
