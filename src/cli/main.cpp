@@ -30,7 +30,7 @@ const Command& find_command(const std::vector<Command>& commands, const std::str
   std::vector<std::string> names;
   for (const Command& command : commands) names.emplace_back(command.name);
   std::vector<std::string> near = names;
-  near.insert(near.end(), {"help", "--help", "--version"});
+  near.emplace_back("help");
   throw UsageError(
       (name.empty() ? "a command is needed" : "unknown command " + quoted(name) + did_you_mean(name, near)) +
       "; choose " + one_of(names));

@@ -51,8 +51,10 @@ TEST(cli_completion_knows_every_command_and_option) {
   CHECK_EQ(script.err, "");
   const std::vector<std::string> commands = listed(run_tiltrotor("--help").out, "");
   CHECK_LE(std::size_t{17}, commands.size());
+  const std::size_t beginning = script.out.find("-W '") + 4;
+  const std::string names = script.out.substr(beginning, script.out.find('\'', beginning) - beginning);
   for (const std::string& command : commands) {
-    CHECK(script.out.find(" " + command + " ") != std::string::npos);
+    CHECK(has_word(names, command));
     const std::string begin = "\n    " + command + ") choices='";
     const std::size_t place = script.out.find(begin);
     CHECK(place != std::string::npos);

@@ -16,8 +16,8 @@ TEST(cli_bad_names_are_told_the_nearest) {
   } slips[] = {
       {"trimm", "trim"},
       {"help sensitivty", "sensitivity"},
-      {"--hlep", "--help"},
-      {"--verson", "--version"},
+      {"--hlep", "help"},
+      {"--verson", "version"},
       {"trim --hepl", "--help"},
       {"trim --altitud 3", "--altitude"},
       {"completion bsh", "bash"},

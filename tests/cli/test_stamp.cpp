@@ -52,7 +52,7 @@ TEST(cli_stamp_is_version_and_command_above_the_same_rows) {
 
 TEST(cli_stamp_is_once_in_shards_and_read_over_by_states) {
   const check::ScratchFolder folder;
-  const std::string trim = "trim --mast 0:30:90 --speed 80 --grid realtime --format csv --stamp";
+  const std::string trim = "trim --mast 60:15:90 --speed 80 --grid realtime --format csv --stamp";
   const std::string whole = run_tiltrotor(trim).out;
   CHECK_EQ(run_tiltrotor(trim + " --shard 1/2").out + run_tiltrotor(trim + " --shard 2/2").out, whole);
   const std::string states = " --grid realtime --format csv --states ";

@@ -46,7 +46,7 @@ void check_columns(const std::string& command, const std::string& units,
 
 TEST(cli_units_of_columns_stand_in_their_names) {
   const std::string all = "knots,feet,pounds,horsepower";
-  check_columns("trim --mast 60 --speed 60 --altitude 1000", all,
+  check_columns("trim --mast 60 --speed 60m/s --altitude 1000m", all,
                 {{"speed_mps", "speed_kt", kKnot},
                  {"altitude_m", "altitude_ft", kFoot},
                  {"mass_kg", "mass_lb", kPound},
@@ -55,11 +55,11 @@ TEST(cli_units_of_columns_stand_in_their_names) {
                  {"w_mps", "w_kt", kKnot},
                  {"pitch_deg", "pitch_deg", 1},
                  {"cg_sl_in", "cg_sl_in", 1}});
-  check_columns("modes --mast 90 --speed 100", "kt,ft",
+  check_columns("modes --mast 90 --speed 100m/s", "kt,ft",
                 {{"speed_mps", "speed_kt", kKnot}, {"real", "real", 1}});
-  check_columns("respond --mast 90 --speed 90 --duration 0.1 --dt 0.05 --input gust_w=2@0", "feet, knots",
+  check_columns("respond --mast 90 --speed 90m/s --duration 0.1 --dt 0.05 --input gust_w=2@0", "feet,knots",
                 {{"climb_rate_mps", "climb_rate_kt", kKnot}, {"altitude_m", "altitude_ft", kFoot}});
-  check_columns("sensitivity --mast 90 --speed 100 --of trim --to mass", all,
+  check_columns("sensitivity --mast 90 --speed 100m/s --of trim --to mass", all,
                 {{"speed_mps", "speed_kt", kKnot}, {"d_power_kw", "d_power_hp", kHorsepower}});
   check_columns("loads --mast 30 --speed 60", "pounds", {{"x_n", "x_lbf", kPoundForce}, {"m_nm", "m_nm", 1}});
 }
@@ -67,7 +67,8 @@ TEST(cli_units_of_columns_stand_in_their_names) {
 TEST(cli_units_of_a_flight_by_script) {
   const check::ScratchFolder folder;
   folder.write("script.txt", "0 hold speed 45\n0.2 end\n");
-  check_columns("fly --script " + folder.path("script.txt") + " --speed 40", "knots,feet,pounds,horsepower",
+  check_columns("fly --script " + folder.path("script.txt") + " --speed 40m/s",
+                "knots,feet,pounds,horsepower",
                 {{"airspeed_mps", "airspeed_kt", kKnot},
                  {"height_m", "height_ft", kFoot},
                  {"fuel_burnt_kg", "fuel_burnt_lb", kPound},
@@ -129,7 +130,7 @@ TEST(cli_units_of_single_columns_and_of_what_is_held) {
 }
 
 TEST(cli_units_of_performance_stand_beside_its_figures) {
-  const std::string command = "performance --mast 90 --altitude 1000 --grid realtime --format csv";
+  const std::string command = "performance --mast 90 --altitude 1000m --grid realtime --format csv";
   const check::CsvText own(run_tiltrotor(command).out),
       shown(run_tiltrotor(command + " --units knots,feet").out);
   for (std::size_t row = 0; row < own.rows.size(); ++row) {
