@@ -70,7 +70,8 @@ int main(int argc, char** argv) {
   r.setting.mast_deg += 5;
   r.setting.flap_deg += 5;
   r.flight = trimmed(r.c, kMiddleSpeed);
-  r.flight.state.velocity.y += 0.1;  // in symmetric flight one rotor answers for both: only the trim is counted there
+  r.flight.state.velocity.y +=
+      0.1;  // in symmetric flight one rotor answers for both: only the trim is counted there
   r.simulation = flight_with_input(r.c, r.flight, InputShape::step, kRadPerDeg<double>);
   if (std::strcmp(argv[1], "derivative") == 0) counted_derivative(r);
   if (std::strcmp(argv[1], "configuration") == 0) counted_configuration(r);

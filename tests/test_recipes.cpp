@@ -171,7 +171,7 @@ TEST(house_every_component_is_watched_by_the_tests_of_switches) {
 
 // A command that is declared and not offered, or offered and not among those whose help is tested.
 TEST(house_every_command_is_offered_and_tested) {
-  const std::string main = content("src/cli/main.cpp");
+  const std::string main = content("src/cli/all_commands.cpp");
   const std::string tests = content("tests/cli/test_help.cpp");
   const std::vector<std::string> commands =
       found(content("src/cli/command.hpp"), "\\nCommand (\\w+)_command\\(");
