@@ -44,7 +44,7 @@ struct AutoDiff {
   // For a function that has read all of x before it writes y: both in one place.
   template <class R, int N, int MaxInputs, int MaxOutputs>
   struct InPlaceWorkspace {
-    Dual<R, N> x[MaxInputs > MaxOutputs ? MaxInputs : MaxOutputs];
+    Dual<R, N> x[MaxInputs > MaxOutputs ? MaxInputs : MaxOutputs];  // NOLINT(bugprone-branch-clone)
     Dual<R, N>* outputs() { return x; }
   };
 
