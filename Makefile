@@ -6,7 +6,7 @@
 #             TARGET=                  cortex-m7 or cortex-m4f: no operating system, libraries only, in build/TARGET
 #             RUNNER=                  starts a program of another machine; found for the usual CROSS_COMPILE
 #             PRECISION=double         or single: tr_real of the C interface is float
-#             SLOPES=double            or single: slopes of the airframe's large tables, 64 KB less; the firmware's
+#             SLOPES=double            or single: slopes of the airframe's large tables, 55 KB less; the firmware's
 #             HOST_CXX, HOST_CXXFLAGS  compiler of the table generator, which runs on this machine
 #             AIRCRAFT=xv15            folder below tables/ that is compiled in: xv15, scaled_xv15 or one of your own
 #             BUILD=build              give each variant (sanitizers, clang, cross) its own
