@@ -26,26 +26,20 @@ void check_each_rotor(const Configuration<double>& c, const State<T>& x, const C
   }
 }
 
-template <class T>
-State<T> of_scalar(const State<double>& x) {
-  double flat[state_count];
-  T seeded[state_count];
-  flatten(x, flat);
-  for (int i = 0; i < state_count; ++i) seeded[i] = T(flat[i]);
-  if constexpr (!kIsPlain<T>)
-    for (int i = 0; i < kModelDirections && i < state_count; ++i) seeded[i] = T::variable(flat[i], i);
-  State<T> to;
-  unflatten(seeded, to);
-  return to;
-}
-template <class T>
-Controls<T> of_scalar(const Controls<double>& u) {
-  double flat[control_count];
-  T plain[control_count];
-  flatten(u, flat);
-  for (int j = 0; j < control_count; ++j) plain[j] = T(flat[j]);
-  Controls<T> to;
-  unflatten(plain, to);
+// On scalar T, the first numbers seeded where there are directions.
+template <class T, template <class> class Group>
+Group<T> seeded(const Group<double>& group) {
+  constexpr int count = sizeof(Group<double>) / sizeof(double);
+  double flat[count];
+  T numbers[count];
+  flatten(group, flat);
+  for (int i = 0; i < count; ++i) {
+    numbers[i] = T(flat[i]);
+    if constexpr (!kIsPlain<T>)
+      if (i < kModelDirections) numbers[i] = T::variable(flat[i], i);
+  }
+  Group<T> to;
+  unflatten(numbers, to);
   return to;
 }
 
@@ -87,8 +81,8 @@ TEST(derivative_one_rotor_answers_for_both) {
     const TrimResult<double> r = trimmed(c, level(mast < 30 ? 30 : 70));
     State<double> x = r.state;
     check_each_rotor<double>(c, x, r.controls);
-    check_each_rotor<Dual<double, kModelDirections>>(c, of_scalar<Dual<double, kModelDirections>>(x),
-                                                     of_scalar<Dual<double, kModelDirections>>(r.controls));
+    check_each_rotor<Dual<double, kModelDirections>>(c, seeded<Dual<double, kModelDirections>>(x),
+                                                     seeded<Dual<double, kModelDirections>>(r.controls));
     // A number in its last place, and each rotor is asked.
     x.rotor[left].b1c = std::nextafter(x.rotor[left].b1c, 1);
     check_each_rotor<double>(c, x, r.controls);
