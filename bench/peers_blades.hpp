@@ -14,8 +14,8 @@ class SingleBlades {
  public:
   static constexpr int kBlades = 1;
   void set_input(const tiltrotor::RotorInput<T>&, const tiltrotor::FeltInflow<T>&) {}
-  void compute_blades(const tiltrotor::Configuration<double>&, const tiltrotor::AzimuthStations<double>&,
-                      int) {}
+  void compute_blades(const tiltrotor::Configuration<double>&, double,
+                      const tiltrotor::AzimuthStations<double>&, int) {}
   tiltrotor::BladeLoads<T> loads(const tiltrotor::Configuration<double>& c, int,
                                  const tiltrotor::BladeFlow<T>& flow) const {
     return tiltrotor::blade_loads(c, flow);

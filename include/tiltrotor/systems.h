@@ -29,10 +29,11 @@ typedef struct tr_systems {
   int32_t actuators;  /* 1: blades and surfaces follow with lag, rate limit and stops; 0: at once */
   int32_t scas;       /* 1: rate damping and attitude hold, limited authority; switched off it fades */
   int32_t gear;       /* 1: wheels on the ground of tr_environment, and the drag of a gear that is down */
-  int32_t ground_effect;    /* 1: of the ground of tr_environment on rotors and download */
-  int32_t turbulence;       /* 1: Dryden turbulence at rotors, wing and tail, a function of seed and steps */
-  tr_real mast_command_deg; /* 0..90 */
-  tr_real flap_command_deg; /* 0..75 */
+  int32_t ground_effect; /* 1: of the ground of tr_environment on rotors and download */
+  int32_t turbulence;    /* 1: Dryden turbulence at rotors, wing and tail, a function of seed and steps */
+  int32_t interconnect;  /* 1: with TR_GOVERNOR_PI the shaft between the rotors twists, each has its speed */
+  tr_real mast_command_deg;    /* 0..90 */
+  tr_real flap_command_deg;    /* 0..75 */
   tr_real rotor_command_radps; /* of the governor, 20..80 */
   tr_real throttle[2]; /* power of an engine, right and left, over its take-off power here, 0..1.2; held at
                                   the contingency power, 1.16 */
@@ -49,7 +50,9 @@ typedef struct tr_systems {
 enum {
   TR_MAST_RATE = TR_MAST + 1, /* rad, rad/s */
   TR_FLAP,                    /* rad */
-  TR_ROTOR_SPEED,             /* rad/s */
+  TR_ROTOR_SPEED,             /* mean of the two, rad/s */
+  TR_SHAFT_TWIST,             /* right rotor ahead of the left one, rad */
+  TR_TWIST_RATE,              /* rad/s */
   TR_POWER_RIGHT,
   TR_POWER_LEFT, /* of the engines at their shafts, W */
   TR_GOVERNOR,   /* collective it adds, rad */
@@ -82,7 +85,7 @@ tr_status tr_get_systems(const tr_sim* sim, tr_systems* systems);
  *
  * With systems on: a step takes 3 or 4 derivatives a part as before and a twentieth of one more for each, with an ideal
  * governor some five times as many. tr_linearize covers their states; where masts, rotor speed, air or ground move it
- * takes some 10 derivatives more. tr_trim takes up to 6 of its trims where gear or ground count. tr_directional
+ * takes some 6 derivatives more. tr_trim takes up to 6 of its trims where gear or ground count. tr_directional
  * takes some 4 derivatives, tr_linearize_outputs as many for every 7 of its columns; both then know every state of
  * tr_state, fuel, position and attitude that is held included, and hold the turbulence alone. Where an
  * ideal governor finds no collective all of these are TR_NOT_CONVERGED. Modes of systems are named after the state that

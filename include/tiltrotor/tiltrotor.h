@@ -58,14 +58,14 @@ extern "C" {
 
 #ifdef TR_SINGLE_PRECISION
 typedef float tr_real;
-#define TR_API_VERSION 0x00040004u
+#define TR_API_VERSION 0x00050004u
 #define TR_SIM_SIZE 3968
 #define TR_WORK_SIZE TR_SINGLE_WORK_SIZE
 #else
 typedef double tr_real;
 /* Changes when a program must be compiled again: interface in the upper half, bytes of a tr_real in the
  * lower. */
-#define TR_API_VERSION 0x00040008u
+#define TR_API_VERSION 0x00050008u
 #define TR_SIM_SIZE 7424 /* bytes */
 #define TR_WORK_SIZE TR_DOUBLE_WORK_SIZE
 #endif
@@ -166,7 +166,7 @@ enum {
   TR_EAST,
   TR_DOWN, /* position over the ground, m: the wind of tr_environment carries along */
   TR_MAST, /* from here on those of systems.h, 0 while theirs are off */
-  TR_STATES = 72
+  TR_STATES = 74
 };
 
 /* After TR_ROTOR_RIGHT and TR_ROTOR_LEFT: x[TR_ROTOR_LEFT + TR_MEAN_INFLOW]. */
@@ -314,7 +314,7 @@ tr_status tr_trim(tr_sim* sim, tr_work* work, const tr_flight* flight, tr_trim_r
 
 /* ---- linear model and modes ---- */
 
-enum { TR_MAX_LINEAR_STATES = 46 }; /* 27 without systems */
+enum { TR_MAX_LINEAR_STATES = 48 }; /* 27 without systems */
 
 typedef enum tr_columns {
   TR_INCEPTORS = 1,      /* collective, sticks, pedal: 4 */

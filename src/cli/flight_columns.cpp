@@ -38,6 +38,7 @@ const Column columns[] = {
     {"mast_rate_degps", [](Now m) { return m.systems.mast_rate / kDegree; }},
     {"flap_deg", [](Now m) { return m.flap_deg; }},
     {"rotor_rpm", [](Now m) { return m.rotor_speed / kRpm; }},
+    {"shaft_twist_deg", [](Now m) { return m.systems.shaft_twist / kDegree; }},
     {"rotor_command_rpm", [](Now m) { return m.commands.rotor_speed / kRpm; }},
     {"throttle_1", [](Now m) { return m.commands.throttle[right]; }},
     {"throttle_2", [](Now m) { return m.commands.throttle[left]; }},

@@ -51,6 +51,7 @@ double governed_collective(const Configuration<double>& c, const SystemFlight<do
 VehicleShape governed_shape(const Options& options, const ControlSet& columns, bool scas) {
   Vehicle<double> vehicle{};
   vehicle.on.governor = options.governor;
+  vehicle.on.interconnect = options.interconnect == Interconnect::twists;
   vehicle.on.augmentation = scas;
   VehicleShape shape;
   vehicle_states(vehicle, options, shape);

@@ -139,6 +139,8 @@ std::vector<Switch> all_switches() {
       words("elevator_gearing", &O::elevator_gearing, {"aircraft", "printed_runs"}, "4.167 or 4.735 deg/in"),
       words("governor", &O::governor, {"off", "ideal", "pi"},
             "of the rotor speed, in linear models and flights"),
+      words("interconnect", &O::interconnect, {"rigid", "twists"},
+            "shaft between the rotors, with governor=pi"),
       data_set(),
       on_off("position_states", &O::position_states, "earth position among the states"),
   };

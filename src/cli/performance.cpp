@@ -105,7 +105,7 @@ class Performer {
 
   Flight level(double speed, double climb = 0) {
     const SteadyFlight<double> flight{speed, climb, 0, 0};
-    c_.ground_wash[right] = c_.ground_wash[left] = c_.download = 1;
+    c_.rotor[right].ground_wash = c_.rotor[left].ground_wash = c_.download = 1;
     (void)trim(c_, flight, work_, trim_);
     constexpr int rounds = 2;  // the ground hardly depends on the trim
     for (int k = 0; in_ground_ && k < rounds && is_trimmed(trim_.status); ++k) {
@@ -139,8 +139,8 @@ class Performer {
     above.height = wheel_height_ + c_.aircraft->ground.hub_height_on_gear - hub;
     const double inflow[2] = {x.rotor[right].lambda_0, x.rotor[left].lambda_0};
     const GroundEffect<double> felt = ground_effect(c_, above, x.velocity, x.rates, inflow);
-    c_.ground_wash[right] = felt.wash[right];
-    c_.ground_wash[left] = felt.wash[left];
+    c_.rotor[right].ground_wash = felt.wash[right];
+    c_.rotor[left].ground_wash = felt.wash[left];
     c_.download = felt.download;
   }
 

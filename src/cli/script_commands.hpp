@@ -25,6 +25,7 @@ enum class ScriptCommand : unsigned char {
   series,
   scas,
   governor,
+  interconnect,
   gear,
   brakes,
   engine,

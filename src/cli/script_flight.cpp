@@ -58,7 +58,7 @@ struct ScriptFlight::Parts : ScriptCommander {
     Controls<double> u = trimmed.controls;
     x.position = {0, 0, -cg_height};
     evaluate_aircraft(c, x, u, evaluation);
-    settle(c, x, evaluation.rotor[right].loads.torque + evaluation.rotor[left].loads.torque, flight.vehicle,
+    settle(c, x, {evaluation.rotor[right].loads.torque, evaluation.rotor[left].loads.torque}, flight.vehicle,
            flight.state, u);
     rotor_target = c.setup.rotor_speed;
     followed = flight.vehicle.commands.throttle[right];
@@ -85,7 +85,7 @@ struct ScriptFlight::Parts : ScriptCommander {
     Controls<double> u{};
     u.collective = GroundHandling::kFlatPitch;
     evaluate_aircraft(c, x, u, evaluation);
-    settle(c, x, evaluation.rotor[right].loads.torque + evaluation.rotor[left].loads.torque, flight.vehicle,
+    settle(c, x, {evaluation.rotor[right].loads.torque, evaluation.rotor[left].loads.torque}, flight.vehicle,
            flight.state, u);
     rotor_target = c.setup.rotor_speed;
     parked = true;
@@ -224,7 +224,8 @@ struct ScriptFlight::Parts : ScriptCommander {
     m.rotor_speed = c.setup.rotor_speed;
     m.flap_deg = c.setup.flap_deg;
     for (const Side side : {right, left}) m.power[side] = flight.state.power[side];
-    m.rotor_power = (answer.torque[right] + answer.torque[left]) * c.setup.rotor_speed;
+    m.rotor_power = (answer.torque[right] + answer.torque[left]) * c.setup.rotor_speed +
+                    0.5 * (answer.torque[right] - answer.torque[left]) * c.setup.rotor_difference;
     m.power_allowed = full_power();
     m.weight_on_wheels = flight.vehicle.gear_down ? demand.gear.weight_on_wheels : 0;
     const bool holds = !parked && aims.vertical == Vertical::height;

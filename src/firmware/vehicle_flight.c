@@ -26,7 +26,7 @@ tr_status equip(tr_sim* on, tr_work* at, int governor, int mast_deg, int speed_m
   if (status != TR_OK) return status;
   systems->governor = governor;
   systems->conversion = systems->engines = systems->actuators = systems->scas = 1;
-  systems->gear = systems->ground_effect = systems->turbulence = 1;
+  systems->gear = systems->ground_effect = systems->turbulence = systems->interconnect = 1;
   systems->turbulence_w20_mps = 5;
   systems->turbulence_seed = 7;
   status = tr_set_systems(on, systems);

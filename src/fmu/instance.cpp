@@ -70,6 +70,7 @@ fmi3Status put_systems(Instance& i, bool with_commands) {
   s.gear = is_on(f, kGear);
   s.ground_effect = is_on(f, kGroundEffect);
   s.turbulence = is_on(f, kTurbulence);
+  s.interconnect = is_on(f, kInterconnect);
   s.turbulence_seed = static_cast<std::uint64_t>(f.setting[kTurbulenceSeed]);
   s.turbulence_w20_mps = f.setting[kTurbulenceW20];
   s.gear_down = is_on(f, kGearDown);

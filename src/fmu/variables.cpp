@@ -42,6 +42,7 @@ constexpr SettingFacts kSettingFacts[] = {
     {"gear", "", B, 0, 0, 1, "landing gear; needs the environment"},
     {"ground_effect", "", B, 0, 0, 1, "ground effect; needs the environment"},
     {"turbulence", "", B, 0, 0, 1, "Dryden turbulence; in Co-Simulation"},
+    {"interconnect", "", B, 0, 0, 1, "the shaft between the rotors twists, with governor pi"},
     {"turbulence_seed", "", Type::uint32, 0, 0, 4294967295.0, "of the turbulence"},
     {"turbulence_w20", "m/s", F, 0, 0, 50,
      "wind 20 ft above the ground, which says how strong the turbulence is"},
@@ -114,6 +115,8 @@ std::uint64_t states_of_rate(int state) {
       return bit(state + 1);
     case TR_MAST:
       return bit(TR_MAST_RATE);
+    case TR_SHAFT_TWIST:
+      return bit(TR_TWIST_RATE);
     default:
       return kEverything;
   }

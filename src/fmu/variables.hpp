@@ -44,6 +44,7 @@ enum Setting {
   kGear,
   kGroundEffect,
   kTurbulence,
+  kInterconnect,
   kTurbulenceSeed,
   kTurbulenceW20,
   kLongestStep,

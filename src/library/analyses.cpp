@@ -56,11 +56,13 @@ SystemFlight<double> governed(const Configuration<double>& c, const State<double
                               bool scas) {
   SystemFlight<double> flight{};
   flight.vehicle.on.governor = c.setup.options.governor;
+  flight.vehicle.on.interconnect = c.setup.options.interconnect == Interconnect::twists;
   flight.vehicle.on.augmentation = scas;
   flight.vehicle.ground.down = std::numeric_limits<double>::infinity();
   Evaluation<double> now;
   evaluate_aircraft(c, x, u, now);
-  settle(c, x, now.rotor[right].loads.torque + now.rotor[left].loads.torque, flight.vehicle, flight.state, u);
+  settle(c, x, {now.rotor[right].loads.torque, now.rotor[left].loads.torque}, flight.vehicle, flight.state,
+         u);
   return flight;
 }
 

@@ -121,6 +121,7 @@ constexpr void each_of_conditions(Saved& saved, Visit&& visit) {
   visit(y.gear);
   visit(y.ground_effect);
   visit(y.turbulence);
+  visit(y.interconnect);
   visit(y.mast_command_deg);
   visit(y.flap_command_deg);
   visit(y.rotor_command_radps);

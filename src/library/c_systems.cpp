@@ -40,6 +40,19 @@ void begin_systems(const SystemSwitches& before, Sim& s) {
       x.power[side] =
           v.engine_failed[side] ? R(0) : demanded_power(*c.aircraft, c.air, v.commands.throttle[side]);
   }
+  if (twists(on) && !twists(before)) {
+    DerivativeSteps<R> steps;
+    State<R> rates;
+    derivative(c, evaluated_state(s), s.u, steps, rates);
+    R power[2];
+    for (const Side side : {right, left})
+      power[side] = on.engines              ? x.power[side]
+                    : v.engine_failed[side] ? R(0)
+                                            : demanded_power(*c.aircraft, c.air, v.commands.throttle[side]);
+    x.shaft_twist =
+        balanced_twist(*c.aircraft, v.engine_failed, power,
+                       {steps.rotor[right].loads.torque, steps.rotor[left].loads.torque}, setup.rotor_speed);
+  }
   if (on.augmentation && !before.augmentation) {
     const State<R> now = evaluated_state(s);
     const R airspeed = total_speed(now.velocity - s.u.gust, c.aircraft->smooth.airspeed);
@@ -63,7 +76,7 @@ void leave_ground(Sim& s) {
   Configuration<R> c;
   equipped(s, c);
   set_outside(c);
-  c.ground_wash[right] = c.ground_wash[left] = c.download = R(1);
+  c.rotor[right].ground_wash = c.rotor[left].ground_wash = c.download = R(1);
   keep(c, s);
 }
 
@@ -81,6 +94,7 @@ void clear_unused(Sim& s) {
   SystemState<R>& x = s.systems.state;
   if (!on.conversion) x.mast = x.mast_rate = x.flap = R(0);
   if (on.governor != Governor::pi) x.rotor_speed = R(0);
+  if (!twists(on)) x.shaft_twist = x.twist_rate = R(0);
   if (on.governor == Governor::off) x.governor = R(0);
   if (!on.engines) x.power[right] = x.power[left] = x.fuel = R(0);
   if (!on.actuators) put_actuators(BladeControls<R>{}, x);
@@ -109,10 +123,7 @@ void evaluate(const Sim& s, Configuration<R>& c, Found& found) {
                 VehicleAirframe<R>{c, x, found.steps, R(0)}, demand, answer, flows, found.system_rates);
   found.rates = answer.rates;
   found.weight_on_wheels = demand.gear.weight_on_wheels;
-  // What the masts carry includes what speeds the rotors up.
-  if (v.on.governor == Governor::pi)
-    c.spin_up = static_cast<R>(c.aircraft->rotor.blades) * c.aircraft->rotor.flap_inertia *
-                found.system_rates.rotor_speed;
+  put_spin_up(v, found.system_rates, c);
 }
 
 void flatten_rates(const Found& found, R* rates) {
@@ -135,7 +146,8 @@ void follow_configuration(Sim& s) {
 
 tr_status follow_systems(Sim& s) {
   const SystemSwitches& on = s.systems.vehicle.on;
-  if (!on.conversion && on.governor != Governor::pi && !on.engines) return TR_OK;
+  const bool apart = s.configuration.setup.rotor_difference != s.systems.state.twist_rate;
+  if (!on.conversion && on.governor != Governor::pi && !on.engines && !apart) return TR_OK;
   Configuration<R> c;
   equipped(s, c);
   ConfigurationSetting<R> setting = c.setup;
@@ -152,6 +164,7 @@ tr_status follow_systems(Sim& s) {
     setting.rotor_speed = x.rotor_speed;
     setting.rotor_acceleration = R(0);
   }
+  setting.rotor_difference = x.twist_rate;
   const Status status = reconfigure(setting, c);
   if (status != Status::ok) return translated(status);
   keep(c, s);
@@ -196,7 +209,7 @@ void settle_systems(Sim& s) {
   DerivativeSteps<R> steps;
   State<R> rates;
   derivative(c, x, s.u, steps, rates);
-  settle(c, x, R(steps.rotor[right].loads.torque + steps.rotor[left].loads.torque), s.systems.vehicle,
+  settle(c, x, {steps.rotor[right].loads.torque, steps.rotor[left].loads.torque}, s.systems.vehicle,
          s.systems.state, s.u);
   clear_unused(s);
 }
@@ -205,8 +218,8 @@ tr_status check_systems(const tr_systems& systems) {
   const LimitTables<R>& limits = aircraft_data<R>().limits;
   if (systems.governor < TR_GOVERNOR_OFF || systems.governor > TR_GOVERNOR_PI) return TR_BAD_ARGUMENT;
   for (const std::int32_t on : {systems.conversion, systems.engines, systems.actuators, systems.scas,
-                                systems.gear, systems.ground_effect, systems.turbulence, systems.gear_down,
-                                systems.engine_failed[0], systems.engine_failed[1]})
+                                systems.gear, systems.ground_effect, systems.turbulence, systems.interconnect,
+                                systems.gear_down, systems.engine_failed[0], systems.engine_failed[1]})
     if (!is_switch(on)) return TR_BAD_ARGUMENT;
   const R numbers[] = {systems.mast_command_deg, systems.flap_command_deg, systems.rotor_command_radps,
                        systems.throttle[0],      systems.throttle[1],      systems.turbulence_w20_mps,
@@ -234,6 +247,7 @@ void get_systems(const Sim& s, tr_systems& systems) {
   systems.gear = v.on.gear;
   systems.ground_effect = v.on.ground_effect;
   systems.turbulence = v.on.turbulence;
+  systems.interconnect = v.on.interconnect;
   systems.mast_command_deg = v.commands.mast * kDegPerRad<R>;
   systems.flap_command_deg = v.commands.flap * kDegPerRad<R>;
   systems.rotor_command_radps = v.commands.rotor_speed;
@@ -256,6 +270,7 @@ void put_switches(const tr_systems& systems, Sim& s) {
   v.on.gear = systems.gear == 1;
   v.on.ground_effect = systems.ground_effect == 1;
   v.on.turbulence = systems.turbulence == 1;
+  v.on.interconnect = systems.interconnect == 1;
   // Switched off it stays until its actuators have returned.
   v.disengages = v.on.augmentation && systems.scas == 0 && !has_returned(s.systems.state);
   v.on.augmentation = v.disengages || systems.scas == 1;

@@ -81,7 +81,7 @@ class Aircraft {
   // A copy of what look() found.
   seen() {
     const copy = (name, length) => Array.from(this.array[name].subarray(0, length));
-    return {x: copy('x', 72), u: copy('u', 14), out: copy('outputs', 24), conf: copy('configuration', 9),
+    return {x: copy('x', 74), u: copy('u', 14), out: copy('outputs', 24), conf: copy('configuration', 9),
       sys: copy('systems', 16)};
   }
   // A, B, their names and the modes; null where there is no linear model.

@@ -30,7 +30,7 @@ except ImportError:
     numpy = None
 
 # ---- the library ----
-_INTERFACE = 4
+_INTERFACE = 5
 _NAMES = (f"libtiltrotor.so.{_INTERFACE}", "libtiltrotor.so", "libtiltrotor.dylib", "libtiltrotor.dll")
 
 def _load():
@@ -54,7 +54,7 @@ if _single and not hasattr(_library, "tr_init_single"):
 tr_real = ctypes.c_float if _single else ctypes.c_double
 
 # ---- constants ----
-TR_API_VERSION = 0x00040004 if _single else 0x00040008
+TR_API_VERSION = 0x00050004 if _single else 0x00050008
 TR_SIM_SIZE = 3968 if _single else 7424  # bytes
 TR_WORK_SIZE = 135168 if _single else 245760
 TR_SAVED_SIZE = 2048
@@ -76,13 +76,13 @@ TR_MOST_LOADS = 8
 TR_ROTOR_LEFT = 16
 (TR_DOWNWASH, TR_CONING_RIGHT) = range(23, 25)
 TR_CONING_LEFT = 26
-(TR_NORTH, TR_EAST, TR_DOWN, TR_MAST, TR_MAST_RATE, TR_FLAP, TR_ROTOR_SPEED, TR_POWER_RIGHT, TR_POWER_LEFT, TR_GOVERNOR,
- TR_FUEL, TR_ACTUATORS) = range(28, 40)
-TR_SERIES_ACTUATORS = 46
+(TR_NORTH, TR_EAST, TR_DOWN, TR_MAST, TR_MAST_RATE, TR_FLAP, TR_ROTOR_SPEED, TR_SHAFT_TWIST, TR_TWIST_RATE,
+ TR_POWER_RIGHT, TR_POWER_LEFT, TR_GOVERNOR, TR_FUEL, TR_ACTUATORS) = range(28, 42)
+TR_SERIES_ACTUATORS = 48
 (TR_WASHOUT, TR_HELD_PITCH, TR_HELD_ROLL, TR_HOLDS_PITCH, TR_HOLDS_ROLL, TR_REST_LONG, TR_REST_LAT,
- TR_GUST_FILTERS) = range(49, 57)
-TR_STATES = 72
-TR_MAX_LINEAR_STATES = 46
+ TR_GUST_FILTERS) = range(51, 59)
+TR_STATES = 74
+TR_MAX_LINEAR_STATES = 48
 # places in tr_state.u, of air, of tr_get_flags
 (TR_COLLECTIVE, TR_LONG_STICK, TR_LAT_STICK, TR_PEDAL, TR_LONG_CYCLIC, TR_DIFF_COLLECTIVE, TR_DIFF_LONG_CYCLIC, TR_ELEVATOR,
  TR_AILERON, TR_RUDDER, TR_LATERAL_CYCLIC, TR_GUST_U, TR_GUST_V, TR_GUST_W, TR_CONTROLS) = range(0, 15)
@@ -180,8 +180,8 @@ tr_motion = _structure("tr_motion", "Of a point of the airframe: what an inertia
 tr_air_data = _structure("tr_air_data", "What an air data probe without errors reads.",
     "tr_real static_pa, impact_pa, tas_mps, cas_mps, mach, alpha_rad, beta_rad")
 tr_systems = _structure("tr_systems", "Switches (0 or 1; governor a tr_governor) and commands of the systems around the airframe.",
-    "int32_t governor, conversion, engines, actuators, scas, gear, ground_effect, turbulence; tr_real mast_command_deg, "
-    "flap_command_deg, rotor_command_radps, throttle[2]; int32_t gear_down, engine_failed[2]; uint64_t turbulence_seed; "
+    "int32_t governor, conversion, engines, actuators, scas, gear, ground_effect, turbulence, interconnect; "
+    "tr_real mast_command_deg, flap_command_deg, rotor_command_radps, throttle[2]; int32_t gear_down, engine_failed[2]; uint64_t turbulence_seed; "
     "tr_real turbulence_w20_mps, brake[2]")
 tr_geodetic = _structure("tr_geodetic", "On the ellipsoid WGS-84.",
     "double latitude_rad, longitude_rad, height_m")

@@ -272,6 +272,7 @@ const std::vector<Field> kFields = {
     {"systems.conversion.flap_rate", "flap_rate", "rad/s"},
     {"systems.conversion.flap_gain", "flap_gain", "1/s"},
     {"systems.drive.turbine_inertia", "turbine_inertia", "kg m2"},
+    {"systems.drive.interconnect_stiffness", "interconnect_stiffness", "N m/rad"},
     {"systems.drive.power_lag", "engine_lag", "s"},
     {"systems.drive.power_rate", "engine_rate", "W/s"},
     {"systems.drive.contingency", "engine_power_contingency", "W"},

@@ -25,7 +25,6 @@ double usual_change(Parameter parameter) {
   switch (parameter) {
     case Parameter::mast:
     case Parameter::flap:
-      return 0.1;
     case Parameter::mast_rate:
     case Parameter::mast_acceleration:
     case Parameter::sl_cg:
@@ -37,6 +36,7 @@ double usual_change(Parameter parameter) {
     case Parameter::download:
       return 0.1;
     case Parameter::rotor_speed:
+    case Parameter::rotor_difference:
     case Parameter::rotor_acceleration:
       return 1;
     case Parameter::altitude:
@@ -79,8 +79,8 @@ FlightSetup<double> random_setup(Generator& random, double mast_deg, const Optio
 Flight random_flight(Generator& random, double mast_deg, const Options& options) {
   Flight flight;
   flight.c = prepared(random_setup(random, mast_deg, options));
-  flight.c.ground_wash[right] = random.between(0.8, 1);
-  flight.c.ground_wash[left] = random.between(0.8, 1);
+  flight.c.rotor[right].ground_wash = random.between(0.8, 1);
+  flight.c.rotor[left].ground_wash = random.between(0.8, 1);
   flight.c.download = random.between(0.5, 1);
   flight.s = random_case(random, flight.c);
   return flight;
@@ -227,7 +227,6 @@ TEST(derivatives_by_configuration_equal_central_differences) {
         const double step = 1e-5 * usual_change(parameter);
         Column side[2];
         for (int k = 0; k < 2; ++k) {
-          // By the front door where there is one.
           FlightSetup<double> setup = flight.c.setup;
           const double by = k == 0 ? -step : step;
           if (parameter == Parameter::mast) setup.mast_deg += by * kDegPerRad<double>;
@@ -235,6 +234,7 @@ TEST(derivatives_by_configuration_equal_central_differences) {
           if (parameter == Parameter::mast_acceleration) setup.mast_acceleration += by;
           if (parameter == Parameter::flap) setup.flap_deg += by * kDegPerRad<double>;
           if (parameter == Parameter::rotor_speed) setup.rotor_speed += by;
+          if (parameter == Parameter::rotor_difference) setup.rotor_difference += by;
           if (parameter == Parameter::rotor_acceleration) setup.rotor_acceleration += by;
           if (parameter == Parameter::altitude) setup.altitude += by;
           if (parameter == Parameter::mass) setup.mass += by;
@@ -248,10 +248,10 @@ TEST(derivatives_by_configuration_equal_central_differences) {
           if (parameter == Parameter::inertia_yy) moved.mass.inertia.yy += by;
           if (parameter == Parameter::inertia_zz) moved.mass.inertia.zz += by;
           if (parameter == Parameter::inertia_xz) moved.mass.inertia.xz += by;
-          for (const Side r : {right, left}) moved.ground_wash[r] = flight.c.ground_wash[r];
+          for (const Side r : {right, left}) moved.rotor[r].ground_wash = flight.c.rotor[r].ground_wash;
           moved.download = flight.c.download;
-          if (parameter == Parameter::ground_wash_right) moved.ground_wash[right] += by;
-          if (parameter == Parameter::ground_wash_left) moved.ground_wash[left] += by;
+          if (parameter == Parameter::ground_wash_right) moved.rotor[right].ground_wash += by;
+          if (parameter == Parameter::ground_wash_left) moved.rotor[left].ground_wash += by;
           if (parameter == Parameter::download) moved.download += by;
           side[k] = evaluated(moved, flight.s);
         }

@@ -83,6 +83,7 @@ double step_of(Parameter parameter) {
     case Parameter::mass:
       return 0.2;
     case Parameter::rotor_speed:
+    case Parameter::rotor_difference:
       return 1e-3;
     case Parameter::mast:
     case Parameter::flap:

@@ -88,7 +88,7 @@ TEST(derivative_one_rotor_answers_for_both) {
     check_each_rotor<double>(c, x, r.controls);
     // Only one of them stands over the ground.
     Configuration<double> banked = c;
-    banked.ground_wash[left] = 0.9;
+    banked.rotor[left].ground_wash = 0.9;
     check_each_rotor<double>(banked, r.state, r.controls);
   }
 }

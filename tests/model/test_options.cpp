@@ -1,5 +1,4 @@
-// Every switch of the model changes what it says and nothing else: the parts of one evaluation that change are listed
-// for each, all other numbers stay bit for bit. Where a switch has a closed form, its size is checked too.
+// Every switch of the model changes what it says and no other bit: parts of an evaluation that change are listed for each.
 #include "flight_cases.hpp"
 #include "tiltrotor/model/variables/presets.hpp"
 
@@ -220,6 +219,7 @@ TEST(options_of_mass_controls_and_states) {
   check_switch({}, tilt, [](Options& o) { o.flap_angular_acceleration = true; });
   check_switch({}, 0, [](Options& o) { o.position_states = true; });
   check_switch({}, 0, [](Options& o) { o.governor = Governor::pi; });
+  check_switch({}, 0, [](Options& o) { o.interconnect = Interconnect::twists; });
   check_switch({}, jets | kAcceleration, [](Options& o) { o.engine_jets = true; });
   check_switch({0}, kBladeLoads, [](Options& o) { o.lateral_cyclic = true; });
 }

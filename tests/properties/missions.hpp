@@ -74,9 +74,9 @@ class Mission {
       expect(tr_set_environment(&sim_, &air) == TR_OK, "no air");
       tr_systems systems;
       tr_get_systems(&sim_, &systems);
-      std::int32_t* const on[] = {&systems.conversion, &systems.engines, &systems.actuators,
-                                  &systems.scas,       &systems.gear,    &systems.ground_effect,
-                                  &systems.turbulence};
+      std::int32_t* const on[] = {&systems.conversion, &systems.engines,     &systems.actuators,
+                                  &systems.scas,       &systems.gear,        &systems.ground_effect,
+                                  &systems.turbulence, &systems.interconnect};
       for (std::int32_t* const one : on) *one = random_.chance(0.8) ? 1 : 0;
       systems.governor = random_.below(3);
       systems.turbulence_seed = static_cast<std::uint64_t>(random_.between(0, 1e9));

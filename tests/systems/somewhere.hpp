@@ -78,6 +78,9 @@ inline Somewhere somewhere(Dice& dice, Governor governor) {
   s.mast_rate = dice.between(-0.1, 0.1);
   s.flap = at.c.setup.flap_deg * kDeg + dice.between(-0.2, -0.05);
   s.rotor_speed = at.c.setup.rotor_speed * dice.between(0.95, 1.05);
+  v.on.interconnect = dice.flip();
+  s.shaft_twist = dice.between(-0.02, 0.02);
+  s.twist_rate = dice.between(-0.5, 0.5);
   s.governor = governor == Governor::pi ? dice.between(-0.1, 0.1) : 0;
   const Rates at_first = rates(v, at.c, at.x, s, at.u);  // for the engines to give about what the rotors take
   const double power = std::max(

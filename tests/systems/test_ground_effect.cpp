@@ -152,7 +152,7 @@ TEST(ground_effect_in_hover_at_equal_power) {
   for (const double height : {on_gear(), 1.5, 2.0}) {
     const double law = 1 / (1 - 1 / square(4 * height));
     Configuration<double> near = free;
-    near.ground_wash[right] = near.ground_wash[left] =
+    near.rotor[right].ground_wash = near.rotor[left].ground_wash =
         hovering_at(free, height * aircraft().rotor.radius).wash[right];
     const double found = hover_at_power(near, away.power).thrust / away.thrust;
     NOTE("z/R " << height << ": thrust ratio at equal power " << found << ", law " << law
@@ -164,7 +164,7 @@ TEST(ground_effect_in_hover_at_equal_power) {
   // With half the download: what the sources expect of rotor and download together, 10 to 15 % of weight.
   const GroundEffect<double> e = hovering_at(free, on_gear() * aircraft().rotor.radius);
   Configuration<double> near = free;
-  near.ground_wash[right] = near.ground_wash[left] = e.wash[right];
+  near.rotor[right].ground_wash = near.rotor[left].ground_wash = e.wash[right];
   near.download = e.download;
   const double weight = hover_at_power(near, away.power).mass / away.mass;
   NOTE("on the gear: weight ratio at equal power " << weight);
@@ -191,7 +191,7 @@ TEST(ground_effect_acts_where_it_should) {
                  1e-12 * length(was.moment));
     }
     near = c;
-    near.ground_wash[left] = 0.9;
+    near.rotor[left].ground_wash = 0.9;
     evaluate_aircraft(near, s.x, s.u, b);
     CHECK(flat(b.rotor[right]) == flat(a.rotor[right]));
     CHECK_LT(a.rotor[left].loads.force_a.z, b.rotor[left].loads.force_a.z);
@@ -203,7 +203,7 @@ TEST(ground_effect_acts_where_it_should) {
     options.radial_inflow = RadialInflow::constant;
     Configuration<double> even = configuration(mast, options);
     evaluate_aircraft(even, less.x, less.u, a);
-    even.ground_wash[left] = 0.9;
+    even.rotor[left].ground_wash = 0.9;
     evaluate_aircraft(even, s.x, s.u, b);
     CHECK_REL(b.rotor[left].loads.force_a.z, a.rotor[left].loads.force_a.z, 1e-13);
     CHECK_REL(b.rotor[left].loads.torque, a.rotor[left].loads.torque, 1e-13);
@@ -213,14 +213,14 @@ TEST(ground_effect_acts_where_it_should) {
 // A new configuration has none; one remade in flight keeps what was set.
 TEST(ground_effect_stays_when_a_configuration_is_remade) {
   Configuration<double> c = configuration(0);
-  CHECK(c.ground_wash[right] == 1 && c.ground_wash[left] == 1 && c.download == 1);
-  c.ground_wash[right] = 0.9;
-  c.ground_wash[left] = 0.8;
+  CHECK(c.rotor[right].ground_wash == 1 && c.rotor[left].ground_wash == 1 && c.download == 1);
+  c.rotor[right].ground_wash = 0.9;
+  c.rotor[left].ground_wash = 0.8;
   c.download = 0.7;
   ConfigurationSetting<double> setting = c.setup;
   setting.mast_deg = 10;
   CHECK(reconfigure(setting, c) == Status::ok);
-  CHECK(c.ground_wash[right] == 0.9 && c.ground_wash[left] == 0.8 && c.download == 0.7);
+  CHECK(c.rotor[right].ground_wash == 0.9 && c.rotor[left].ground_wash == 0.8 && c.download == 0.7);
 }
 
 // The lower hub, and the one downhill of it, carries more: bank to the right rolls back to the left.
@@ -231,7 +231,7 @@ TEST(ground_effect_levels_a_banked_aircraft) {
   const auto roll_moment = [&](double roll) {
     const GroundEffect<double> e = hovering_at(c, height, {}, roll);
     Configuration<double> near = c;
-    for (const Side side : {right, left}) near.ground_wash[side] = e.wash[side];
+    for (const Side side : {right, left}) near.rotor[side].ground_wash = e.wash[side];
     Evaluation<double> found;
     evaluate_aircraft(near, t.state, t.controls, found);
     return found.loads[Component::rotor_right].moment.x + found.loads[Component::rotor_left].moment.x;

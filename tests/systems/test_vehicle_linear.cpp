@@ -54,9 +54,7 @@ Change complex_step(const Somewhere& at, const double* dx, const double* du) {
   vehicle_rates<Complex>(at.v, at.c, at.c.setup, c, x, systems, commands, u,
                          VehicleAirframe<Complex>{c, x, steps, 0.0}, demand, answer, flows, of_systems);
   // What a mast carries speeds its rotor up, too.
-  if (at.v.on.governor == Governor::pi)
-    c.spin_up = static_cast<double>(c.aircraft->rotor.blades) * c.aircraft->rotor.flap_inertia *
-                of_systems.rotor_speed;
+  put_spin_up(at.v, of_systems, c);
   Instruments<Complex> read;
   read_instruments(c, x, steps, answer.rates, read);
   Complex found[vehicle_state_count], readings[Instruments<double>::kCount];
@@ -235,7 +233,7 @@ TEST(vehicle_expansion_takes_a_load_as_the_airframe_does) {
     State<double> without, with_load, added{};
     derivative(c, p.x, p.u, without);
     derivative(loaded, p.x, p.u, with_load);
-    vehicle_linearization::add_load(c, load, added);
+    add_load(c, load, added);
     double a[state_count], b[state_count], d[state_count];
     flatten(without, a);
     flatten(with_load, b);

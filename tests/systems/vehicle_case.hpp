@@ -46,7 +46,8 @@ inline Flight begun(double mast_deg, const SteadyFlight<double>& flight, const S
   Evaluation<double> at;
   evaluate_aircraft(f.c, r.state, r.controls, at);
   Controls<double> u = r.controls;
-  settle(f.c, r.state, at.rotor[right].loads.torque + at.rotor[left].loads.torque, f.vehicle(), f.state(), u);
+  settle(f.c, r.state, {at.rotor[right].loads.torque, at.rotor[left].loads.torque}, f.vehicle(), f.state(),
+         u);
   CHECK(start(f.c, r.state, u, dt, integrator, f.s) == Status::ok);
   return f;
 }

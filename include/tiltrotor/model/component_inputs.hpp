@@ -37,9 +37,9 @@ void rotor_input(const Configuration<C>& c, const State<T>& x, const Vec3<T>& ve
 
 // In-plane advance ratio of a hub: mu = sqrt(Vx^2 + Vy^2)/(Omega R), smooth at rest.
 template <class T, class C>
-T advance_ratio(const Configuration<C>& c, const Vec3<T>& hub_velocity_a) {
+T advance_ratio(const Configuration<C>& c, int side, const Vec3<T>& hub_velocity_a) {
   using R = Real<T>;
-  const C inverse_tip = R(1) / c.tip_speed;
+  const C inverse_tip = R(1) / c.rotor[side].tip_speed;
   const T mu_x = hub_velocity_a.x * inverse_tip;
   const T mu_y = hub_velocity_a.y * inverse_tip;
   return sqrt(mu_x * mu_x + mu_y * mu_y + square(c.aircraft->smooth.advance_ratio));
@@ -56,7 +56,7 @@ void airframe_input(const Configuration<C>& c, const State<T>& x, const Vec3<T>&
   const auto size = [](const Vec3<T>& force) { return sqrt(dot(force, force)); };
   in.velocity_b = minus_fixed(velocity_b, c.around.wing_gust_b);
   in.rates_b = minus_fixed(x.rates, c.around.gust_rates_b);
-  for (const Side side : {right, left}) in.mean_wash[side] = c.tip_speed * x.rotor[side].lambda_0;
+  for (const Side side : {right, left}) in.mean_wash[side] = c.rotor[side].tip_speed * x.rotor[side].lambda_0;
   in.rotor_force = (size(rotor[right].loads.force_a) + size(rotor[left].loads.force_a)) * (R(1) / unit_force);
   in.advance_ratio = R(0.5) * (advance[right] + advance[left]);
   in.downwash = x.downwash;

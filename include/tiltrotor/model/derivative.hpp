@@ -36,7 +36,7 @@ void recorded_derivative(const Configuration<C>& c, const State<T>& x, const Con
     local_rotor_response(c, steps.rotor_input, side, azimuth, steps.local.first, steps.seen_by_rotor,
                          steps.rotor);
     out_of_line([&] {
-      steps.advance_ratio[side] = advance_ratio(c, steps.rotor_input.velocity_a);
+      steps.advance_ratio[side] = advance_ratio(c, side, steps.rotor_input.velocity_a);
       steps.hub_loads[side] = hub_loads(c, side, x.rotor[side], steps.rotor[side].loads);
     });
     record(side == right ? Component::rotor_right : Component::rotor_left, steps.hub_loads[side]);
@@ -50,9 +50,9 @@ void recorded_derivative(const Configuration<C>& c, const State<T>& x, const Con
   out_of_line([&] {
     Loads<T> jets{};
     if (c.setup.options.engine_jets) {
-      const T power =
-          (steps.rotor[right].loads.torque + steps.rotor[left].loads.torque + C(Real<T>(2) * c.spin_up)) *
-          c.setup.rotor_speed;
+      T power = T(Real<T>(0));
+      for (const Side side : {right, left})
+        power = power + (steps.rotor[side].loads.torque + c.rotor[side].spin_up) * c.rotor[side].speed;
       jets = engine_jet_loads(c, power, total_speed(steps.velocity_b, c.aircraft->smooth.airspeed));
       steps.total = steps.total + jets;
     }

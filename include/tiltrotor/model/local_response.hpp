@@ -30,7 +30,7 @@ void local_rotor_response(const Configuration<C>& c, const RotorInput<T>& in, in
   if (!averaged) individual_azimuth(c.aircraft->rotor.blades, azimuth, work.inner.stations);
   const AzimuthStations<Real<T>>& stations = averaged ? c.azimuth : work.inner.stations;
   preaccumulate(in, work.chain, out, [&](const auto& local, auto& found) {
-    rotor_response(c, local, stations, work.inner, found, c.ground_wash[side]);
+    rotor_response(c, c.rotor[side], local, stations, work.inner, found);
   });
 }
 
@@ -43,7 +43,8 @@ void local_rotor_response(const Configuration<C>& c, const RotorInput<T>& in, in
   constexpr bool kPlain = kIsPlain<T>;
   constexpr bool kLocal = !std::is_same_v<LocalDual<RotorInput, T>, T>;
   if constexpr (kIsPlain<C> && (kPlain || kLocal)) {
-    bool alike = side == left && c.ground_wash[left] == c.ground_wash[right];
+    bool alike = side == left && c.rotor[left].ground_wash == c.rotor[right].ground_wash &&
+                 c.rotor[left].speed == c.rotor[right].speed;
     int k = 0;
     RotorInput<T>::each(in, [&](const T& x) {
       alike = alike && value(x) == seen[k];

@@ -26,7 +26,7 @@ Status prepare(const Aircraft<R>& aircraft, const FlightSetup<R>& setup, Configu
   c.blade = blade_stations(aircraft.rotor, o);
   c.azimuth = averaged_azimuth<R>(aircraft.rotor.blades, azimuth_count(o));
   c.setup = setup;
-  c.ground_wash[right] = c.ground_wash[left] = c.download = R(1);
+  c.rotor[right].ground_wash = c.rotor[left].ground_wash = c.download = R(1);
   if (o.radial_inflow == RadialInflow::annular) shape_mean_inflow(c);
   configure(c);
   return Status::ok;

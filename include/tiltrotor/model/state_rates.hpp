@@ -41,7 +41,7 @@ void rotor_rates(const Configuration<C>& c, const State<T>& x, const RotorRespon
   out.b1s = rotor.flapping.b1s_rate;
   out.b1c_rate = rotor.flapping.b1c_acceleration;
   out.b1s_rate = rotor.flapping.b1s_acceleration;
-  const C slower = c.setup.rotor_acceleration / c.setup.rotor_speed;
+  const C slower = c.setup.rotor_acceleration / c.rotor[side].speed;
   out.lambda_0 = rotor.inflow.lambda_0 - slower * x.rotor[side].lambda_0;
   out.lambda_c = rotor.inflow.lambda_c - slower * x.rotor[side].lambda_c;
   out.lambda_s = rotor.inflow.lambda_s - slower * x.rotor[side].lambda_s;

@@ -1,4 +1,5 @@
-// Engines, transmission and rotor governor, all referred to the masts: one rotor speed for both rotors.
+// Engines, transmission and rotor governor, all referred to the masts: one rotor speed for both rotors, or two where the
+// shaft that connects them may twist.
 //
 // The structure of governor and engines is NASA CR-166536's (subsystems 17 to 19), whose values are not public; the
 // numbers are substitutes. An engine is never driven by the rotors: a clutch stands between (TM X-62407), so its power
@@ -40,6 +41,12 @@ T fuel_flow(const SystemTables<Real<T>>& t, const T& power) {
   return t.drive.fuel_per_energy * power;
 }
 
+// Of one rotor about its mast, kg m^2: that of slender blades about their flapping axis.
+template <class R>
+R rotor_inertia(const Aircraft<R>& aircraft) {
+  return static_cast<R>(aircraft.rotor.blades) * aircraft.rotor.flap_inertia;
+}
+
 // Of both rotors and the power turbines of the engines that run, kg m^2.
 template <class R>
 R drive_inertia(const Aircraft<R>& aircraft, int engines_running) {
@@ -54,6 +61,39 @@ T rotor_acceleration(const Aircraft<Real<T>>& aircraft, int engines_running, con
   using R = Real<T>;
   const T driving = aircraft.controls.transmission_efficiency * power / rotor_speed;
   return (driving - torque) * (R(1) / drive_inertia(aircraft, engines_running));
+}
+
+// Of a rotor and the power turbine on its side, where the engine runs, kg m^2.
+template <class R>
+R half_inertia(const Aircraft<R>& aircraft, bool failed) {
+  return failed ? rotor_inertia(aircraft) : rotor_inertia(aircraft) + aircraft.systems.drive.turbine_inertia;
+}
+
+// Where the interconnect twists, each half for itself: J_s Omega_s' = eta P_s / Omega_s - Q_s -+ k tau. Arrays: right and
+// left; `power`: of the engines, W; `torque`: of the rotors, N m; `twist`: right rotor ahead of the left one, rad.
+template <class T>
+void half_accelerations(const Aircraft<Real<T>>& aircraft, const bool (&failed)[2], const T (&power)[2],
+                        const T (&torque)[2], const T (&rotor_speed)[2], const T& twist,
+                        T (&acceleration)[2]) {
+  using R = Real<T>;
+  for (const Side side : {right, left}) {
+    const T driving = aircraft.controls.transmission_efficiency * power[side] / rotor_speed[side];
+    const T through_shaft = (side_sign<R>(side) * aircraft.systems.drive.interconnect_stiffness) * twist;
+    acceleration[side] =
+        (driving - torque[side] - through_shaft) * (R(1) / half_inertia(aircraft, failed[side]));
+  }
+}
+
+// The twist at which neither half gains on the other, rad.
+template <class R>
+R balanced_twist(const Aircraft<R>& aircraft, const bool (&failed)[2], const R (&power)[2],
+                 const R (&torque)[2], R rotor_speed) {
+  R alone[2];
+  half_accelerations(aircraft, failed, power, torque, {rotor_speed, rotor_speed}, R(0), alone);
+  const R stiffness =
+      aircraft.systems.drive.interconnect_stiffness *
+      (R(1) / half_inertia(aircraft, failed[right]) + R(1) / half_inertia(aircraft, failed[left]));
+  return (alone[right] - alone[left]) / stiffness;
 }
 
 // Rate of the collective that the governor adds, rad/s: proportional and integral action on the error of the rotor

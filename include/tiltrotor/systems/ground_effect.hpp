@@ -61,7 +61,8 @@ GroundEffect<T> ground_effect(const Configuration<C>& c, const AboveGround<T>& a
   GroundEffect<T> out;
   out.download = T(R(1));
   for (const Side side : {right, left}) {
-    const T remaining = remaining_effect(c, side, velocity_b, rates_b, T(c.tip_speed * inflow[side]));
+    const T remaining =
+        remaining_effect(c, side, velocity_b, rates_b, T(c.rotor[side].tip_speed * inflow[side]));
     const T height = height_of(above, c.hub[side].arm_b);
     const T k = image_strength(*c.aircraft, height) * remaining;
     out.wash[side] = (R(1) - k) * sqrt(T(R(1) - k));

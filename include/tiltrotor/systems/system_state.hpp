@@ -15,7 +15,8 @@ template <class T>
 struct SystemState {
   T mast, mast_rate;                // rad, rad/s
   T flap;                           // rad
-  T rotor_speed;                    // rad/s
+  T rotor_speed;                    // mean of the two, rad/s
+  T shaft_twist, twist_rate;        // of the interconnect: right rotor ahead of the left one, rad, rad/s
   T power[2];                       // of the engines at their shafts, right and left, W
   T governor;                       // collective that the governor adds, rad
   T fuel;                           // burnt, kg
@@ -38,6 +39,8 @@ struct SystemState {
     visit(s.mast_rate, Variable{"dmast", K::mast_rate, lon});
     visit(s.flap, Variable{"flap", K::flap_angle, lon});
     visit(s.rotor_speed, Variable{"rotor_speed", K::rotor_speed, lon});
+    visit(s.shaft_twist, Variable{"shaft_twist", K::shaft_twist, lat});
+    visit(s.twist_rate, Variable{"twist_rate", K::twist_rate, lat});
     visit(s.power[right], Variable{"power_R", K::power, rot, right});
     visit(s.power[left], Variable{"power_L", K::power, rot, left});
     visit(s.governor, Variable{"governor", K::actuator, lon});

@@ -18,6 +18,7 @@ namespace tiltrotor {
 struct SystemSwitches {
   Governor governor;
   bool conversion, engines, actuators, augmentation, gear, ground_effect, turbulence;
+  bool interconnect = false;  // its shaft twists, where the rotor speed is a state
 };
 
 template <class R>
@@ -41,6 +42,9 @@ inline bool any_system(const SystemSwitches& on) {
          on.gear || on.ground_effect || on.turbulence;
 }
 
+// Whether the rotors have a speed each.
+constexpr bool twists(const SystemSwitches& on) { return on.interconnect && on.governor == Governor::pi; }
+
 // The states of systems that move by themselves, in order: places in kSystemVariables.
 struct ActiveSystems {
   int count;
@@ -52,6 +56,7 @@ constexpr bool is_active(int state, const SystemSwitches& on) {
   const SystemState<int>& at = kSystemIndex;
   if (state == at.mast || state == at.mast_rate || state == at.flap) return on.conversion;
   if (state == at.rotor_speed || state == at.governor) return on.governor == Governor::pi;
+  if (state == at.shaft_twist || state == at.twist_rate) return twists(on);
   if (state == at.power[right] || state == at.power[left] || state == at.fuel) return on.engines;
   if (state >= at.collective[right] && state <= at.rudder) return on.actuators;
   if (state >= at.series[0] && state <= at.washout) return on.augmentation;
@@ -87,9 +92,10 @@ struct AirframeAnswer {
 // Parts of an evaluation that later ones need.
 template <class T>
 struct VehicleFlows {
-  T power;     // of all engines at their shafts, W
-  T governed;  // collective that an ideal governor has added, rad
-  bool held;   // whether it has found one at which the rotors take the power
+  T engine[2];  // power of each at its shaft, W
+  T power;      // of both
+  T governed;   // collective that an ideal governor has added, rad
+  bool held;    // whether it has found one at which the rotors take the power
 };
 
 namespace vehicle_parts {
@@ -115,8 +121,9 @@ void put_setting(const ConfigurationSetting<T>& to, Configuration<T>& c) {
   if constexpr (kIsPlain<T>) {
     if (now.mast_deg == to.mast_deg && now.mast_rate == to.mast_rate &&
         now.mast_acceleration == to.mast_acceleration && now.flap_deg == to.flap_deg &&
-        now.rotor_speed == to.rotor_speed && now.rotor_acceleration == to.rotor_acceleration &&
-        now.altitude == to.altitude && now.mass == to.mass && now.sl_cg == to.sl_cg && now.wl_cg == to.wl_cg)
+        now.rotor_speed == to.rotor_speed && now.rotor_difference == to.rotor_difference &&
+        now.rotor_acceleration == to.rotor_acceleration && now.altitude == to.altitude &&
+        now.mass == to.mass && now.sl_cg == to.sl_cg && now.wl_cg == to.wl_cg)
       return;
   }
   now = to;
@@ -160,6 +167,34 @@ void meet_ground(const Vehicle<Real<T>>& v, const Configuration<Real<T>>& c, Con
   if (gear) demand.gear.total = demand.gear.total + gear_drag(at, T(R(1)), in_air, x.rates);
 }
 
+// Speeds and accelerations of the two halves of the drive, and the rates of its states.
+template <class T>
+void turn_halves(const Vehicle<Real<T>>& v, const Aircraft<Real<T>>& aircraft, const SystemState<T>& s,
+                 const VehicleFlows<T>& flows, const AirframeAnswer<T>& answer, T (&rotor_speed)[2],
+                 T (&faster)[2], SystemState<T>& rates) {
+  using R = Real<T>;
+  for (const Side side : {right, left})
+    rotor_speed[side] = s.rotor_speed + (R(0.5) * side_sign<R>(side)) * s.twist_rate;
+  half_accelerations(aircraft, v.engine_failed, flows.engine, answer.torque, rotor_speed, s.shaft_twist,
+                     faster);
+  rates.rotor_speed = R(0.5) * (faster[right] + faster[left]);
+  rates.shaft_twist = s.twist_rate;
+  rates.twist_rate = faster[right] - faster[left];
+}
+
+// Rotors that turn against each other balance what speeds them up but for their difference: derived here,
+// M = -I (Omega_R' - Omega_L') n, n along the masts. Their cant counts by its cosine.
+template <class T>
+Loads<T> twist_reaction(const Configuration<Real<T>>& c, const ConfigurationSetting<T>& setting,
+                        const T& acceleration) {
+  using R = Real<T>;
+  const SineCosine<T> tilt = sine_and_cosine(T(setting.mast_deg * kRadPerDeg<R>));
+  T moment = rotor_inertia(*c.aircraft) * acceleration;
+  if (c.setup.options.mast_cant) moment = moment * cos(T(c.aircraft->mast.cant * tilt.cosine));
+  const T none = T(R(0));
+  return {{none, none, none}, {-(moment * tilt.sine), none, moment * tilt.cosine}};
+}
+
 }  // namespace vehicle_parts
 
 // `c`: what no system moves, `base`: the setting of what they may, `at`: with the fixed part of `c`, put into the setting
@@ -190,28 +225,34 @@ void airframe_demand(const Vehicle<Real<T>>& v, const Configuration<Real<T>>& c,
   if (v.on.governor == Governor::pi) {
     setting.rotor_speed = s.rotor_speed;
     setting.rotor_acceleration = T(R(0));  // see vehicle_rates()
+    if (twists(v.on)) setting.rotor_difference = s.twist_rate;
   }
 
   if (v.on.engines) setting.mass = v.loaded_mass - s.fuel;
   if (v.air_follows) setting.altitude = v.altitude_origin - x.position.z;
 
-  const Air<T> air = surrounding_air(setting.altitude, c.around.warmer, c.around.pressure_above);
-  flows.power = T(R(0));
-  for (const Side side : {right, left}) {
-    const T demanded =
-        v.engine_failed[side] ? T(R(0)) : demanded_power(aircraft, air, commands.throttle[side]);
-    if (v.on.engines) {
-      rates.power[side] = power_rate(t, demanded, s.power[side]);
-      rates.fuel = rates.fuel + fuel_flow(t, s.power[side]);
+  out_of_line([&] {
+    const Air<T> air = surrounding_air(setting.altitude, c.around.warmer, c.around.pressure_above);
+    flows.power = T(R(0));
+    for (const Side side : {right, left}) {
+      const T demanded =
+          v.engine_failed[side] ? T(R(0)) : demanded_power(aircraft, air, commands.throttle[side]);
+      if (v.on.engines) {
+        rates.power[side] = power_rate(t, demanded, s.power[side]);
+        rates.fuel = rates.fuel + fuel_flow(t, s.power[side]);
+      }
+      flows.engine[side] = v.on.engines ? s.power[side] : demanded;
+      flows.power = flows.power + flows.engine[side];
     }
-    flows.power = flows.power + (v.on.engines ? s.power[side] : demanded);
-  }
+  });
 
-  Controls<T> moved = u;
+  Controls<T>& moved = demand.controls;
+  moved = u;
   const Vec3<T> velocity = x.velocity - u.gust;
-  const T mast = setting.mast_deg * kRadPerDeg<R>;
-  if (v.on.augmentation) {
+  out_of_line([&] {
+    if (!v.on.augmentation) return;
     const T airspeed = total_speed(velocity, aircraft.smooth.airspeed);
+    const T mast = setting.mast_deg * kRadPerDeg<R>;
     const R share = v.disengages ? R(0) : R(1);
     const SeriesCommand<T> wanted = augmentation(t, aircraft.controls, mast, airspeed, x, s);
     for (int k = 0; k < 3; ++k)
@@ -220,15 +261,15 @@ void airframe_demand(const Vehicle<Real<T>>& v, const Configuration<Real<T>>& c,
     moved.long_stick = moved.long_stick + s.series[0];
     moved.lat_stick = moved.lat_stick + s.series[1];
     moved.pedal = moved.pedal + s.series[2];
-  }
+  });
   if (v.on.governor == Governor::pi) moved.collective = moved.collective + s.governor;
-  if (v.on.actuators) {
+  out_of_line([&] {
+    if (!v.on.actuators) return;
     const BladeControls<T> wanted =
         vehicle_parts::wanted_angles(aircraft, c.setup.options, setting.mast_deg, moved, velocity);
     actuator_rates(aircraft, wanted, s, rates);
     moved = actuated_controls(s, u);
-  }
-  demand.controls = moved;
+  });
   vehicle_parts::meet_ground(v, c, at, x, demand);
 }
 
@@ -267,7 +308,8 @@ bool hold_power(const Configuration<Real<T>>& c, const T& guess, const T& power,
   return rest < most && rest > -most;
 }
 
-// Rates of all states. `airframe(demand, answer)`: rates of the airframe, and torque of its rotors.
+// Rates of all states. `airframe(demand, answer)`: rates of the airframe, and torque of its rotors;
+// `airframe.add(loads, rates)`: what a load beside those does to the rates.
 template <class T, class Airframe>
 void vehicle_rates(const Vehicle<Real<T>>& v, const Configuration<Real<T>>& c,
                    const ConfigurationSetting<Real<T>>& base, Configuration<T>& at, const State<T>& x,
@@ -284,16 +326,22 @@ void vehicle_rates(const Vehicle<Real<T>>& v, const Configuration<Real<T>>& c,
     airframe(demand, answer);
   }
   if (v.on.governor != Governor::pi) return;
-  const T torque = answer.torque[right] + answer.torque[left];
-  const T acceleration = rotor_acceleration(*c.aircraft, vehicle_parts::engines_running(v.engine_failed),
-                                            flows.power, torque, s.rotor_speed);
-  rates.rotor_speed = acceleration;
+  T rotor_speed[2] = {s.rotor_speed, s.rotor_speed}, faster[2];  // rad/s, rad/s^2
+  if (twists(v.on)) {
+    vehicle_parts::turn_halves(v, *c.aircraft, s, flows, answer, rotor_speed, faster, rates);
+    airframe.add(vehicle_parts::twist_reaction(c, demand.setting, rates.twist_rate), answer.rates);
+  } else {
+    const T torque = answer.torque[right] + answer.torque[left];
+    faster[right] = rotor_acceleration(*c.aircraft, vehicle_parts::engines_running(v.engine_failed),
+                                       flows.power, torque, s.rotor_speed);
+    faster[left] = rates.rotor_speed = faster[right];
+  }
   const T mast = demand.setting.mast_deg * kRadPerDeg<R>;
-  rates.governor =
-      governor_rate(c.aircraft->systems, mast, commands.rotor_speed, s.rotor_speed, acceleration, s.governor);
+  rates.governor = governor_rate(c.aircraft->systems, mast, commands.rotor_speed, s.rotor_speed,
+                                 rates.rotor_speed, s.governor);
   // Inflow keeps its speed when the rotor's changes: state_rates.hpp.
-  const T slower = acceleration / s.rotor_speed;
   for (const Side side : {right, left}) {
+    const T slower = faster[side] / rotor_speed[side];
     RotorState<T>& rotor = answer.rates.rotor[side];
     rotor.lambda_0 = rotor.lambda_0 - slower * x.rotor[side].lambda_0;
     rotor.lambda_c = rotor.lambda_c - slower * x.rotor[side].lambda_c;

@@ -52,12 +52,12 @@ bool begin_step(const Aircraft<R>& aircraft, const State<R>& x, const Controls<R
   return happened || s.holds_pitch != before[0] || s.holds_roll != before[1];
 }
 
-// The systems in a steady flight at (x, u) of the airframe, `torque` of both rotors (N m): every rate that the flight
+// The systems in a steady flight at (x, u) of the airframe, `torque` of each rotor (N m): every rate that the flight
 // leaves zero is zero. Commands become what is; stick and pedals are relieved of what the augmentation holds, and
 // rest there. Engines that run share the power, which is none where the rotors drive them.
 template <class R>
-void settle(const Configuration<R>& c, const State<R>& x, R torque, Vehicle<R>& v, SystemState<R>& s,
-            Controls<R>& u) {
+void settle(const Configuration<R>& c, const State<R>& x, const R (&torque)[2], Vehicle<R>& v,
+            SystemState<R>& s, Controls<R>& u) {
   const Aircraft<R>& aircraft = *c.aircraft;
   s.mast = v.commands.mast = c.mast;
   s.mast_rate = R(0);
@@ -66,7 +66,8 @@ void settle(const Configuration<R>& c, const State<R>& x, R torque, Vehicle<R>& 
   s.governor = R(0);
   v.loaded_mass = c.setup.mass + s.fuel;
 
-  const R needed = torque * c.setup.rotor_speed / aircraft.controls.transmission_efficiency;
+  const R needed =
+      (torque[right] + torque[left]) * c.setup.rotor_speed / aircraft.controls.transmission_efficiency;
   const int running = vehicle_parts::engines_running(v.engine_failed);
   const R full = demanded_power(aircraft, c.air, R(1));
   for (const Side side : {right, left}) {
@@ -74,6 +75,9 @@ void settle(const Configuration<R>& c, const State<R>& x, R torque, Vehicle<R>& 
     s.power[side] = works ? needed / static_cast<R>(running) : R(0);
     v.commands.throttle[side] = s.power[side] / full;
   }
+  s.shaft_twist =
+      twists(v.on) ? balanced_twist(aircraft, v.engine_failed, s.power, torque, c.setup.rotor_speed) : R(0);
+  s.twist_rate = R(0);
 
   const Vec3<R> velocity = x.velocity - u.gust;
   put_actuators(vehicle_parts::wanted_angles(aircraft, c.setup.options, c.setup.mast_deg, u, velocity), s);

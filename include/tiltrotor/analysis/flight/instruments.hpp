@@ -71,8 +71,8 @@ void read_instruments(const Configuration<C>& c, const State<T>& x, const Deriva
   for (const Side side : {right, left}) {
     const RotorLoads<T>& rotor = found.rotor[side].loads;
     out.thrust[side] = length(rotor.force_a);
-    out.torque[side] = rotor.torque + c.spin_up;
-    out.power[side] = out.torque[side] * c.setup.rotor_speed;
+    out.torque[side] = rotor.torque + c.rotor[side].spin_up;
+    out.power[side] = out.torque[side] * c.rotor[side].speed;
     out.collective[side] = found.controls.collective[side];
     out.long_cyclic[side] = found.controls.long_cyclic[side];
     out.gimbal_tilt[side] = length(Vec3<T>{x.rotor[side].b1c, x.rotor[side].b1s, T(R(0))});

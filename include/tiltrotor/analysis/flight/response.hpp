@@ -310,7 +310,7 @@ Status advance_vehicle(Configuration<R>& c, SystemFlight<R>& flight, SimulationW
   if (happened || flight.vehicle.on.governor == Governor::ideal) xdot = nullptr;
   const Surroundings<R> around = c.around;
   const Loads<R> outside = c.outside;
-  const R ground[] = {c.ground_wash[right], c.ground_wash[left], c.download};
+  const R ground[] = {c.rotor[right].ground_wash, c.rotor[left].ground_wash, c.download};
   const State<R> now = current_state(s);
   const TurbulentAir<R> air = turbulent_air(c, now, current_controls(s), flight.vehicle);
   c.around = with_turbulence(c, now, current_controls(s), flight.vehicle, flight.state);
@@ -329,8 +329,8 @@ Status advance_vehicle(Configuration<R>& c, SystemFlight<R>& flight, SimulationW
     static_cast<ConfigurationSetting<R>&>(c.setup) = setting;
     configure(c);
     c.outside = outside;
-    c.ground_wash[right] = ground[0];
-    c.ground_wash[left] = ground[1];
+    c.rotor[right].ground_wash = ground[0];
+    c.rotor[left].ground_wash = ground[1];
     c.download = ground[2];
   }
   return status;

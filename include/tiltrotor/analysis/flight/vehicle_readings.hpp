@@ -11,12 +11,10 @@ template <class R>
 void read_vehicle(const Vehicle<R>& v, Configuration<R>& put, const State<R>& x,
                   const DerivativeSteps<R>& found, const State<R>& rates, const SystemState<R>& system_rates,
                   Instruments<R>& out) {
-  const R spin_up = put.spin_up;
-  if (v.on.governor == Governor::pi)
-    put.spin_up = static_cast<R>(put.aircraft->rotor.blades) * put.aircraft->rotor.flap_inertia *
-                  system_rates.rotor_speed;
+  const R before[] = {put.rotor[right].spin_up, put.rotor[left].spin_up};
+  put_spin_up(v, system_rates, put);
   read_instruments(put, x, found, rates, out);
-  put.spin_up = spin_up;
+  for (const Side side : {right, left}) put.rotor[side].spin_up = before[side];
 }
 
 // An aircraft with systems at one moment: where they ask for nothing, and the configuration that is put into what they

@@ -26,6 +26,7 @@ enum class ConfigurationParameter : unsigned char {
   mast_acceleration,
   flap,
   rotor_speed,
+  rotor_difference,
   rotor_acceleration,
   altitude,
   mass,
@@ -56,6 +57,7 @@ inline constexpr ParameterFacts kParameterFacts[] = {
     {ConfigurationParameter::mast_acceleration, "mast_acceleration", "rad/s^2"},
     {ConfigurationParameter::flap, "flap", "rad"},
     {ConfigurationParameter::rotor_speed, "rotor_speed", "rad/s"},
+    {ConfigurationParameter::rotor_difference, "rotor_difference", "rad/s"},
     {ConfigurationParameter::rotor_acceleration, "rotor_acceleration", "rad/s^2"},
     {ConfigurationParameter::altitude, "altitude", "m"},  // density and speed of sound with it
     {ConfigurationParameter::mass, "mass", "kg"},         // inertia is not scaled with it
@@ -95,6 +97,7 @@ void move_setting(ConfigurationParameter parameter, const C& by, ConfigurationSe
   if (parameter == P::mast_acceleration) s.mast_acceleration += by;
   if (parameter == P::flap) s.flap_deg += by * kDegPerRad<R>;
   if (parameter == P::rotor_speed) s.rotor_speed += by;
+  if (parameter == P::rotor_difference) s.rotor_difference += by;
   if (parameter == P::rotor_acceleration) s.rotor_acceleration += by;
   if (parameter == P::altitude) s.altitude += by;
   if (parameter == P::mass) s.mass += by;
@@ -113,8 +116,8 @@ void move_consequence(ConfigurationParameter parameter, const C& by, Configurati
   if (parameter == P::inertia_zz) c.mass.inertia.zz += by;
   if (parameter == P::inertia_xz) c.mass.inertia.xz += by;
   if (parameter == P::hub_spring_factor) c.hub_spring += by * c.aircraft->rotor.hub_spring;
-  if (parameter == P::ground_wash_right) c.ground_wash[right] += by;
-  if (parameter == P::ground_wash_left) c.ground_wash[left] += by;
+  if (parameter == P::ground_wash_right) c.rotor[right].ground_wash += by;
+  if (parameter == P::ground_wash_left) c.rotor[left].ground_wash += by;
   if (parameter == P::download) c.download += by;
 }
 
@@ -138,7 +141,7 @@ void moved_configuration(const Configuration<Real<T>>& c, const ConfigurationPar
   static_cast<ConfigurationSetting<T>&>(moved.setup) = in_scalar<T>(c.setup);
   moved.setup.options = c.setup.options;
   moved.around = c.around;
-  for (const Side side : {right, left}) moved.ground_wash[side] = T(c.ground_wash[side]);
+  for (const Side side : {right, left}) moved.rotor[side].ground_wash = T(c.rotor[side].ground_wash);
   moved.download = T(c.download);
   for (int k = 0; k < count; ++k) sensitivity_detail::move_setting<T>(parameter[k], by[k], moved.setup);
   configure(moved);

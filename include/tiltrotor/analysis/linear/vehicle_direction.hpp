@@ -70,18 +70,18 @@ void evaluate_seeded(const Vehicle<R>& v, const Configuration<R>& c, const Confi
   Vehicle<R> open = v;
   if (work.ideal) open.on.governor = Governor::off;
   const T added = T::variable(work.governed, kVehicleSlopes);
-  const VehicleAirframe<T> airframe{work.configuration, work.x, work.steps, azimuth};
-  vehicle_rates<T>(
-      open, c, base, work.configuration, work.x, work.s, work.commands, work.u,
-      [&](AirframeDemand<T>& demand, AirframeAnswer<T>& answer) {
-        if (work.ideal) demand.controls.collective = demand.controls.collective + added;
-        airframe(demand, answer);
-      },
-      work.demand, work.answer, work.flows, work.rates);
+  struct Airframe : VehicleAirframe<T> {
+    const T* added;  // collective, or nullptr
+    void operator()(AirframeDemand<T>& demand, AirframeAnswer<T>& answer) const {
+      if (added != nullptr) demand.controls.collective = demand.controls.collective + *added;
+      VehicleAirframe<T>::operator()(demand, answer);
+    }
+  };
+  vehicle_rates<T>(open, c, base, work.configuration, work.x, work.s, work.commands, work.u,
+                   Airframe{{work.configuration, work.x, work.steps, azimuth}, work.ideal ? &added : nullptr},
+                   work.demand, work.answer, work.flows, work.rates);
   const Aircraft<R>& aircraft = *c.aircraft;
-  if (v.on.governor == Governor::pi)
-    work.configuration.spin_up =
-        static_cast<R>(aircraft.rotor.blades) * aircraft.rotor.flap_inertia * work.rates.rotor_speed;
+  put_spin_up(v, work.rates, work.configuration);
   read_instruments(work.configuration, work.x, work.steps, work.answer.rates, work.readings);
   const T excess = (work.answer.torque[right] + work.answer.torque[left]) * work.demand.setting.rotor_speed -
                    aircraft.controls.transmission_efficiency * work.flows.power;

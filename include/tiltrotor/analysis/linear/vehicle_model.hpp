@@ -53,6 +53,7 @@ inline constexpr ConfigurationParameter kMoved[] = {ConfigurationParameter::mast
                                                     ConfigurationParameter::mast_acceleration,
                                                     ConfigurationParameter::flap,
                                                     ConfigurationParameter::rotor_speed,
+                                                    ConfigurationParameter::rotor_difference,
                                                     ConfigurationParameter::altitude,
                                                     ConfigurationParameter::ground_wash_right,
                                                     ConfigurationParameter::ground_wash_left,
@@ -74,6 +75,7 @@ void list_inputs(const State<T>& x, const AirframeDemand<T>& demand, T* to) {
                                 s.mast_acceleration,
                                 s.flap_deg * kRadPerDeg<R>,
                                 s.rotor_speed,
+                                s.rotor_difference,
                                 s.altitude,
                                 demand.ground.wash[right],
                                 demand.ground.wash[left],
@@ -86,31 +88,10 @@ template <class R>
 struct Expansion {
   R input[kColumns];
   R output[kRows];
-  Loads<R> outside;
+  Loads<R> outside, twist;  // of the gear, and of a shaft that twists
   Matrix<R, kRows, kColumns> slope;
   bool used[kColumns];
 };
-
-// Rates that a load causes beside those that are there: rigid_body.hpp, and of flapping state_rates.hpp.
-template <class T, class C>
-void add_load(const Configuration<C>& c, const Loads<T>& load, State<T>& rates) {
-  using R = Real<T>;
-  const Options& o = c.setup.options;
-  const Inertia<C>& i = c.mass.inertia;
-  const C inverse_mass = R(1) / c.mass.mass;
-  const C inverse = R(1) / (i.xx * i.zz - i.xz * i.xz);
-  const Vec3<T> acceleration = {inverse * (i.zz * load.moment.x + i.xz * load.moment.z),
-                                (R(1) / i.yy) * load.moment.y,
-                                inverse * (i.xz * load.moment.x + i.xx * load.moment.z)};
-  rates.velocity = rates.velocity + inverse_mass * load.force;
-  rates.rates = rates.rates + acceleration;
-  if (!o.flap_angular_acceleration || o.flapping != FlapOrder::second) return;
-  for (const Side side : {right, left}) {
-    const Vec3<T> acceleration_a = mirror_axial(c.hub[side].from_body.apply(acceleration), side);
-    rates.rotor[side].b1c_rate += acceleration_a.y;
-    rates.rotor[side].b1s_rate -= acceleration_a.x;
-  }
-}
 
 template <class T>
 struct ExpandedWorkspace {
@@ -140,6 +121,11 @@ struct ExpandedAirframe {
                            minus_fixed(demand.gear.total.moment, about.outside.moment)};
     add_load(c, more, answer.rates);
     for (const Side side : {right, left}) answer.torque[side] = found[kTorqueRow[side]];
+  }
+  void add(const Loads<T>& loads, State<T>& rates) const {
+    const Loads<T> more = {minus_fixed(loads.force, about.twist.force),
+                           minus_fixed(loads.moment, about.twist.moment)};
+    add_load(c, more, rates);
   }
 };
 
@@ -203,8 +189,9 @@ void mark_used(const Vehicle<R>& v, const VehicleShape& shape, Expansion<R>& abo
   for (int k = 0; k < kMovedCount; ++k) {
     const ConfigurationParameter moved = kMoved[k];
     using P = ConfigurationParameter;
-    about.used[kFirstMoved + k] = moved == P::rotor_speed ? v.on.governor == Governor::pi
-                                  : moved == P::altitude  ? v.air_follows
+    about.used[kFirstMoved + k] = moved == P::rotor_speed        ? v.on.governor == Governor::pi
+                                  : moved == P::rotor_difference ? twists(v.on)
+                                  : moved == P::altitude         ? v.air_follows
                                   : moved >= P::ground_wash_right && moved <= P::download ? v.on.ground_effect
                                                                                           : v.on.conversion;
   }
@@ -233,7 +220,8 @@ void add_configuration_slopes(const Configuration<R>& c, const State<R>& x, cons
     for (int k = 0; k < count; ++k) by[k] = T::variable(R(0), k);
     moved_configuration(c, set.parameter + first, by, count, at.configuration);
     at.configuration.outside.force = plus_fixed(at.configuration.outside.force, demand.gear.total.force);
-    at.configuration.outside.moment = plus_fixed(at.configuration.outside.moment, demand.gear.total.moment);
+    const Vec3<R> moment = demand.gear.total.moment + about.twist.moment;
+    at.configuration.outside.moment = plus_fixed(at.configuration.outside.moment, moment);
     derivative(at.configuration, at.x, at.u, at.derivative, at.evaluation.rates, azimuth);
     T found[kRows];
     flatten(at.evaluation.rates, found);
@@ -304,6 +292,9 @@ Status linearize_vehicle(const Vehicle<R>& v, Configuration<R>& c, const State<R
   if (v.on.governor == Governor::ideal) point_state.governor = flows.governed;
   d::list_inputs(x, work.demand, about.input);
   about.outside = work.demand.gear.total;
+  about.twist =
+      twists(v.on) ? vehicle_parts::twist_reaction(c, work.demand.setting, sdot.twist_rate) : Loads<R>{};
+  c.outside = c.outside + about.twist;  // until the next put_into()
   d::mark_used(v, shape, about);
   set_zero(about.slope);
 

@@ -208,15 +208,15 @@ LimitCheck<R> check_limits(const Configuration<R>& c, R speed, R wing_angle, con
       check.add(TrimStatus::flap_limit, side == right ? TrimLimit::gimbal_right : TrimLimit::gimbal_left,
                 tilt, t.flap_limit);
   }
-  const R power =
-      (rotor[right].loads.torque + rotor[left].loads.torque + R(2) * c.spin_up) * c.setup.rotor_speed;
+  const R spin_up = c.rotor[right].spin_up + c.rotor[left].spin_up;
+  const R power = (rotor[right].loads.torque + rotor[left].loads.torque + spin_up) * c.setup.rotor_speed;
   const R available = shaft_power(c, t.engine_power);
   if (power > available) check.add(TrimStatus::power_limit, TrimLimit::power, power, available);
   // Rotors that drive the shafts speed up: nothing takes more than the losses of the transmission.
   const R absorbed = static_cast<R>(t.engines) * t.engine_power * (R(1) - t.transmission_efficiency);
   if (power < -absorbed) check.add(TrimStatus::power_limit, TrimLimit::windmill_power, power, -absorbed);
   for (int side = 0; side < 2; ++side) {
-    const R torque = rotor[side].loads.torque + c.spin_up;
+    const R torque = rotor[side].loads.torque + c.rotor[side].spin_up;
     if (std::fabs(torque) > t.mast_torque)
       check.add(TrimStatus::torque_limit, side == right ? TrimLimit::torque_right : TrimLimit::torque_left,
                 torque, torque < R(0) ? -t.mast_torque : t.mast_torque);

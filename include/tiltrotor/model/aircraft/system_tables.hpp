@@ -19,12 +19,13 @@ struct ConversionTables {
 // Referred to the masts.
 template <class R>
 struct DriveTables {
-  R turbine_inertia;  // choices: turbine_inertia, of the power turbine of one engine, kg m^2
-  R power_lag;        // choices: engine_lag, s
-  R power_rate;       // choices: engine_rate, of one engine, W/s
-  R contingency;      // engine_power_contingency, of one engine at sea level, W
-  R fuel_per_energy;  // engine_fuel_takeoff, kg/J
-  R fuel;             // fuel_usable, kg
+  R turbine_inertia;         // choices: turbine_inertia, of the power turbine of one engine, kg m^2
+  R interconnect_stiffness;  // choices: interconnect_stiffness, torque per angle between the masts, N m/rad
+  R power_lag;               // choices: engine_lag, s
+  R power_rate;              // choices: engine_rate, of one engine, W/s
+  R contingency;             // engine_power_contingency, of one engine at sea level, W
+  R fuel_per_energy;         // engine_fuel_takeoff, kg/J
+  R fuel;                    // fuel_usable, kg
 };
 
 template <class R>

@@ -50,14 +50,14 @@ class BladeGroup {
     inflow_ = {Batch<R>(value(inflow.even)), Batch<R>(value(inflow.shaped))};
   }
 
-  // Blades at the azimuths from `first`.
+  // Blades at the azimuths from `first`; `omega`: rotor speed, rad/s.
   template <class C>
-  void compute_blades(const Configuration<C>& c, const AzimuthStations<R>& azimuth, int first) {
+  void compute_blades(const Configuration<C>& c, R omega, const AzimuthStations<R>& azimuth, int first) {
     const Batch<R> cosine = blade_group_detail::load_batch(azimuth.cosine + first);
     const Batch<R> sine = blade_group_detail::load_batch(azimuth.sine + first);
     const Batch<R> flap = flap_angle(in_, cosine, sine);
-    const BladeFlow<Batch<R>> flow = blade_flow(value(c.setup.rotor_speed), c.pitch_flap, in_, inflow_,
-                                                sin(flap), cos(flap), cosine, sine);
+    const BladeFlow<Batch<R>> flow =
+        blade_flow(omega, c.pitch_flap, in_, inflow_, sin(flap), cos(flap), cosine, sine);
     if constexpr (kTakesSlopes) {
       blade_loads_and_slopes(c, flow, loads_);
     } else {
@@ -114,7 +114,7 @@ class BladeGroup<std::complex<R>> {
   static constexpr int kBlades = 1;
   void set_input(const RotorInput<T>&, const FeltInflow<T>&) {}
   template <class C>
-  void compute_blades(const Configuration<C>&, const AzimuthStations<R>&, int) {}
+  void compute_blades(const Configuration<C>&, R, const AzimuthStations<R>&, int) {}
   template <class C>
   BladeLoads<T> loads(const Configuration<C>& c, int, const BladeFlow<T>& flow) const {
     return blade_loads(c, flow);

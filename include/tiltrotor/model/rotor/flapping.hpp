@@ -21,12 +21,12 @@ struct FlapRates {
 // b1s'' = +2 Omega b1c' - (K b1s + C b1s' - Ms)/J - 2 Omega wy + Omega' b1c          J = N_b I_b / 2
 // The terms wy', -wx' of the hub's angular acceleration are added by the complete model when switched on.
 template <class T, class C>
-FlapRates<T> flap_rates(const Configuration<C>& c, const RotorState<T>& x, const Vec3<T>& hub_rates_a,
-                        const T& mc, const T& ms) {
+FlapRates<T> flap_rates(const Configuration<C>& c, const RotorSetting<C>& turn, const RotorState<T>& x,
+                        const Vec3<T>& hub_rates_a, const T& mc, const T& ms) {
   using R = Real<T>;
   const RotorTables<R>& rotor = c.aircraft->rotor;
   const R inverse_j = R(2) / (static_cast<R>(rotor.blades) * rotor.flap_inertia);
-  const C two_omega = R(2) * c.setup.rotor_speed;
+  const C two_omega = R(2) * turn.speed;
   const C spring = c.hub_spring * inverse_j;
   const R damping = rotor.hub_damping * inverse_j;
   return {x.b1c_rate, x.b1s_rate,
@@ -41,18 +41,19 @@ FlapRates<T> flap_rates(const Configuration<C>& c, const RotorState<T>& x, const
 // mean lift slope. Derived here: lift 1/2 rho a c (Omega r) (r b') dr of a tilting blade, moment to the tip,
 // gamma = rho a c R^4 / I_b.
 template <class T, class C>
-FlapRates<T> quasi_static_flap_rates(const Configuration<C>& c, const RotorState<T>& x,
-                                     const Vec3<T>& hub_rates_a, const T& mc_still, const T& ms_still) {
+FlapRates<T> quasi_static_flap_rates(const Configuration<C>& c, const RotorSetting<C>& turn,
+                                     const RotorState<T>& x, const Vec3<T>& hub_rates_a, const T& mc_still,
+                                     const T& ms_still) {
   using R = Real<T>;
   const RotorTables<R>& rotor = c.aircraft->rotor;
   RotorState<T> still = x;
   still.b1c_rate = T(R(0));
   still.b1s_rate = T(R(0));
-  const FlapRates<T> forcing = flap_rates(c, still, hub_rates_a, mc_still, ms_still);
+  const FlapRates<T> forcing = flap_rates(c, turn, still, hub_rates_a, mc_still, ms_still);
   const R inverse_j = R(2) / (static_cast<R>(rotor.blades) * rotor.flap_inertia);
   const R chord = blade_chord(rotor, c.setup.options.chord, rotor.twist_reference);
   const C lock = c.air.density * rotor.lift_slope * chord * square(square(rotor.radius)) / rotor.flap_inertia;
-  const C omega = c.setup.rotor_speed;
+  const C omega = turn.speed;
   const C d = rotor.hub_damping * inverse_j + lock * omega / R(8);
   const C g = R(2) * omega;
   const C inverse = R(1) / (d * d + g * g);
@@ -65,10 +66,11 @@ FlapRates<T> quasi_static_flap_rates(const Configuration<C>& c, const RotorState
 // coning_frequency), which holds the blade at its precone.
 // b0'' = -(Omega^2 + w0^2) b0 + w0^2 b_precone + M0/(N_b I_b),  w0^2 = (nu^2 - 1) Omega^2
 template <class T, class C>
-T coning_acceleration(const Configuration<C>& c, const ConingState<T>& x, const T& m0) {
+T coning_acceleration(const Configuration<C>& c, const RotorSetting<C>& turn, const ConingState<T>& x,
+                      const T& m0) {
   using R = Real<T>;
   const RotorTables<R>& rotor = c.aircraft->rotor;
-  const C omega2 = square(c.setup.rotor_speed);
+  const C omega2 = square(turn.speed);
   const C w2 = (square(rotor.coning_frequency) - R(1)) * omega2;
   return m0 * (R(1) / (static_cast<R>(rotor.blades) * rotor.flap_inertia)) + w2 * rotor.precone -
          (omega2 + w2) * x.angle;

@@ -21,7 +21,7 @@ class BladeGroup<Nested<Dual<R, N>>> {
   static constexpr int kBlades = 1;
   void set_input(const RotorInput<T>&, const FeltInflow<T>&) {}
   template <class C>
-  void compute_blades(const Configuration<C>&, const AzimuthStations<R>&, int) {}
+  void compute_blades(const Configuration<C>&, R, const AzimuthStations<R>&, int) {}
 
   template <class C>
   BladeLoads<T> loads(const Configuration<C>& c, int, const BladeFlow<T>& flow) const {

@@ -20,10 +20,11 @@ namespace tiltrotor {
 // end of momentum theory to the descent at which no air passes the disk. Choosing there is safe: the fade begins and
 // ends with two zero derivatives. `even`: mean inflow, m/s.
 template <class T, class C>
-T radial_inflow(const Configuration<C>& c, const RotorInput<T>& in, const T& even) {
+T radial_inflow(const Configuration<C>& c, const RotorSetting<C>& turn, const RotorInput<T>& in,
+                const T& even) {
   using R = Real<T>;
   const SmoothingWidths<R>& e = c.aircraft->smooth;
-  const C inverse_tip = R(1) / c.tip_speed;
+  const C inverse_tip = R(1) / turn.tip_speed;
   const T mu_x = in.velocity_a.x * inverse_tip;
   const T mu_y = in.velocity_a.y * inverse_tip;
   const T mu_z = in.velocity_a.z * inverse_tip;
@@ -37,12 +38,10 @@ T radial_inflow(const Configuration<C>& c, const RotorInput<T>& in, const T& eve
   return T(shaped * (R(1) - smooth_step(T((descent - start) * (R(1) / (R(1) - start))))));
 }
 
-// `ground_wash`: part of it that the ground leaves to the blades.
 template <class T, class C>
-FeltInflow<T> felt_inflow(const Configuration<C>& c, const RotorInput<T>& in,
-                          const C& ground_wash = C(Real<C>(1))) {
-  const T even = (c.tip_speed * ground_wash) * in.state.lambda_0;
-  return {even, radial_inflow(c, in, even)};
+FeltInflow<T> felt_inflow(const Configuration<C>& c, const RotorSetting<C>& turn, const RotorInput<T>& in) {
+  const T even = (turn.tip_speed * turn.ground_wash) * in.state.lambda_0;
+  return {even, radial_inflow(c, turn, in, even)};
 }
 
 // A blade in hover, each ring in balance with its own momentum.

@@ -37,13 +37,13 @@ static_assert(lists_its_members<RotorResponse>(), "each member of RotorResponse 
 
 // What drives the inflow: load coefficients and the motion of the hub through the air.
 template <class T, class C>
-InflowForcing<T> inflow_forcing(const Configuration<C>& c, const RotorInput<T>& in,
-                                const RotorLoads<T>& loads) {
+InflowForcing<T> inflow_forcing(const Configuration<C>& c, const RotorSetting<C>& turn,
+                                const RotorInput<T>& in, const RotorLoads<T>& loads) {
   using R = Real<T>;
   const Options& o = c.setup.options;
   const RotorTables<R>& rotor = c.aircraft->rotor;
-  const C inverse_tip = R(1) / c.tip_speed;
-  const C inverse_force = R(1) / (c.air.density * kPi<R> * square(rotor.radius) * square(c.tip_speed));
+  const C inverse_tip = R(1) / turn.tip_speed;
+  const C inverse_force = R(1) / (c.air.density * kPi<R> * square(rotor.radius) * square(turn.tip_speed));
   const C inverse_moment = inverse_force / rotor.radius;
   InflowForcing<T> f;
   f.mu_x = -(in.velocity_a.x * inverse_tip);
@@ -67,40 +67,40 @@ InflowForcing<T> inflow_forcing(const Configuration<C>& c, const RotorInput<T>& 
 // First-order flapping: tilt rates in balance with the loads of a gimbal at rest, then the loads at those
 // rates.
 template <class T, class C>
-void quasi_static_rotor(const Configuration<C>& c, const RotorInput<T>& in,
+void quasi_static_rotor(const Configuration<C>& c, const RotorSetting<C>& turn, const RotorInput<T>& in,
                         const AzimuthStations<Real<T>>& azimuth, RotorWorkspace<T>& work,
-                        RotorResponse<T>& out, const C& ground_wash) {
+                        RotorResponse<T>& out) {
   using R = Real<T>;
   RotorInput<T>& at = work.input_at_rest;
   at = in;
   at.state.b1c_rate = T(R(0));
   at.state.b1s_rate = T(R(0));
-  rotor_loads(c, at, azimuth, work.blades, work.loads_at_rest, ground_wash);
+  rotor_loads(c, turn, at, azimuth, work.blades, work.loads_at_rest);
   const RotorLoads<T>& at_rest = work.loads_at_rest;
   out_of_line(
-      [&] { out.flapping = quasi_static_flap_rates(c, in.state, in.rates_a, at_rest.mc, at_rest.ms); });
+      [&] { out.flapping = quasi_static_flap_rates(c, turn, in.state, in.rates_a, at_rest.mc, at_rest.ms); });
   at.state.b1c_rate = out.flapping.b1c_rate;
   at.state.b1s_rate = out.flapping.b1s_rate;
-  rotor_loads(c, at, azimuth, work.blades, out.loads, ground_wash);
+  rotor_loads(c, turn, at, azimuth, work.blades, out.loads);
 }
 
 // The complete rotor. `azimuth` holds the stations to sum over: the configuration's averaged set, or the
-// blades. `ground_wash`: part of the mean inflow that the ground leaves to the blades; momentum balances all of it.
+// blades. `turn`: c.rotor[] of its side. Momentum balances all of the mean inflow, also where the ground leaves less to the
+// blades.
 // Cost: one derivative is two of these and little more.
 template <class T, class C>
-void rotor_response(const Configuration<C>& c, const RotorInput<T>& in,
-                    const AzimuthStations<Real<T>>& azimuth, RotorWorkspace<T>& work, RotorResponse<T>& out,
-                    const C& ground_wash = C(Real<C>(1))) {
+void rotor_response(const Configuration<C>& c, const RotorSetting<C>& turn, const RotorInput<T>& in,
+                    const AzimuthStations<Real<T>>& azimuth, RotorWorkspace<T>& work, RotorResponse<T>& out) {
   const bool second_order = c.setup.options.flapping == FlapOrder::second;
   if (second_order) {
-    rotor_loads(c, in, azimuth, work.blades, out.loads, ground_wash);
+    rotor_loads(c, turn, in, azimuth, work.blades, out.loads);
   } else {
-    quasi_static_rotor(c, in, azimuth, work, out, ground_wash);
+    quasi_static_rotor(c, turn, in, azimuth, work, out);
   }
   out_of_line([&] {
-    if (second_order) out.flapping = flap_rates(c, in.state, in.rates_a, out.loads.mc, out.loads.ms);
-    out.coning_acceleration = coning_acceleration(c, in.coning, out.loads.m0);
-    out.inflow = inflow_rates(c, in.state, inflow_forcing(c, in, out.loads));
+    if (second_order) out.flapping = flap_rates(c, turn, in.state, in.rates_a, out.loads.mc, out.loads.ms);
+    out.coning_acceleration = coning_acceleration(c, turn, in.coning, out.loads.m0);
+    out.inflow = inflow_rates(c, turn, in.state, inflow_forcing(c, turn, in, out.loads));
   });
 }
 
@@ -109,7 +109,8 @@ void rotor_response(const Configuration<C>& c, const RotorInput<T>& in,
 template <class T, class C>
 Loads<T> hub_loads(const Configuration<C>& c, int side, const RotorState<T>& x, const RotorLoads<T>& loads) {
   const HubFrame<C>& hub = c.hub[side];
-  const Vec3<T> moment_a = {c.hub_spring * x.b1s, -(c.hub_spring * x.b1c), -(loads.torque + c.spin_up)};
+  const Vec3<T> moment_a = {c.hub_spring * x.b1s, -(c.hub_spring * x.b1c),
+                            -(loads.torque + c.rotor[side].spin_up)};
   Loads<T> loads_b = force_at(hub.arm_b, hub.from_body.apply_inverse(mirror_polar(loads.force_a, side)));
   loads_b.moment = loads_b.moment + hub.from_body.apply_inverse(mirror_axial(moment_a, side));
   return loads_b;

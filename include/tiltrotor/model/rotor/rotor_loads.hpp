@@ -27,13 +27,14 @@ struct RotorLoads {
 // blade normal (-sin b cos psi, -sin b sin psi, cos b) and the direction of rotation (-sin psi, cos psi, 0),
 // and their moments about the hub centre.
 template <class T, class C>
-void add_blade(const Configuration<C>& c, const RotorInput<T>& in, const FeltInflow<T>& inflow,
-               Real<T> cosine, Real<T> sine, const BladeGroup<T>& group, int lane, RotorLoads<T>& sum) {
+void add_blade(const Configuration<C>& c, const C& omega, const RotorInput<T>& in,
+               const FeltInflow<T>& inflow, Real<T> cosine, Real<T> sine, const BladeGroup<T>& group,
+               int lane, RotorLoads<T>& sum) {
   const T flap = flap_angle(in, cosine, sine);
   const T sin_flap = sin(flap);
   const T cos_flap = cos(flap);
-  const BladeLoads<T> blade = group.loads(
-      c, lane, blade_flow(c.setup.rotor_speed, c.pitch_flap, in, inflow, sin_flap, cos_flap, cosine, sine));
+  const BladeLoads<T> blade =
+      group.loads(c, lane, blade_flow(omega, c.pitch_flap, in, inflow, sin_flap, cos_flap, cosine, sine));
   const T radial = sin_flap * blade.normal;  // inward along the blade's projection on the disk
   sum.force_a.x -= cosine * radial + sine * blade.tangential;
   sum.force_a.y += cosine * blade.tangential - sine * radial;
@@ -44,18 +45,18 @@ void add_blade(const Configuration<C>& c, const RotorInput<T>& in, const FeltInf
   sum.m0 += blade.normal_moment;
 }
 
-// Blade-element loads of the rotor. `ground_wash`: part of the mean inflow that the ground leaves to the blades.
+// Blade-element loads of the rotor.
 template <class T, class C>
-void rotor_loads(const Configuration<C>& c, const RotorInput<T>& in, const AzimuthStations<Real<T>>& azimuth,
-                 BladeGroup<T>& blades, RotorLoads<T>& sum, const C& ground_wash = C(Real<C>(1))) {
+void rotor_loads(const Configuration<C>& c, const RotorSetting<C>& turn, const RotorInput<T>& in,
+                 const AzimuthStations<Real<T>>& azimuth, BladeGroup<T>& blades, RotorLoads<T>& sum) {
   using R = Real<T>;
   RotorLoads<T>::each(sum, [](T& x) { x = T(R(0)); });
-  const FeltInflow<T> inflow = felt_inflow(c, in, ground_wash);
+  const FeltInflow<T> inflow = felt_inflow(c, turn, in);
   blades.set_input(in, inflow);
   for (int k = 0; k < azimuth.count; ++k) {
     const int lane = k % BladeGroup<T>::kBlades;
-    if (lane == 0) blades.compute_blades(c, azimuth, k);
-    add_blade(c, in, inflow, azimuth.cosine[k], azimuth.sine[k], blades, lane, sum);
+    if (lane == 0) blades.compute_blades(c, value(turn.speed), azimuth, k);
+    add_blade(c, turn.speed, in, inflow, azimuth.cosine[k], azimuth.sine[k], blades, lane, sum);
   }
   RotorLoads<T>::each(sum, [&azimuth](T& x) { x = azimuth.weight * x; });
 }

@@ -29,7 +29,8 @@ struct ConfigurationSetting {
   C mast_rate;           // rad/s, + towards airplane
   C mast_acceleration;   // rad/s^2
   C flap_deg;            // flaperons follow the flap settings of the tables
-  C rotor_speed;         // rad/s
+  C rotor_speed;         // mean of the two, rad/s
+  C rotor_difference;    // right rotor's speed less the left one's, rad/s
   C rotor_acceleration;  // rad/s^2
   C altitude;            // m
   C mass;                // kg
@@ -39,9 +40,16 @@ struct ConfigurationSetting {
 // The same in the scalar T.
 template <class T>
 ConfigurationSetting<T> in_scalar(const ConfigurationSetting<Real<T>>& s) {
-  return {T(s.mast_deg), T(s.mast_rate),   T(s.mast_acceleration),
-          T(s.flap_deg), T(s.rotor_speed), T(s.rotor_acceleration),
-          T(s.altitude), T(s.mass),        T(s.sl_cg),
+  return {T(s.mast_deg),
+          T(s.mast_rate),
+          T(s.mast_acceleration),
+          T(s.flap_deg),
+          T(s.rotor_speed),
+          T(s.rotor_difference),
+          T(s.rotor_acceleration),
+          T(s.altitude),
+          T(s.mass),
+          T(s.sl_cg),
           T(s.wl_cg)};
 }
 
@@ -62,6 +70,15 @@ struct FixedSetup {
   AzimuthStations<R> azimuth;  // Averaged mode
 };
 
+// Of one rotor. The two turn alike but for the twist of the shaft between them: systems/drive.hpp.
+template <class C>
+struct RotorSetting {
+  C speed;        // Omega, rad/s
+  C tip_speed;    // m/s
+  C spin_up;      // what a change of its speed takes of it, N m
+  C ground_wash;  // what the ground leaves of the mean inflow that its blades feel: systems/ground_effect.hpp
+};
+
 template <class C>
 struct Configuration : FixedSetup<Real<C>> {
   FlightSetup<C> setup;  // as it is now
@@ -73,15 +90,15 @@ struct Configuration : FixedSetup<Real<C>> {
   Vec3<C> pivot_arm_b;     // CG to conversion axis at the centre line, m
   HubFrame<C> hub[2];
   Loads<C> outside;  // those around, about the CG
-  C tip_speed;       // m/s
-  C spin_up;         // what a change of rotor speed takes of a rotor, N m
+  C tip_speed;       // mean of the rotors, m/s
   C coning;          // rad, when it is no state
   C hub_spring;      // N m/rad
   WingConstants<C> wing;
   Gearing<C> gearing;
-  // What the ground leaves of the mean inflow that the blades of each rotor feel, and of the loads of the wing in the
-  // wakes: systems/ground_effect.hpp. 1 without ground: so prepare() sets them, and configure() leaves them alone.
-  C ground_wash[2], download;
+  // What the ground leaves of the inflow of each rotor, and of the loads of the wing in the wakes, is 1 without ground: so
+  // prepare() sets them, and configure() leaves them alone.
+  RotorSetting<C> rotor[2];
+  C download;
   GridPoint<C> pedal_mast[1];  // places on the mast and flap axes of the tables
   GridPoint<C> downwash_mast_flap[2];
   GridPoint<C> tail_wash_mast[1];
@@ -150,7 +167,14 @@ void configure(Configuration<C>& c) {
   }
 
   c.tip_speed = setup.rotor_speed * aircraft.rotor.radius;
-  c.spin_up = static_cast<R>(aircraft.rotor.blades) * aircraft.rotor.flap_inertia * setup.rotor_acceleration;
+  const C spin_up =
+      static_cast<R>(aircraft.rotor.blades) * aircraft.rotor.flap_inertia * setup.rotor_acceleration;
+  for (int side = 0; side < 2; ++side) {
+    RotorSetting<C>& rotor = c.rotor[side];
+    rotor.speed = setup.rotor_speed + (R(0.5) * side_sign<R>(side)) * setup.rotor_difference;
+    rotor.tip_speed = rotor.speed * aircraft.rotor.radius;
+    rotor.spin_up = spin_up;
+  }
   c.coning = aircraft.rotor.coning.at(mast_deg);
   c.hub_spring = aircraft.rotor.hub_spring * static_cast<R>(o.hub_spring_factor);
   c.wing = wing_constants(aircraft, o, mast_deg, flap_deg);

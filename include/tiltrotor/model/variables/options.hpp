@@ -30,6 +30,8 @@ enum class ElevatorGearing : unsigned char { aircraft, printed_runs };  // 4.167
 // the collective is that which takes the power of the engines. pi: the speed is a state, the governor adds collective.
 // A choice of linear models and flights, systems/vehicle.hpp: the airframe itself does not ask.
 enum class Governor : unsigned char { off, ideal, pi };
+// The shaft between the rotors: both turn alike, or, with governor pi, each for itself.
+enum class Interconnect : unsigned char { rigid, twists };
 
 struct Options {
   Interpolation tables = Interpolation::c1;
@@ -75,6 +77,7 @@ struct Options {
   bool lateral_cyclic = false;  // lateral cyclic schedule with airspeed, tables 8a-VII and 8a-VIII
   ElevatorGearing elevator_gearing = ElevatorGearing::aircraft;
   Governor governor = Governor::off;
+  Interconnect interconnect = Interconnect::rigid;
   bool position_states = false;  // earth position among the active states
 };
 
