@@ -127,7 +127,9 @@ tr_status tr_linearize_and_step_exponential(tr_sim* sim, tr_work* work, tr_real 
   const tr_status linear = linearize_here(s, work, columns, shape, {a, a_length, b, b_length}, xdot);
   if (linear != TR_OK)
     return noted(s, linear, linear == TR_NOT_FINITE ? first_not_finite(xdot, TR_STATES) : kNone);
-  return step(s, work, dt, control_rates, *shape, a, b, xdot);
+  tr_status stepped = TR_OK;
+  out_of_line([&] { stepped = step(s, work, dt, control_rates, *shape, a, b, xdot); });
+  return stepped;
 }
 
 }  // namespace tiltrotor::c_interface::checked
