@@ -327,8 +327,10 @@ Status linearize_vehicle(const Vehicle<R>& v, Configuration<R>& c, const State<R
   };
   const int n = point.states;
   Policy::jacobian(answer_of, {n + point.controls, d::kRows, airframe.input, airframe.scale, about.output},
-                   airframe.differentiation, [&](int i, int j, R slope) {
-                     about.slope(i, j < n ? point.state[j] : d::kFirstControl + point.control[j - n]) = slope;
+                   airframe.differentiation, [&](int i, int j, int count, const R* slope) {
+                     for (const R* const end = slope + count; slope < end; ++j)
+                       about.slope(i, j < n ? point.state[j] : d::kFirstControl + point.control[j - n]) =
+                           *slope++;
                    });
 
   // and the configuration;

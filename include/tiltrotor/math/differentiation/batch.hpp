@@ -241,6 +241,11 @@ TILTROTOR_INLINE void gather_four(const double* array, const BatchIndex<double>&
 #endif
 
 template <class R>
+SineCosine<Batch<R>> sine_and_cosine(const Batch<R>& x) {
+  return sine_cosine(x);
+}
+
+template <class R>
 struct ScalarTraits<Batch<R>> {
   using Real = R;
   using T = Batch<R>;
