@@ -62,7 +62,7 @@ void jacobian(const FlightPoint& p, double relative, Jacobian& out) {
     for (int i = 0; i < n; ++i) y[i] = model_work.x[model.state[i]];
   };
   NumDiff::jacobian(f, {inputs, n, input, scale, rates}, work,
-                    [&out](int i, int j, double slope) { out.entry[i][j] = slope; });
+                    [&out](int i, int j, int, const double* slope) { out.entry[i][j] = *slope; });
 }
 
 struct Error {

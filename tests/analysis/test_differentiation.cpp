@@ -43,6 +43,12 @@ struct Record {
     slope[i][j] = value;
     ++times[i][j];
   }
+  // As a policy puts them: `count` of row i from column j on.
+  auto row() {
+    return [this](int i, int j, int count, const double* value) {
+      for (int k = 0; k < count; ++k) put(i, j + k, value[k]);
+    };
+  }
   // Each entry of m x n once and nothing else.
   void check_complete(int n, int m) const {
     CHECK_EQ(outside, 0);
@@ -68,7 +74,7 @@ TEST(differentiation_automatic_is_exact) {
             ++passes;
             cubic(x, out, n, m);
           },
-          {n, m, kPoint, nullptr, y}, work, [&](int i, int j, double value) { record.put(i, j, value); });
+          {n, m, kPoint, nullptr, y}, work, record.row());
       CHECK_EQ(passes, (n + 2) / 3);
       record.check_complete(n, m);
       cubic(kPoint, plain, n, m);
@@ -90,7 +96,7 @@ TEST(differentiation_numerical_step_and_error) {
       Record record;
       double y[kOutputs], plain[kOutputs];
       NumDiff::jacobian([&](const double* x, double* out) { cubic(x, out, n, m); }, {n, m, kPoint, scale, y},
-                        work, [&](int i, int j, double value) { record.put(i, j, value); });
+                        work, record.row());
       record.check_complete(n, m);
       cubic(kPoint, plain, n, m);
       for (int i = 0; i < m; ++i) {
@@ -117,7 +123,7 @@ TEST(differentiation_numerical_moves_one_input_at_a_time) {
         places.emplace_back(x, x + kInputs);
         cubic(x, out, kInputs, 1);
       },
-      {kInputs, 1, kPoint, scale, y}, work, [](int, int, double) {});
+      {kInputs, 1, kPoint, scale, y}, work, [](int, int, int, const double*) {});
   if (!CHECK_EQ(places.size(), 2u * kInputs + 1)) return;
   for (std::size_t k = 0; k < places.size(); ++k) {
     for (std::size_t j = 0; j < kInputs; ++j) {

@@ -124,7 +124,9 @@ TEST(differentiation_policies_on_a_known_function) {
                                  {0, std::cos(0.7) / -2.0, -std::sin(0.7) / 4.0}};
   const double scale[] = {1, 1, 1};
   double y[2], j[2][3] = {};
-  const auto put = [&](int row, int column, double slope) { j[row][column] = slope; };
+  const auto put = [&](int row, int column, int count, const double* slope) {
+    for (int k = 0; k < count; ++k) j[row][column + k] = slope[k];
+  };
   AutoDiff::Workspace<double, 2, 3, 2> automatic;  // two passes of two directions
   AutoDiff::jacobian(f, {3, 2, x, scale, y}, automatic, put);
   CHECK_NEAR(y[0], 1.5 * 1.5 * 0.7, 1e-15);
@@ -295,9 +297,12 @@ struct NoControls : AutoDiff {
   template <class R, int N, int MaxInputs, int MaxOutputs, class Function, class Put>
   static void jacobian(Function&& f, const JacobianRequest<R>& at,
                        InPlaceWorkspace<R, N, MaxInputs, MaxOutputs>& work, Put&& put) {
-    AutoDiff::jacobian(f, at, work, [&](int i, int j, R slope) {
-      put(i, j,
-          controls_lost && j >= at.inputs - kInceptors.count ? std::numeric_limits<R>::quiet_NaN() : slope);
+    AutoDiff::jacobian(f, at, work, [&](int i, int first, int count, const R* slope) {
+      for (int j = first; j < first + count; ++j) {
+        const bool lost = controls_lost && j >= at.inputs - kInceptors.count;
+        const R found = lost ? std::numeric_limits<R>::quiet_NaN() : slope[j - first];
+        put(i, j, 1, &found);
+      }
     });
   }
 };

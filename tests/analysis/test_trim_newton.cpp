@@ -134,7 +134,10 @@ struct GivenJacobian {
                        InPlaceWorkspace<R, N, MaxInputs, MaxOutputs>&, Put&& put) {
     f(at.x, at.y);
     for (int i = 0; i < at.outputs; ++i)
-      for (int j = 0; j < at.inputs; ++j) put(i, j, i == j ? slope : j == i + 1 ? 1 : 0);
+      for (int j = 0; j < at.inputs; ++j) {
+        const R entry = i == j ? slope : j == i + 1 ? 1 : 0;
+        put(i, j, 1, &entry);
+      }
   }
 };
 

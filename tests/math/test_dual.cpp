@@ -8,6 +8,7 @@
 #include <random>
 
 #include "check.hpp"
+#include "tiltrotor/math/differentiation/batch.hpp"
 #include "tiltrotor/math/differentiation/complex_step.hpp"
 
 using namespace tiltrotor;
@@ -245,4 +246,28 @@ TEST(dual_special_points) {
   CHECK_EQ(up.d.get(0), 0.0);
   // Square of zero has the exact slope zero.
   CHECK_EQ((zero * zero).d.get(0), 0.0);
+}
+
+// Asked for together they are what each is alone, on every scalar, to the bit.
+TEST(dual_sine_and_cosine_together) {
+  const auto check = [](const auto& x, auto&& same) {
+    const auto both = sine_and_cosine(x);
+    CHECK(same(both.sine, sin(x)));
+    CHECK(same(both.cosine, cos(x)));
+  };
+  Random<double, 9> random(kSeed);
+  for (int k = 0; k < 200; ++k) {
+    const Dual<double, 9> x = random.dual(-20, 20);
+    check(x, [](const Dual<double, 9>& a, const Dual<double, 9>& b) {
+      bool same = a.v == b.v;
+      for (int j = 0; j < 9; ++j) same = same && a.d.get(j) == b.d.get(j);
+      return same;
+    });
+    const auto equal = [](const auto& a, const auto& b) { return a == b; };
+    check(x.v, equal);
+    check(static_cast<float>(x.v), equal);
+    check(std::complex<double>(x.v, x.d.get(0)), equal);
+    check(Batch<double>(x.v),
+          [](const Batch<double>& a, const Batch<double>& b) { return a.get(0) == b.get(0); });
+  }
 }

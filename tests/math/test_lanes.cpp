@@ -44,9 +44,12 @@ void check_operations() {
   const P difference = a - b;
   const P scale = scaled(s, a);
   const P both = combined(s, a, t, b);
+  R row[N];
+  sum.copy_to(row);
   for (int j = 0; j < N; ++j) {
     CHECK(a.get(j) == plain_a[j]);
     CHECK(sum.get(j) == plain_a[j] + plain_b[j]);
+    CHECK(row[j] == sum.get(j));
     CHECK(difference.get(j) == plain_a[j] - plain_b[j]);
     CHECK(scale.get(j) == s * plain_a[j]);
     const R left = s * plain_a[j];

@@ -48,10 +48,14 @@ template <class T>
 T cos(const T& x) {
   return ScalarTraits<T>::cos(x);
 }
-// Both, where both are needed.
+// Both, where both are needed: one reduction of the angle for plain numbers, and for duals and batches of them.
 template <class T>
 SineCosine<T> sine_and_cosine(const T& x) {
-  return {sin(x), cos(x)};
+  if constexpr (kIsPlain<T>) {
+    return sine_cosine(x);
+  } else {
+    return {sin(x), cos(x)};
+  }
 }
 template <class T>
 T tan(const T& x) {

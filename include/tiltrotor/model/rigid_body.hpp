@@ -26,12 +26,9 @@ RigidBodyRates<T> rigid_body(const MassProperties<C>& mass, const Vec3<T>& v, co
   using R = Real<T>;
   const R g = kGravity<R>;
   const C inverse_mass = R(1) / mass.mass;
-  const T sr = sin(roll);
-  const T cr = cos(roll);
-  const T sp = sin(pitch);
-  const T cp = cos(pitch);
-  const T sy = sin(yaw);
-  const T cy = cos(yaw);
+  const auto [sr, cr] = sine_and_cosine(roll);
+  const auto [sp, cp] = sine_and_cosine(pitch);
+  const auto [sy, cy] = sine_and_cosine(yaw);
 
   RigidBodyRates<T> d;
   d.velocity.x = total.force.x * inverse_mass - g * sp - w.y * v.z + w.z * v.y;

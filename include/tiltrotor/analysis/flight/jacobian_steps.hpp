@@ -15,9 +15,10 @@ void place_jacobian(const RightSide<R, Policy>& f, R time) {
   const R azimuth = f.azimuth(time);
   f.place_configuration(time, work.x);
   for (int k = 0; k < n; ++k) work.scale[k] = state_scale<R>(work.active.index[k]);
-  Policy::jacobian([&f, azimuth](const auto* x, auto* rates) { f.rates(x, rates, azimuth); },
-                   {n, n, work.x, work.scale, work.rates}, work.differentiation,
-                   [&work](int i, int j, R slope) { work.jacobian(i, j) = slope; });
+  Policy::jacobian(
+      [&f, azimuth](const auto* x, auto* rates) { f.rates(x, rates, azimuth); },
+      {n, n, work.x, work.scale, work.rates}, work.differentiation,
+      [&work](int i, int j, int count, const R* slope) { copy_row(slope, count, work.jacobian.row(i) + j); });
 }
 
 // Blades that turn and masts that move make f depend on time; they carry no partials, so a central difference.

@@ -48,7 +48,7 @@ struct AutoDiff {
     Dual<R, N>* outputs() { return x; }
   };
 
-  // y = f(x) and put(i, j, dy_i/dx_j) for every entry.
+  // y = f(x) and put(i, j, count, slopes): dy_i/dx_j and the next ones of its row, until every entry was put.
   // Cost: ceil(n / N) evaluations of f on N partials.
   template <class R, int N, int MaxInputs, int MaxOutputs, template <class, int, int, int> class Work,
             class Function, class Put>
@@ -56,6 +56,7 @@ struct AutoDiff {
                        Put&& put) {
     const int n = at.inputs, m = at.outputs;
     Dual<R, N>* const y = work.outputs();
+    R slope[N];
     for (int first = 0; first < n; first += N) {
       const int last = first + N < n ? first + N : n;
       for (int j = 0; j < n; ++j) work.x[j] = Dual<R, N>(at.x[j]);
@@ -63,7 +64,8 @@ struct AutoDiff {
       f(static_cast<const Dual<R, N>*>(work.x), y);
       for (int i = 0; i < m; ++i) {
         at.y[i] = y[i].v;
-        for (int j = first; j < last; ++j) put(i, j, y[i].d.get(j - first));
+        y[i].d.copy_to(slope);
+        put(i, first, last - first, static_cast<const R*>(slope));
       }
     }
   }
@@ -105,7 +107,10 @@ struct NumDiff {
       f(static_cast<const R*>(work.x), work.below);
       work.x[j] = x[j];
       const R inverse = R(1) / (above - below);
-      for (int i = 0; i < m; ++i) put(i, j, (work.above[i] - work.below[i]) * inverse);
+      for (int i = 0; i < m; ++i) {
+        const R slope = (work.above[i] - work.below[i]) * inverse;
+        put(i, j, 1, &slope);
+      }
     }
   }
 };

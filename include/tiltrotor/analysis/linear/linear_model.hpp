@@ -181,9 +181,13 @@ Status linearize(const Configuration<R>& c, const State<R>& x, const Controls<R>
   for (int& i : row) i = -1;
   for (int i = 0; i < n; ++i) row[model.state[i]] = i;
   Policy::jacobian(rates_of, {n + m, state_count, work.input, work.scale, model.xdot}, work.differentiation,
-                   [&model, &row, n](int state, int j, R slope) {
+                   [&model, &row, n](int state, int j, int count, const R* slope) {
                      const int i = row[state];
-                     if (i >= 0) (j < n ? model.a(i, j) : model.b(i, j - n)) = slope;
+                     if (i < 0) return;
+                     const int states = j >= n ? 0 : n - j < count ? n - j : count;  // the rest are controls
+                     const int controls = count - states;
+                     if (states > 0) copy_row(slope, states, model.a.row(i) + j);
+                     if (controls > 0) copy_row(slope + states, controls, model.b.row(i) + (j + states - n));
                    });
   for (int i = 0; i < n; ++i) model.rates[i] = model.xdot[model.state[i]];
   const bool finite = all_finite(model.a, n, n) && all_finite(model.b, n, m);

@@ -69,12 +69,10 @@ Status linearize_outputs(const Configuration<R>& c, const State<R>& x, const Con
   };
   R y[outputs];
   Policy::jacobian(readings_of, {n + point.controls, outputs, work.linear.input, work.linear.scale, y},
-                   work.linear.differentiation, [&](int i, int j, R slope) {
-                     if (j < n) {
-                       put_c(i, j, slope);
-                     } else {
-                       put_d(i, j - n, slope);
-                     }
+                   work.linear.differentiation, [&](int i, int j, int count, const R* slope) {
+                     const R* const end = slope + count;
+                     for (; j < n && slope < end; ++j) put_c(i, j, *slope++);
+                     for (; slope < end; ++j) put_d(i, j - n, *slope++);
                    });
   return Status::ok;
 }
@@ -104,9 +102,9 @@ Status directional(const Configuration<R>& c, const State<R>& x, const Controls<
   const R scale = output_model_detail::direction_scale(dx, du);
   bool finite = true;
   Policy::jacobian(along_direction, {1, outputs, &here, &scale, work.found}, work.differentiation,
-                   [&](int i, int, R slope) {
-                     finite = finite && is_finite(slope);
-                     (i < state_count ? dxdot[i] : dy[i - state_count]) = slope;
+                   [&](int i, int, int, const R* slope) {
+                     finite = finite && is_finite(*slope);
+                     (i < state_count ? dxdot[i] : dy[i - state_count]) = *slope;
                    });
   return finite ? Status::ok : Status::not_finite;
 }

@@ -12,11 +12,11 @@
 namespace tiltrotor {
 
 // Of one pass; the last direction of its dual numbers is that of an ideal governor's collective.
-inline constexpr int kVehicleSlopes = kVehicleDirections - 1;
+inline constexpr int kVehicleSlopes = 7;
 
 template <class R>
 struct VehicleDirectionWorkspace {
-  using T = Dual<R, kVehicleDirections>;
+  using T = Dual<R, kVehicleSlopes + 1>;
   Configuration<T> configuration;
   State<T> x;
   SystemState<T> s, rates;

@@ -62,8 +62,10 @@ struct TrimProblem {
     const int n = work.equations.count;
     R scale[kMaxTrimUnknowns];
     for (int j = 0; j < n; ++j) scale[j] = work.equations.row[j].scale;
-    Policy::jacobian([this](const auto* at, auto* f) { this->values(at, f); }, {n, n, z, scale, residual},
-                     work.differentiation, [&slopes](int i, int j, R slope) { slopes(i, j) = slope; });
+    Policy::jacobian(
+        [this](const auto* at, auto* f) { this->values(at, f); }, {n, n, z, scale, residual},
+        work.differentiation,
+        [&slopes](int i, int j, int count, const R* slope) { copy_row(slope, count, slopes.row(i) + j); });
     symmetric = is_symmetric(work.equations, z, residual);
   }
   // The whole step shortened, its direction kept, until no unknown moves by more than its limit. In symmetric flight

@@ -99,6 +99,7 @@ template <class R, int N>
 inline void substitute(const LU<R, N>& lu, R* x) {
   constexpr int kGroup = kLane<R>;
   const int n = lu.size;
+  if (n < 1) return;  // refused before: told to the compiler, which would find rows below that nobody names
   const R* lower[N];
   const R* upper[N];
   alignas(64) R y[lane_ceil<R>(N)] = {};

@@ -6,6 +6,8 @@
 #pragma once
 
 #include <cmath>
+#include <cstddef>
+#include <cstring>
 #include <limits>
 
 #include "tiltrotor/math/arithmetic.hpp"
@@ -45,6 +47,12 @@ struct Matrix {
 // A square work area for `n <= N` whose rows are padded whatever N is.
 template <class R, int N>
 using PaddedSquare = Matrix<R, N, lane_ceil<R>(N)>;
+
+// `count` numbers of a row; they do not overlap.
+template <class R>
+void copy_row(const R* from, int count, R* to) {
+  std::memcpy(to, from, sizeof(R) * static_cast<std::size_t>(count));
+}
 
 template <class R, int Rows, int Cols>
 constexpr void fill(Matrix<R, Rows, Cols>& a, R value) {

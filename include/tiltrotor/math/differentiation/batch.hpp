@@ -7,6 +7,7 @@
 #pragma once
 
 #include <cmath>
+#include <cstddef>
 #include <utility>
 
 #include "tiltrotor/math/differentiation/dual.hpp"
@@ -73,7 +74,7 @@ struct BatchStorage {
 template <class R>
 struct BatchIndex {
   static constexpr int kLanes = kBatchLanes<R>;
-  int e[kLanes];
+  std::ptrdiff_t e[kLanes];
 
   TILTROTOR_INLINE friend BatchIndex operator+(const BatchIndex& a, const BatchIndex& b) {
     BatchIndex r;
@@ -239,6 +240,11 @@ TILTROTOR_INLINE void gather_four(const double* array, const BatchIndex<double>&
 }
 #endif
 #endif
+
+template <class R>
+SineCosine<Batch<R>> sine_and_cosine(const Batch<R>& x) {
+  return sine_cosine(x);
+}
 
 template <class R>
 struct ScalarTraits<Batch<R>> {

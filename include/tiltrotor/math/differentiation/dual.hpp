@@ -75,6 +75,12 @@ struct Dual {
 };
 
 template <class R, int N>
+SineCosine<Dual<R, N>> sine_and_cosine(const Dual<R, N>& x) {
+  const SineCosine<R> f = sine_cosine(x.v);
+  return {{f.sine, scaled(f.cosine, x.d)}, {f.cosine, scaled(-f.sine, x.d)}};
+}
+
+template <class R, int N>
 struct ScalarTraits<Dual<R, N>> {
   using Real = typename ScalarTraits<R>::Real;
   using T = Dual<R, N>;

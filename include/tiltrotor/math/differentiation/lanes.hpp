@@ -7,6 +7,8 @@
 // same order in both forms, so the results are the same. Padding lanes start at zero and stay unread.
 #pragma once
 
+#include <cstring>
+
 #include "tiltrotor/math/arithmetic.hpp"
 
 // Inlining decides here: small functions on vectors must not pass them through memory; large ones must not
@@ -123,7 +125,9 @@ struct Partials {
     return *this;
   }
 
-  static constexpr Partials zero() { return Partials{}; }
+  static TILTROTOR_INLINE auto zero() {
+    return rule([](int) { return Lane{}; });
+  }
 
   R get(int i) const {
     if constexpr (kWidth == 1) {
@@ -139,6 +143,9 @@ struct Partials {
       group[i / kWidth][i % kWidth] = x;
     }
   }
+
+  // All of them in a row: one by one, each would cost the search for its group.
+  void copy_to(R (&to)[N]) const { std::memcpy(to, group, sizeof to); }
 
   // s a
   TILTROTOR_INLINE friend auto scaled(R s, const Partials& a) {

@@ -64,7 +64,7 @@ Dual<R, M> chain(R local, const R (&slope)[N], const Dual<R, M>* input) {
 template <class R, int N, int M>
 Dual<R, M> chain(const Dual<R, N>& local, const Dual<R, M>* input) {
   R slope[N];
-  for (int j = 0; j < N; ++j) slope[j] = local.d.get(j);
+  local.d.copy_to(slope);
   return chain(local.v, slope, input);
 }
 

@@ -72,11 +72,12 @@ TILTROTOR_INLINE BatchIndex<R> find_interval(const Axis<R>& axis, const Batch<R>
   const Batch<R> at = (x - axis.knot[0]) * axis.per_width;
   const R last = static_cast<R>(axis.buckets - 1);
   const Batch<R> held = select(at > R(0), select(at < last, at, Batch<R>(last)), Batch<R>(R(0)));
-  for (int lane = 0; lane < lanes; ++lane) i.e[lane] = static_cast<int>(held.get(lane));
+  for (int lane = 0; lane < lanes; ++lane) i.e[lane] = static_cast<std::ptrdiff_t>(held.get(lane));
   for (int lane = 0; lane < lanes; ++lane) {
-    const int k = axis.bucket[i.e[lane]];
-    i.e[lane] =
-        k + (static_cast<int>(k < axis.count - 2) & static_cast<int>(x.get(lane) >= axis.knot[k + 1]));
+    const std::ptrdiff_t k = axis.bucket[i.e[lane]];
+    const bool next =
+        static_cast<int>(k < axis.count - 2) & static_cast<int>(x.get(lane) >= axis.knot[k + 1]);
+    i.e[lane] = k + static_cast<std::ptrdiff_t>(next);
   }
   return i;
 }

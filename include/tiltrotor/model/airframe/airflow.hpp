@@ -105,10 +105,8 @@ T flow_from_ahead(const T& alpha, const SmoothingWidths<Real<T>>& e) {
 // X = L sa - (D cb + Y' sb) ca,  Y = Y' cb - D sb,  Z = -L ca - (D cb + Y' sb) sa.
 template <class T>
 Vec3<T> wind_force(const T& lift, const T& drag, const T& side, const T& alpha, const T& beta) {
-  const T sa = sin(alpha);
-  const T ca = cos(alpha);
-  const T sb = sin(beta);
-  const T cb = cos(beta);
+  const auto [sa, ca] = sine_and_cosine(alpha);
+  const auto [sb, cb] = sine_and_cosine(beta);
   const T forward = drag * cb + side * sb;
   return {lift * sa - forward * ca, side * cb - drag * sb, -(lift * ca) - forward * sa};
 }

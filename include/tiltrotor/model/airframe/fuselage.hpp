@@ -29,8 +29,7 @@ Loads<T> fuselage_loads(const Configuration<C>& c, const AirframeInput<T>& in, c
   const T roll = lookup(f.roll_beta, mode, beta_deg);                          // 3-VIII
   const T yaw = lookup(f.yaw_beta, mode, beta_deg);                            // 3-IX
 
-  const T sa = sin(stream.alpha);
-  const T ca = cos(stream.alpha);
+  const auto [sa, ca] = sine_and_cosine(stream.alpha);
   Loads<T> loads = force_at(station_arm(c.mass, f.sl, R(0), f.wl),
                             q * wind_force(lift, drag, side, stream.alpha, stream.beta));
   loads.moment.x += q * (roll * ca - yaw * sa);

@@ -47,10 +47,8 @@ LateralCoefficients<T> wing_lateral_coefficients(const Configuration<C>& c, cons
   const T yaw_p = w.yaw_roll_rate_per_lift * k.lift * cb * bc;
   const T yaw_r = w.yaw_rate_per_lift2 * k.lift * k.lift + w.yaw_rate_per_drag * c.wing.zero_lift_drag;
 
-  const T sa = sin(stream.alpha);
-  const T ca = cos(stream.alpha);
-  const T sb = sin(beta);
-  const T cbeta = cos(beta);
+  const auto [sa, ca] = sine_and_cosine(stream.alpha);
+  const auto [sb, cbeta] = sine_and_cosine(beta);
   const T p_wind = in.rates_b.x * ca * cbeta + in.rates_b.y * sb + in.rates_b.z * sa * cbeta;
   const T r_wind = in.rates_b.z * ca - in.rates_b.x * sa;
   const T half_span_over_speed = (w.span / R(2)) / total_speed(in.velocity_b, c.aircraft->smooth.rate_speed);
@@ -133,8 +131,7 @@ void add_free_wing_moments(const Configuration<C>& c, const AirframeInput<T>& in
       c.wing.aileron_yaw_0 + c.wing.aileron_yaw * out.coefficients.lift * aileron_slope;  // 4-XIII, 4-XIV
   const T roll = area_span * (out.pressure * out.lateral.roll + wake_pressure * aileron_slope * in.aileron);
   const T yaw = area_span * (out.pressure * out.lateral.yaw + wake_pressure * aileron_yaw * in.aileron);
-  const T sa = sin(stream.alpha);
-  const T ca = cos(stream.alpha);
+  const auto [sa, ca] = sine_and_cosine(stream.alpha);
   out.loads.moment.x += roll * ca - yaw * sa;
   out.loads.moment.y += out.pressure * (w.area * w.chord * c.wing.moment);  // 4-VIII
   out.loads.moment.z += roll * sa + yaw * ca;

@@ -46,8 +46,8 @@ TILTROTOR_INLINE SectionCoefficients<T> section_coefficients(const RotorTables<R
   const T beyond = select(a >= high_deg, T(alpha_deg - high_deg), T(low_deg - alpha_deg));
   const T plate = smooth_step(T(beyond * (R(1) / rotor.stall_blend)));
   // Flat plate beyond stall, cl = 1.1 sin 2 alpha, cd = 0.02 + 1.9 sin^2 alpha: choices.csv, plate_*.
-  const T sine = sin(alpha);
-  const T plate_lift = R(2) * rotor.plate_lift * sine * cos(alpha);
+  const auto [sine, cosine] = sine_and_cosine(alpha);
+  const T plate_lift = R(2) * rotor.plate_lift * sine * cosine;
   const T plate_drag = rotor.plate_drag_min + rotor.plate_drag * sine * sine;
   c.lift = c.lift + plate * (plate_lift - c.lift);
   c.drag = c.drag + plate * (plate_drag - c.drag);
