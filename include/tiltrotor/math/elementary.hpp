@@ -15,6 +15,7 @@
 #include <type_traits>
 
 #include "tiltrotor/math/arithmetic.hpp"
+#include "tiltrotor/math/differentiation/lanes.hpp"
 
 namespace tiltrotor {
 
@@ -162,9 +163,9 @@ SineCosine<V> sine_cosine(const V& x) {
 
 // Angle of (x, y), -pi..pi, for finite arguments (0 at the origin); a zero y counts as positive whatever its
 // sign. V: plain number or batch; in a batch the larger of |x|, |y| lies between kSmallestSide and kLargestSide
-// or is zero, and that of the slopes below likewise by the square.
+// or is zero, and that of the slopes below likewise by the square. _here: within the caller.
 template <class V>
-V arctangent2(const V& y, const V& x) {
+TILTROTOR_INLINE V arctangent2_here(const V& y, const V& x) {
   using R = typename ScalarTraits<V>::Real;
   using E = Elementary<R>;
   const V ax = select(x < R(0), -x, x);
@@ -196,6 +197,10 @@ V arctangent2(const V& y, const V& x) {
   angle = select(steep, E::kHalf[0] - (angle - E::kHalf[1]), angle);
   angle = select(x < R(0), E::kWhole[0] - (angle - E::kWhole[1]), angle);
   return select(y < R(0), -angle, angle);
+}
+template <class V>
+V arctangent2(const V& y, const V& x) {
+  return arctangent2_here(y, x);
 }
 
 // Slopes of that angle along y and x: x / (x^2 + y^2) and -y / (x^2 + y^2), for every finite (x, y) but the

@@ -63,7 +63,7 @@ T tan(const T& x) {
 }
 // Angle of the point (x, y), -pi..pi.
 template <class T>
-T atan2(const T& y, const T& x) {
+TILTROTOR_INLINE T atan2(const T& y, const T& x) {
   return ScalarTraits<T>::atan2(y, x);
 }
 template <class T>

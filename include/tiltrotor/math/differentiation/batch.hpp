@@ -258,7 +258,14 @@ struct ScalarTraits<Batch<R>> {
   }
   static T sin(const T& x) { return sine_cosine(x).sine; }
   static T cos(const T& x) { return sine_cosine(x).cosine; }
-  static T atan2(const T& y, const T& x) { return arctangent2(y, x); }
+  // A call from the loop over elements would pass vectors, and what stands in others, through memory.
+  static TILTROTOR_INLINE T atan2(const T& y, const T& x) {
+    if constexpr (T::kLanes > 1) {
+      return arctangent2_here(y, x);
+    } else {
+      return arctangent2(y, x);
+    }
+  }
   static constexpr bool kTakesSlopes = false;
 };
 

@@ -104,7 +104,7 @@ struct ScalarTraits<Dual<R, N>> {
   // atan2(y, x)' = (x y' - y x') / (x^2 + y^2)
   static T atan2(const T& y, const T& x) {
     const AngleSlopes<R> slope = arctangent2_slopes(y.v, x.v);
-    return {arctangent2(y.v, x.v), combined(slope.along_y, y.d, slope.along_x, x.d)};
+    return {ScalarTraits<R>::atan2(y.v, x.v), combined(slope.along_y, y.d, slope.along_x, x.d)};
   }
 
   // Result of a function whose value and slopes are known: touches the partials once.
