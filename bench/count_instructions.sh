@@ -42,8 +42,8 @@ awk -F, '
     }
     { counted[$1] = $2 }
     END {
-        if (counted["configuration"] > 0.05 * counted["derivative"]) {
-            print "  a configuration costs more than a twentieth of a derivative"
+        if (counted["configuration"] > 0.06 * counted["derivative"]) {
+            print "  a configuration costs more than 6 % of a derivative"
             failed = 1
         }
         exit failed
