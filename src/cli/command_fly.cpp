@@ -46,6 +46,7 @@ FlightStart read_start(const Arguments& arguments) {
   start.on_ground = !arguments.given("--speed") && !arguments.given("--mast") && !arguments.given("--height");
   const double mast_deg = arguments.number("--mast", 0, kMastRange);
   start.setup = options.flight_setup(mast_deg);
+  start.aircraft = &options.aircraft();
   if (!chooses_grid(arguments)) start.setup.options.grid = BladeGrid::realtime;
   start.setup.options.position_states = true;
   start.speed = arguments.number("--speed", 0, kSpeedRange);
@@ -53,7 +54,7 @@ FlightStart read_start(const Arguments& arguments) {
   start.dt = arguments.number("--dt", 0.01, kSteps);
   if (start.on_ground && arguments.given("--rotor-rpm"))
     throw UsageError(arguments.where("--rotor-rpm") + ": on the ground the script spools the rotors up");
-  prepared(start.setup, arguments.where("--mast") + ": ");
+  prepared(options.aircraft(), start.setup, arguments.where("--mast") + ": ");
   return start;
 }
 

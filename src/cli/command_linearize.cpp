@@ -60,7 +60,7 @@ class Linearizer {
   // Those of `c` before those of the flight that `which` holds, if any.
   void tell_settings(const Configuration<double>& c, LinearCase& which) const {
     const LinearSettings flight = which.settings;
-    which.settings = LinearSettings(c.setup);
+    which.settings = LinearSettings(c);
     which.settings.numbers.insert(which.settings.numbers.end(), flight.numbers.begin(), flight.numbers.end());
     which.settings.switches.emplace_back("reduce", reduce_word(rigid_, order_));
     which.settings.switches.emplace_back("feedback", feedback_.name());

@@ -34,7 +34,7 @@ struct ScriptFlight::Parts : ScriptCommander {
   // ---- begin ----
 
   void prepare_vehicle(const FlightSetup<double>& setup) {
-    c = prepared(setup);
+    c = prepared(aircraft, setup);
     Vehicle<double>& v = flight.vehicle;
     v.on = {Governor::pi, true, true, true, true, true, true, false};
     v.ground = {0, 0, 0};

@@ -17,6 +17,7 @@
 #include "cli/pilot_training.hpp"
 #include "tiltrotor/analysis/flight/instruments.hpp"
 #include "tiltrotor/analysis/flight/response.hpp"
+#include "tiltrotor/model/aircraft/aircraft_data.hpp"
 
 namespace tiltrotor::cli {
 
@@ -25,6 +26,7 @@ struct FlightStart {
   bool on_ground;             // on its wheels, rotors turning slowly; else in trim, the gear up
   double speed, height;       // of the trim, m/s and m
   double dt;                  // s
+  const Aircraft<double>* aircraft = &aircraft_data<double>();
 };
 
 // What there is at a moment, and what acts from then on.
