@@ -244,12 +244,17 @@ constexpr AxisQuantity kQuantities[] = {
     {"controls.pedal_cyclic", 0, kSpeedWidth, "kt"}, {"controls.lateral_cyclic", 0, kSpeedWidth, "kt"},
 };
 
+const AxisQuantity* quantity(const std::string& field, std::size_t axis) {
+  const std::string name = field.substr(0, field.find('['));
+  for (const AxisQuantity& q : kQuantities)
+    if (name == q.field && axis == q.axis) return &q;
+  return nullptr;
+}
+
 // Radial stations and what a mast or flap angle fixes for a run need no width: their arguments never leave
 // the grid.
 double end_width(const Entries& entries, const std::string& field, std::size_t axis) {
-  const std::string name = field.substr(0, field.find('['));
-  for (const AxisQuantity& q : kQuantities)
-    if (name == q.field && axis == q.axis) return entries.in(q.end_width, q.unit);
+  if (const AxisQuantity* const q = quantity(field, axis)) return entries.in(q->end_width, q->unit);
   return entries.in("smooth_table_end_angle", "deg");
 }
 
@@ -279,9 +284,12 @@ std::vector<TableArray> compose_tables(const std::string& folder, const Entries&
   composer.fins();
   composer.controls();
   composer.check_the_rest();
-  for (TableArray& table : composer.tables)
+  for (TableArray& table : composer.tables) {
     for (std::size_t a = 0; a < table.smooth.size(); ++a)
       table.end_width.push_back(end_width(entries, table.field, a));
+    const AxisQuantity* const second = quantity(table.field, 1);
+    table.over_mach = second != nullptr && second->end_width == kRatioWidth;
+  }
   return std::move(composer.tables);
 }
 

@@ -6,6 +6,7 @@
 #include "tablegen/bounded_least.hpp"
 #include "tablegen/compose.hpp"
 #include "tablegen/spline.hpp"
+#include "tiltrotor/math/tables/table_slopes.hpp"
 
 namespace tablegen {
 
@@ -16,6 +17,7 @@ struct Block {
   std::vector<double> x, y;
   std::vector<double> value, half;
   bool around;
+  bool over_mach;
 
   std::size_t at(std::size_t i, std::size_t j) const { return i * y.size() + j; }
   // Both ends of an axis that goes around are one unknown.
@@ -52,7 +54,7 @@ SquareMatrix roughness_of(const Block& b, const Spline& along_x, const Spline& a
     for (std::size_t j = 0; j < b.y.size(); ++j) {
       for (std::size_t k = 0; k < b.x.size(); ++k)
         add(b.at(i, j), b.at(k, j), wy[j] * x3 * along_x.roughness(i, k));
-      for (std::size_t k = 0; k < b.y.size(); ++k)
+      for (std::size_t k = 0; k < b.y.size() && !b.over_mach; ++k)
         add(b.at(i, j), b.at(i, k), wx[i] * y3 * along_y.roughness(j, k));
     }
   }
@@ -143,7 +145,14 @@ FittedBlock fitted(const Block& b, std::size_t axes) {
   FittedBlock result{std::vector<double>(b.value.size() * kinds), before, rough(form, found)};
   for (std::size_t n = 0; n < b.value.size(); ++n) result.node[n * kinds] = found[b.unknown(n)];
   fill(b, along_x, true, kinds, 0, 1, result.node);
-  if (axes == 2) {
+  if (axes == 2 && b.over_mach) {
+    const auto stride = static_cast<std::ptrdiff_t>(kinds);
+    for (std::size_t i = 0; i < b.x.size(); ++i) {
+      double* const row = &result.node[b.at(i, 0) * kinds];
+      tiltrotor::monotone_slopes(static_cast<int>(b.y.size()), b.y.data(), row, row + 2, stride);
+    }
+    fill(b, along_x, true, kinds, 2, 3, result.node);
+  } else if (axes == 2) {
     fill(b, along_y, false, kinds, 0, 2, result.node);
     fill(b, along_y, false, kinds, 1, 3, result.node);
   }
@@ -162,7 +171,8 @@ bool is_fitted(const TableArray& table) {
 
 C2Fit c2_fit(const TableArray& table) {
   const std::size_t axes = table.smooth.size();
-  Block b{table.smooth[0], axes == 2 ? table.smooth[1] : std::vector<double>{0}, {}, {}, false};
+  Block b{table.smooth[0], axes == 2 ? table.smooth[1] : std::vector<double>{0}, {}, {}, false,
+          table.over_mach};
   const std::size_t nodes = b.x.size() * b.y.size();
   C2Fit fit;
   double before = 0;

@@ -6,6 +6,9 @@
 //   two axes   sum over the lines of knots along each axis, of the integral along the line times the width that the
 //              line stands for; each axis measured in its mean interval, so that degrees and Mach numbers weigh alike
 //
+// Along Mach number, second axis of some, it is C1 and monotone as the default: through few columns that rise late a
+// curve with two derivatives swings below zero drag.
+//
 // Of equally smooth ones it is the nearest to the print. A value between printed ones, where columns of unlike knots
 // stand side by side, is free. What is symmetric in the print stays so to the last bit. Linear axes, mast angle and
 // flap, stay linear: every block is fitted alone.
