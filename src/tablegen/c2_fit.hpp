@@ -4,7 +4,7 @@
 //
 //   one axis   integral of f''^2
 //   two axes   sum over the lines of knots along each axis, of the integral along the line times the width that the
-//              line stands for; each axis measured in its mean interval, so that degrees and Mach numbers weigh alike
+//              line stands for; each axis measured in its mean interval, so that angles and speeds weigh alike
 //
 // Along Mach number, second axis of some, it is C1 and monotone as the default: through few columns that rise late a
 // curve with two derivatives swings below zero drag.
@@ -27,7 +27,7 @@ bool is_fitted(const TableArray& table);
 struct C2Fit {
   std::vector<double> node;  // as Table stores them: values and slopes
   double deviation = 0;      // the largest, in half units of the last printed digit
-  double roughness = 0;      // over that of the C2 curve through the print; 1 where that is straight
+  double roughness = 0;      // over that of the nodes as printed; 1 where these are straight
 };
 C2Fit c2_fit(const TableArray& table);
 

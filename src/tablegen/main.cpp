@@ -19,6 +19,7 @@
 #include "tablegen/emit.hpp"
 #include "tablegen/entries.hpp"
 #include "tablegen/fault.hpp"
+#include "tablegen/flat_knots.hpp"
 #include "tablegen/identity.hpp"
 
 namespace fs = std::filesystem;
@@ -44,8 +45,10 @@ void fit(std::vector<tablegen::TableArray>& tables) {
   std::printf("table,nodes,deviation_half_units,roughness_ratio\n");
   for (tablegen::TableArray& table : tables) {
     if (!tablegen::is_fitted(table)) continue;
-    tablegen::C2Fit fit = tablegen::c2_fit(table);
+    const tablegen::TableArray graded = tablegen::with_flat_knots(table);
+    tablegen::C2Fit fit = tablegen::c2_fit(graded);
     std::printf("%s,%zu,%.3g,%.3g\n", table.field.c_str(), table.value.size(), fit.deviation, fit.roughness);
+    table.smooth = graded.smooth;
     table.fitted = std::move(fit.node);
   }
 }

@@ -4,7 +4,7 @@
 //   roughness  sum_ik f_i roughness[i][k] f_k = integral of s''^2
 //
 // Natural ends (s'' = 0), or, where the knots go once around, one value, slope and second derivative at both.
-// The spline is the curve of least roughness through its values (Holladay 1957; de Boor 1978, chapter 5).
+// The spline is the curve of least roughness through its values (Holladay 1957; de Boor 1978).
 #pragma once
 
 #include <vector>
