@@ -214,6 +214,7 @@ struct ScriptFlight::Parts : ScriptCommander {
     m.commands = flight.vehicle.commands;
     m.rates = answer.rates;
     read_vehicle(flight.vehicle, here, x, steps, answer.rates, found, m.readings);
+    m.airframe = airframe_readings(here, x, steps, answer.rates, start.outputs);
     m.velocity_n = over_ground(x, c.around.wind_n);
     m.height = height();
     m.airspeed = length(x.velocity - u.gust);

@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/airframe_outputs.hpp"
 #include "cli/feedback_flight.hpp"
 #include "cli/flight_script.hpp"
 #include "cli/pilot_training.hpp"
@@ -27,6 +28,7 @@ struct FlightStart {
   double speed, height;       // of the trim, m/s and m
   double dt;                  // s
   const Aircraft<double>* aircraft = &aircraft_data<double>();
+  std::vector<AirframeOutput> outputs = {};  // that are read beside the instruments
 };
 
 // What there is at a moment, and what acts from then on.
@@ -49,6 +51,7 @@ struct FlightMoment {
   double wanted_height;  // m; not a number where none is held
   bool height_settles;   // its reference has arrived
   Instruments<double> readings;
+  std::vector<double> airframe;  // FlightStart::outputs
 };
 
 class ScriptFlight {
