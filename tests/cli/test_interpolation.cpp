@@ -66,7 +66,7 @@ TEST_OF_XV15(cli_interpolation_c2_smooths_the_moment_along_speed) {
   CHECK_LE(rough[1], rough[0] / 3);
 }
 
-TEST(cli_interpolation_shows_all_three_kinds) {
+TEST_OF_XV15(cli_interpolation_shows_all_three_kinds) {
   const std::string flown = this_aircraft::flown("interpolation --mast 30 --speed 46 --draws 4 --format csv");
   const check::ProgramResult result = run_tiltrotor(flown);
   CHECK_EQ(result.exit_status, 0);
@@ -106,7 +106,7 @@ TEST(cli_interpolation_refuses_a_kind_of_tables) {
 }
 
 // Equal chance within half a unit: mean 0, mean square a third of its square.
-TEST(cli_interpolation_draws_are_within_print) {
+TEST_OF_XV15(cli_interpolation_draws_are_within_print) {
   cli::PrintRounding rounding;
   Aircraft<double> drawn = aircraft_data<double>();
   Aircraft<double> usual = aircraft_data<double>();
@@ -141,7 +141,7 @@ TEST(cli_interpolation_draws_are_within_print) {
 
 // Every command flies with them, and says so.
 TEST(cli_interpolation_c2_tables_are_told) {
-  const std::string flight = this_aircraft::flown(" --mast 60 --speed 60 --grid realtime");
+  const std::string flight = " " + this_aircraft::flown("--mast 60 --speed 60 --grid realtime");
   const std::string c2 = run_tiltrotor("trim" + flight + " --tables c2 --format csv").out;
   CHECK(c2.find(" tables=c2 grid=realtime") != std::string::npos);
   CHECK(c2 != run_tiltrotor("trim" + flight + " --format csv").out);
