@@ -130,8 +130,9 @@ TABLEGEN_OBJECTS   := $(TABLEGEN_SOURCE:src/%.cpp=$(BUILD)/host/%.o)
 # differentiation and the instances name theirs: these are compiled once for both.
 C_SOURCE           := $(filter %/aircraft_data.cpp,$(LIBRARY_SOURCE)) $(filter src/library/c_%.cpp,$(LIBRARY_SOURCE))
 AIRCRAFT_OBJECT    := $(BUILD)/cpp/library/headers_aircraft.o
+C2_OBJECT          := $(BUILD)/cpp/library/headers_c2_aircraft.o
 COMMON_OBJECTS     := $(patsubst %,$(BUILD)/cpp/library/%.o,analysis_double analysis_float analysis_closed_loop analysis_motion \
-                        analysis_vehicle_outputs c_processor c_compiled) $(AIRCRAFT_OBJECT)
+                        analysis_vehicle_outputs c_processor c_compiled) $(AIRCRAFT_OBJECT) $(C2_OBJECT)
 C_OBJECTS          := $(C_SOURCE:src/%.cpp=$(BUILD)/ad/%.o)
 LIBRARY_OBJECTS    := $(C_OBJECTS) $(AIRCRAFT_OBJECT)
 LIBRARY_ND_OBJECTS := $(BUILD)/ad/library/aircraft_data.o $(AIRCRAFT_OBJECT) \
@@ -144,7 +145,7 @@ BENCH_OBJECTS      := $(BENCH_SOURCE:bench/%.cpp=$(BUILD)/bench/%.o)
 OBJECTS            := $(TABLEGEN_OBJECTS) $(sort $(LIBRARY_OBJECTS) $(LIBRARY_ND_OBJECTS) $(ANALYSES_OBJECTS)) $(PROGRAM_OBJECTS) \
                       $(TEST_OBJECTS) $(BENCH_OBJECTS)
 
-GENERATED  := $(if $(TABLEGEN_SOURCE),$(BUILD)/generated/aircraft_tables.inc) $(BUILD)/generated/reference_points.inc \
+GENERATED  := $(if $(TABLEGEN_SOURCE),$(BUILD)/generated/aircraft_tables.inc $(BUILD)/generated/c2_tables.inc) $(BUILD)/generated/reference_points.inc \
               $(BUILD)/generated/identity.inc $(BUILD)/generated/mission.inc
 # Everything of the program but main(): tests look into it.
 PROGRAM_PARTS := $(filter-out %/main.o,$(PROGRAM_OBJECTS))
@@ -269,10 +270,10 @@ $(BUILD)/tablegen: $(TABLEGEN_OBJECTS)
 	$(link)
 	$(Q)$(HOST_CXX) $(HOST_FLAGS) $(TABLEGEN_OBJECTS) -o $@
 
-# Written beside its place and moved there only when complete.
-$(BUILD)/generated/aircraft_tables.inc: $(BUILD)/tablegen $(TABLES) $(BUILD)/tables.stamp
-	@echo "  tables  tables/$(AIRCRAFT)"; mkdir -p $(@D)
-	$(Q)$(BUILD)/tablegen $(or $(MADE_TABLES),tables/$(AIRCRAFT)) $@.part $(filter single,$(SLOPES)) && mv $@.part $@ || { rm -f $@.part; exit 1; }
+# Written beside its place and moved there only when complete; what the C2 fit moved stands beside it.
+$(BUILD)/generated/%_tables.inc: $(BUILD)/tablegen $(TABLES) $(BUILD)/tables.stamp
+	@echo "  tables  tables/$(AIRCRAFT)$(if $(filter c2,$*),: C2 fit)"; mkdir -p $(@D)
+	$(Q)$(BUILD)/tablegen $(or $(MADE_TABLES),tables/$(AIRCRAFT)) $@.part $(filter single,$(SLOPES)) $(if $(filter c2,$*),c2 >$(@D)/c2_fit.csv) && mv $@.part $@ || { rm -f $@.part; exit 1; }
 
 # The tests compare this aircraft with the XV-15, whichever is compiled in.
 $(BUILD)/generated/scaled_xv15_tables.inc: $(BUILD)/tablegen $(BUILD)/tables/scaled_xv15/identity.csv
@@ -301,7 +302,7 @@ $(BUILD)/generated/mission.inc: src/examples/mission.txt
 
 $(BUILD)/libtiltrotor.a: $(LIBRARY_OBJECTS)
 $(BUILD)/libtiltrotor-nd.a: $(LIBRARY_ND_OBJECTS)
-$(BUILD)/libtiltrotor-aircraft.a: $(AIRCRAFT_OBJECT)
+$(BUILD)/libtiltrotor-aircraft.a: $(AIRCRAFT_OBJECT) $(C2_OBJECT)
 $(BUILD)/libanalyses.a: $(COMMON_OBJECTS) $(BUILD)/cpp/library/analyses.o
 $(BUILD)/libanalyses-nd.a: $(COMMON_OBJECTS) $(BUILD)/cpp-nd/library/analyses.o
 $(LIBRARIES) $(ANALYSES) $(BUILD)/libtiltrotor-aircraft.a: $(BUILD)/sources.stamp

@@ -41,6 +41,7 @@
 #include "tiltrotor/math/differentiation/complex_step.hpp"
 #include "tiltrotor/math/tables/table_slopes.hpp"
 #include "tiltrotor/model/aircraft/aircraft_data.hpp"
+#include "tiltrotor/model/aircraft/c2_aircraft.hpp"
 #include "tiltrotor/model/setup/setup_explanation.hpp"
 #include "tiltrotor/model/variables/control_range.hpp"
 #include "tiltrotor/model/variables/presets.hpp"

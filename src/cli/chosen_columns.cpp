@@ -13,8 +13,9 @@ namespace tiltrotor::cli {
 OptionList columns_option() {
   return {{"--columns", "A,B,..",
            "only these, in this order: of those printed without it, and of the outputs\n"
-           "of linearize by their names (airspeed, power_right), in SI; a name may\n"
-           "end in another unit (speed_kt, altitude_ft, mass_lb, power_hp)"}};
+           "of linearize by their names (airspeed, power_right, nz@230/0/75 at a\n"
+           "station, htail_force_z), in SI; a name may end in another unit\n"
+           "(speed_kt, altitude_ft, mass_lb, power_hp)"}};
 }
 
 ChosenColumns::ChosenColumns(const Arguments& arguments, const std::vector<std::string>& own) : names_(own) {
@@ -42,25 +43,40 @@ ChosenColumns::ChosenColumns(const Arguments& arguments, const std::vector<std::
       size = in.size;
     }
     if (place == own.size()) place += place_in(outputs, name);
-    if (place == own.size() + outputs.size())
-      throw UsageError(where + ": no column " + quoted(name) + did_you_mean(name, all) + "; choose " +
-                       one_of(all));
-    if (std::find(place_.begin(), place_.end(), place) != place_.end())
+    const bool is_reading = place >= own.size() && place < own.size() + outputs.size();
+    if (place == own.size() + outputs.size()) {
+      const std::optional<NamedOutput> output = output_named(name, where);
+      if (!output) {
+        std::vector<std::string> near = all;
+        for (const std::string& other : output_names()) near.push_back(other);
+        throw UsageError(
+            where + ": no column " + quoted(name) + did_you_mean(name, near) + "; choose " + one_of(all) +
+            "; or htail_force_z, htail_moment_y, .. of a component of `loads`; or " + kStationForm);
+      }
+      place += airframe_.size();
+      airframe_.push_back(output->output);
+    }
+    if (std::find(names_.begin(), names_.end(), name) != names_.end() ||
+        std::find(place_.begin(), place_.end(), place) != place_.end())
       throw UsageError(where + ": " + name + " stands there twice");
     names_.push_back(name);
     place_.push_back(place);
     size_.push_back(size);
-    have_readings_ = have_readings_ || place >= own.size();
+    have_readings_ = have_readings_ || is_reading;
   }
 }
 
-Row ChosenColumns::row(const Row& own, const Instruments<double>& readings) const {
+Row ChosenColumns::row(const Row& own, const Instruments<double>& readings,
+                       const std::vector<double>& airframe) const {
   double reading[Instruments<double>::kCount];
   flatten(readings, reading);
+  std::vector<double> beside(reading, reading + Instruments<double>::kCount);
+  beside.insert(beside.end(), airframe.begin(), airframe.end());
+  beside.resize(Instruments<double>::kCount + airframe_.size(), std::numeric_limits<double>::quiet_NaN());
   Row row;
   for (std::size_t k = 0; k < place_.size(); ++k) {
     const std::size_t place = place_[k];
-    row.push_back(in_unit(place < own.size() ? own[place] : Cell(reading[place - own.size()]), size_[k]));
+    row.push_back(in_unit(place < own.size() ? own[place] : Cell(beside[place - own.size()]), size_[k]));
   }
   return row;
 }

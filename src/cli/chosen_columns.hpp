@@ -1,11 +1,11 @@
-// --columns: which columns of its rows a command prints, in which order, and beside its own what instruments read, by the
-// names that outputs have in linear models.
+// --columns: which columns of its rows a command prints, in which order, and beside its own what instruments read, load
+// factors at stations and loads of components, by the names that outputs have in linear models.
 #pragma once
 
 #include <string>
 #include <vector>
 
-#include "cli/arguments.hpp"
+#include "cli/named_outputs.hpp"
 #include "text/records.hpp"
 #include "tiltrotor/analysis/flight/instruments.hpp"
 
@@ -20,14 +20,19 @@ class ChosenColumns {
 
   const std::vector<std::string>& names() const { return names_; }
   bool have_readings() const { return have_readings_; }
-  // From the cells of all own columns and the readings, not a number where there are none.
-  Row row(const Row& own, const Instruments<double>& readings) const;
+  // Those of stations and components.
+  const std::vector<AirframeOutput>& airframe() const { return airframe_; }
+  // From the cells of all own columns, the readings and, in their order, those of airframe(): not a number where there are
+  // none.
+  Row row(const Row& own, const Instruments<double>& readings, const std::vector<double>& airframe) const;
 
  private:
   std::vector<std::string> names_;
-  std::vector<std::size_t> place_;  // among the own columns, then among the readings
-  std::vector<double> size_;        // of the unit of its name
+  std::vector<std::size_t>
+      place_;                 // among the own columns, then among the readings, then those of the airframe
+  std::vector<double> size_;  // of the unit of its name
   bool have_readings_ = false;
+  std::vector<AirframeOutput> airframe_;
 };
 
 // Of a row that has none.

@@ -21,6 +21,7 @@ Command modes_command();
 Command bode_command();
 Command qualities_command();
 Command sensitivity_command();
+Command interpolation_command();
 Command qlpv_command();
 Command performance_command();
 Command respond_command();

@@ -46,6 +46,7 @@ FlightStart read_start(const Arguments& arguments) {
   start.on_ground = !arguments.given("--speed") && !arguments.given("--mast") && !arguments.given("--height");
   const double mast_deg = arguments.number("--mast", 0, kMastRange);
   start.setup = options.flight_setup(mast_deg);
+  start.aircraft = &options.aircraft();
   if (!chooses_grid(arguments)) start.setup.options.grid = BladeGrid::realtime;
   start.setup.options.position_states = true;
   start.speed = arguments.number("--speed", 0, kSpeedRange);
@@ -53,7 +54,7 @@ FlightStart read_start(const Arguments& arguments) {
   start.dt = arguments.number("--dt", 0.01, kSteps);
   if (start.on_ground && arguments.given("--rotor-rpm"))
     throw UsageError(arguments.where("--rotor-rpm") + ": on the ground the script spools the rotors up");
-  prepared(start.setup, arguments.where("--mast") + ": ");
+  prepared(options.aircraft(), start.setup, arguments.where("--mast") + ": ");
   return start;
 }
 
@@ -141,12 +142,13 @@ int run(const Arguments& arguments) {
   if (!arguments.given("--script"))
     throw UsageError(arguments.where("--script") + ": is missing; give a file");
   const FlightScript script = read_flight_script(arguments.text("--script", ""));
-  const FlightStart start = read_start(arguments);
+  FlightStart start = read_start(arguments);
   if (start.on_ground && arguments.given("--feedback"))
     throw UsageError(arguments.where("--feedback") +
                      ": counts from the trim a flight begins in; give --mast, --speed or --height");
   const Feedback feedback(arguments, start.setup.options, FlightModes::shape(start.setup.options));
   const ChosenColumns columns(arguments, flight_columns());
+  start.outputs = columns.airframe();
   const double every = arguments.number("--every", 0.1, kEvery);
   const std::size_t thinned =
       std::max<std::size_t>(1, static_cast<std::size_t>(std::lround(every / start.dt)));
@@ -163,7 +165,7 @@ int run(const Arguments& arguments) {
   for (std::size_t step = 0; goes_on; ++step) {
     summary.add(flight.now());
     if (step % thinned == 0 || step == steps) {
-      records.add(columns.row(flight_row(flight.now()), flight.now().readings));
+      records.add(columns.row(flight_row(flight.now()), flight.now().readings, flight.now().airframe));
       companions.add(flight.now());
     }
     const Status modes = companions.accompany(flight);

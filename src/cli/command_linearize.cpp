@@ -10,6 +10,7 @@
 #include "cli/governed.hpp"
 #include "cli/linear_options.hpp"
 #include "cli/linear_output.hpp"
+#include "cli/named_outputs.hpp"
 #include "cli/output.hpp"
 #include "cli/states_option.hpp"
 #include "cli/trimmed_flights.hpp"
@@ -26,10 +27,17 @@ class Linearizer {
         order_(reduction_order(arguments)),
         controls_(control_set(arguments)),
         feedback_(arguments, options, false),
+        chosen_(chosen_outputs(arguments)),
         output_(arguments, single),
         model_(std::make_unique<LinearModel<double>>()),
         matrices_(std::make_unique<VehicleMatrices>()),
-        outputs_(std::make_unique<OutputMatrices>()) {}
+        outputs_(std::make_unique<OutputMatrices>()) {
+    const bool closed = feedback_.is_given() || options.governor != Governor::off;
+    for (const NamedOutput& output : chosen_)
+      if (output.reading < 0 && closed)
+        throw UsageError(arguments.where("--outputs") + ": " + output.name +
+                         " is of the airframe alone: leave --feedback and the governor out");
+  }
 
   const Shard& shard() const { return output_.shard(); }
   Analyses& work() const { return *work_; }
@@ -60,7 +68,7 @@ class Linearizer {
   // Those of `c` before those of the flight that `which` holds, if any.
   void tell_settings(const Configuration<double>& c, LinearCase& which) const {
     const LinearSettings flight = which.settings;
-    which.settings = LinearSettings(c.setup);
+    which.settings = LinearSettings(c);
     which.settings.numbers.insert(which.settings.numbers.end(), flight.numbers.begin(), flight.numbers.end());
     which.settings.switches.emplace_back("reduce", reduce_word(rigid_, order_));
     which.settings.switches.emplace_back("feedback", feedback_.name());
@@ -69,32 +77,58 @@ class Linearizer {
   Status find(const Configuration<double>& c, const State<double>& x, const Controls<double>& u,
               ShownModel& shown) {
     if (c.setup.options.governor != Governor::off) {
-      VehicleOutputs* const outputs = output_.wants_outputs() ? governed_outputs_.get() : nullptr;
+      VehicleOutputs* const outputs = wants_outputs() ? governed_outputs_.get() : nullptr;
       const Status status =
           feedback_.linearize_governed(c, x, u, controls_, *work_, *matrices_, false, outputs);
       Controls<double> at = u;
       const SystemFlight<double> flight = governed(c, x, at);
       shown = ShownModel(*matrices_, x, flight.state, u, flight.vehicle.commands);
-      if (status == Status::ok && outputs != nullptr) shown.add_outputs(*outputs);
+      if (status == Status::ok && outputs != nullptr) show_instruments(*outputs, shown);
       return status;
     }
-    OutputMatrices* const outputs = output_.wants_outputs() ? outputs_.get() : nullptr;
+    OutputMatrices* const outputs = wants_outputs() ? outputs_.get() : nullptr;
     Status status = feedback_.is_given() ? feedback_.linearize(c, x, u, controls_, *work_, *model_, outputs)
                                          : linearize(c, x, u, controls_, *work_, *model_);
     if (status == Status::ok && outputs != nullptr && !feedback_.is_given())
       status = linearize_outputs(c, x, u, controls_, *work_, *outputs);
+    const auto full = std::make_unique<LinearModel<double>>(*model_);
     if (status == Status::ok && rigid_)
       status =
           outputs != nullptr ? reduce_to_rigid(*model_, order_, *outputs) : reduce_to_rigid(*model_, order_);
     shown = ShownModel(*model_);
-    if (status == Status::ok && outputs != nullptr) shown.add_outputs(*outputs);
+    if (status != Status::ok || outputs == nullptr) return status;
+    if (chosen_.empty()) {
+      shown.add_outputs(*outputs);
+      return status;
+    }
+    const auto one = std::make_unique<OutputMatrices>();
+    for (const NamedOutput& output : chosen_) {
+      if (output.reading >= 0) {
+        shown.add_output(output, *outputs, output.reading);
+        continue;
+      }
+      status = linearize_airframe_output(c, x, u, controls_, output.output, *one);
+      if (status == Status::ok && rigid_) {
+        *model_ = *full;
+        status = reduce_to_rigid(*model_, order_, *one);
+      }
+      if (status != Status::ok) return status;
+      shown.add_output(output, *one, 0);
+    }
     return status;
+  }
+
+  bool wants_outputs() const { return output_.wants_outputs() || !chosen_.empty(); }
+  void show_instruments(const VehicleOutputs& outputs, ShownModel& shown) const {
+    if (chosen_.empty()) return shown.add_outputs(outputs);
+    for (const NamedOutput& output : chosen_) shown.add_output(output, outputs, output.reading);
   }
 
   bool rigid_;
   Reduction order_;
   ControlSet controls_;
   Feedback feedback_;
+  std::vector<NamedOutput> chosen_;
   LinearOutput output_;  // last of what arguments can refuse, since it begins to write
   std::unique_ptr<LinearModel<double>> model_;
   std::unique_ptr<VehicleMatrices> matrices_;
@@ -162,8 +196,8 @@ Command linearize_command() {
       "With --feedback they are those of the closed loop, with what the pilot adds in the place of u.\n"
       "The matlab script makes `model`, with the same members, and of every case model(k).ss where ss() is known.\n",
       "tiltrotor linearize --mast 90 --speed 80 --format json",
-      reduce_option() + control_set_option() + feedback_option() + states_option() + flight_list() +
-          SetupOptions::list() + LinearOutput::list(),
+      reduce_option() + control_set_option() + outputs_option() + feedback_option() + states_option() +
+          flight_list() + SetupOptions::list() + LinearOutput::list(),
       run};
 }
 

@@ -63,7 +63,7 @@ std::string point_json(const QlpvGrid& grid, const SchedulingPoint& at, const Ql
   std::string text = "{\n";
   for (int k = 0; k < kSchedulingVariables; ++k)
     text += "\"" + std::string(kSchedulingNames[k]) + "\": " + json_number(at[k]) + ", ";
-  LinearSettings settings(point.flight->configuration.setup);
+  LinearSettings settings(point.flight->configuration);
   settings.numbers.push_back({"climb_deg", point.flight->climb_deg});
   settings.numbers.push_back({"sideslip_deg", point.flight->sideslip_deg});
   settings.numbers.push_back({"turn_rate_degps", point.flight->turn_rate_degps});

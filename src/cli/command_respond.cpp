@@ -188,6 +188,18 @@ class Companions {
   std::unique_ptr<VehicleModes<double>> vehicle_modes_ = std::make_unique<VehicleModes<double>>();
 };
 
+// With what is read beside the row.
+Row chosen_row(const ChosenColumns& columns, const Row& own, const Flown& flown,
+               const Controls<double>& acting) {
+  if (!columns.have_readings() && columns.airframe().empty()) return columns.row(own, no_readings(), {});
+  const State<double> x = current_state(flown.simulation);
+  VehicleMoment now;
+  read_vehicle_moment(flown.systems, flown.c, x, acting, current_azimuth(flown.c, flown.simulation), now);
+  return columns.row(
+      own, now.found.readings,
+      airframe_readings(now.put, x, now.found.steps, now.found.answer.rates, columns.airframe()));
+}
+
 int fly(const TrimmedFlight& flight, const Plan& plan, const Feedback& feedback,
         Simulation<double>& simulation, Analyses& analyses, Companions& companions,
         const ChosenColumns& columns, Records& records) {
@@ -210,11 +222,7 @@ int fly(const TrimmedFlight& flight, const Plan& plan, const Feedback& feedback,
                                              current_azimuth(c, simulation));
     Row row = response_row(flight, c, simulation, acting, added);
     const Status linear = companions.accompany(step, flown, analyses, row);
-    const Instruments<double> readings = columns.have_readings()
-                                             ? vehicle_readings(flown.systems, c, current_state(simulation),
-                                                                acting, current_azimuth(c, simulation))
-                                             : no_readings();
-    records.add(columns.row(row, readings));
+    records.add(chosen_row(columns, row, flown, acting));
     if (linear != Status::ok) {
       progress.message("respond: linear model at " + now + ": " + status_text(linear));
       exit_status = exit_case_failed;

@@ -126,14 +126,21 @@ Row row(Flight flight, const std::vector<std::string>& completing) {
   return cells;
 }
 
-Instruments<double> readings(Flight flight) {
-  const Configuration<double>& c = flight.configuration;
-  DerivativeSteps<double> steps;
-  State<double> rates;
-  Instruments<double> found;
-  derivative(c, flight.trim.state, flight.trim.controls, steps, rates, 0.0);
-  read_instruments(c, flight.trim.state, steps, rates, found);
-  return found;
+// The row of the chosen columns, with what is read beside it.
+Row chosen_row(const ChosenColumns& columns, const Row& own, Flight flight) {
+  Instruments<double> readings = no_readings();
+  std::vector<double> airframe;
+  const bool reads = columns.have_readings() || !columns.airframe().empty();
+  if (reads && is_trimmed(flight.trim.status)) {
+    const Configuration<double>& c = flight.configuration;
+    const State<double>& x = flight.trim.state;
+    DerivativeSteps<double> steps;
+    State<double> rates;
+    derivative(c, x, flight.trim.controls, steps, rates, 0.0);
+    read_instruments(c, x, steps, rates, readings);
+    airframe = airframe_readings(c, x, steps, rates, columns.airframe());
+  }
+  return columns.row(own, readings, airframe);
 }
 
 int run(const Arguments& arguments) {
@@ -148,8 +155,7 @@ int run(const Arguments& arguments) {
   Records records = output.records(columns.names(), Output::to_read);
   const AnalysesWorkspace work;
   const int exit_status = for_each_trim(arguments, setups, output.shard(), *work, [&](Flight flight) {
-    const bool reads = columns.have_readings() && is_trimmed(flight.trim.status);
-    records.add(columns.row(row(flight, completing), reads ? readings(flight) : no_readings()));
+    records.add(chosen_row(columns, row(flight, completing), flight));
     return 0;
   });
   records.finish();

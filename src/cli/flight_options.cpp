@@ -8,6 +8,7 @@
 #include "cli/errors.hpp"
 #include "cli/model_options.hpp"
 #include "tiltrotor/model/aircraft/aircraft_data.hpp"
+#include "tiltrotor/model/aircraft/c2_aircraft.hpp"
 #include "tiltrotor/model/preparation.hpp"
 #include "tiltrotor/model/setup/setup_explanation.hpp"
 #include "tiltrotor/model/variables/presets.hpp"
@@ -47,10 +48,10 @@ Range offset_range() {
   return {-most, most, "K"};
 }
 
-// The aircraft on so many of its engines; it lives as long as the program.
-const Aircraft<double>& with_engines(int engines) {
-  static std::map<int, Aircraft<double>> all;
-  const auto place = all.emplace(engines, aircraft_data<double>()).first;
+// An aircraft on so many of its engines; it lives as long as the program.
+const Aircraft<double>& with_engines(const Aircraft<double>& aircraft, int engines) {
+  static std::map<std::pair<bool, int>, Aircraft<double>> all;
+  const auto place = all.emplace(std::pair(has_c2_tables(aircraft), engines), aircraft).first;
   place->second.controls.engines = engines;
   return place->second;
 }
@@ -65,7 +66,7 @@ double inward(double x, double size, bool up) {
 }
 
 const OptionList switch_options = {
-    {"--tables", "KIND", "interpolation: c1 or linear (c1)"},
+    {"--tables", "KIND", "interpolation: c1, linear or c2 (c1)"},
     {"--grid", "KIND", "blade stations: specification or realtime (specification)"},
     {"--preset", "NAME", "reference: the model of the independent implementation, for comparison"},
     {"--option", "NAME=VALUE", "any other switch of the model, repeatable; listed below", true},
@@ -73,9 +74,10 @@ const OptionList switch_options = {
 
 }  // namespace
 
-Configuration<double> prepared(const FlightSetup<double>& setup, const std::string& where) {
+Configuration<double> prepared(const Aircraft<double>& aircraft, const FlightSetup<double>& setup,
+                               const std::string& where) {
   Configuration<double> configuration;
-  const Status status = prepare(aircraft_data<double>(), setup, configuration);
+  const Status status = prepare(aircraft, setup, configuration);
   if (status == Status::ok) return configuration;
   constexpr int longest = 120;
   char fault[longest];
@@ -206,6 +208,10 @@ FlightSetup<double> SetupOptions::flight_setup(double mast_deg) const {
   return setup;
 }
 
+const Aircraft<double>& SetupOptions::aircraft() const {
+  return switches_.c2_tables ? c2_aircraft_data() : aircraft_data<double>();
+}
+
 std::string SetupOptions::text() const {
   constexpr int digits = 6;
   std::string given;
@@ -230,7 +236,7 @@ bool SetupOptions::some_engines_stand() const {
 }
 
 void SetupOptions::surround(Configuration<double>& c) const {
-  if (some_engines_stand()) c.aircraft = &with_engines(engines_);
+  if (some_engines_stand()) c.aircraft = &with_engines(*c.aircraft, engines_);
   if (!isa_offset_) return;
   c.around.warmer = *isa_offset_;
   configure(c);
@@ -248,7 +254,7 @@ std::optional<double> SetupOptions::given(const std::string& column) const {
 }
 
 Configuration<double> SetupOptions::configuration(double mast_deg) const {
-  Configuration<double> c = prepared(flight_setup(mast_deg));
+  Configuration<double> c = prepared(aircraft(), flight_setup(mast_deg));
   surround(c);
   return c;
 }
@@ -256,7 +262,7 @@ Configuration<double> SetupOptions::configuration(double mast_deg) const {
 Configuration<double> SetupOptions::configuration(double mast_deg, double rotor_speed) const {
   FlightSetup<double> setup = flight_setup(mast_deg);
   setup.rotor_speed = rotor_speed;
-  Configuration<double> c = prepared(setup);
+  Configuration<double> c = prepared(aircraft(), setup);
   surround(c);
   return c;
 }

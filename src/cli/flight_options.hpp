@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "cli/model_options.hpp"
 #include "cli/trim_targets.hpp"
 #include "tiltrotor/analysis/trim/steady_flight.hpp"
 #include "tiltrotor/model/setup/configuration.hpp"
@@ -51,6 +52,7 @@ class SetupOptions {
   // Air and engines that were asked for, around a configuration prepared without.
   void surround(Configuration<double>& c) const;
   const Options& switches() const { return switches_; }
+  const Aircraft<double>& aircraft() const;  // with the tables that --tables chooses
   // What was given for a column of settings, in its unit: 300 for cg_sl_in.
   std::optional<double> given(const std::string& column) const;
 
@@ -66,11 +68,12 @@ class SetupOptions {
   std::optional<double> cg_sl_in_;
   std::optional<double> isa_offset_;
   int engines_ = 0;  // that run; 0: all
-  Options switches_;
+  ModelChoice switches_;
 };
 
 // Throws UsageError "<where>..." when the model refuses the combination.
-Configuration<double> prepared(const FlightSetup<double>& setup, const std::string& where = "");
+Configuration<double> prepared(const Aircraft<double>& aircraft, const FlightSetup<double>& setup,
+                               const std::string& where = "");
 
 // --mast, of which some commands take one value and some several.
 OptionList mast_option();

@@ -15,7 +15,7 @@ constexpr const char* switches_heading =
 }  // namespace
 
 std::string general_help(const std::vector<Command>& commands) {
-  constexpr std::size_t summary_column = 15;
+  constexpr std::size_t summary_column = 17;
   std::string text =
       "usage: tiltrotor COMMAND [options]\n"
       "Flight dynamics of a tilt-rotor: trim, exact linear models, modes, time responses.\n"

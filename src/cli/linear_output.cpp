@@ -38,7 +38,7 @@ std::string matlab_system(const std::string& name, bool has_outputs) {
 OptionList LinearOutput::list() {
   return {
       {"--format", "KIND",
-       "csv (one entry a line: x0, u0, A, B), json, matlab (a script) or\n"
+       "csv (one entry a line: x0, u0, A, B; with --outputs y0, C, D), json, matlab (a script) or\n"
        "table (table on a terminal, else csv)"},
       output_option(),
       units_option(),
@@ -106,6 +106,20 @@ void LinearOutput::add_csv(const LinearCase& which, const Model& model) {
     for (int j = 0; j < model.controls; ++j) {
       line("B", model.state_name(i), model.state_unit(i), model.control_name(j), model.control_unit(j),
            model.b(i, j));
+    }
+  }
+  for (int i = 0; i < model.outputs; ++i)
+    line("y0", model.output_name(i), model.output_unit(i), "", "", model.y[static_cast<std::size_t>(i)]);
+  for (int i = 0; i < model.outputs; ++i) {
+    for (int j = 0; j < model.states; ++j) {
+      line("C", model.output_name(i), model.output_unit(i), model.state_name(j), model.state_unit(j),
+           model.c(i, j));
+    }
+  }
+  for (int i = 0; i < model.outputs; ++i) {
+    for (int j = 0; j < model.controls; ++j) {
+      line("D", model.output_name(i), model.output_unit(i), model.control_name(j), model.control_unit(j),
+           model.d(i, j));
     }
   }
   sink_.write(text);
@@ -182,6 +196,13 @@ void LinearOutput::add_table(const LinearCase& which, const Model& model) {
           cell(number_text(model.x[static_cast<std::size_t>(i)], digits)) + " |" +
           joined(model.states, "", [&](int j) { return cell(number_text(model.a(i, j), digits)); }) + " |" +
           joined(model.controls, "", [&](int j) { return cell(number_text(model.b(i, j), digits)); }) + "\n";
+    }
+    for (int i = 0; i < model.outputs; ++i) {
+      text +=
+          cell(model.output_name(i)) + cell(model.output_unit(i)) +
+          cell(number_text(model.y[static_cast<std::size_t>(i)], digits)) + " |" +
+          joined(model.states, "", [&](int j) { return cell(number_text(model.c(i, j), digits)); }) + " |" +
+          joined(model.controls, "", [&](int j) { return cell(number_text(model.d(i, j), digits)); }) + "\n";
     }
   }
   sink_.write(text);

@@ -6,7 +6,8 @@
 
 namespace tiltrotor::cli {
 
-LinearSettings::LinearSettings(const FlightSetup<double>& setup) : switches(model_switches(setup.options)) {
+LinearSettings::LinearSettings(const Configuration<double>& c) : switches(model_switches(choice_of(c))) {
+  const FlightSetup<double>& setup = c.setup;
   for (const char* column : {"mast_deg", "flap_deg", "rotor_rpm", "mass_kg", "cg_sl_in"})
     numbers.push_back({column, setting_value(column, setup)});
   numbers.push_back({"cg_wl_in", setup.wl_cg / kInch});

@@ -17,7 +17,7 @@ struct LinearSettings {
   std::vector<std::pair<std::string, std::string>> switches;  // all of them, those at their default too
 
   LinearSettings() = default;
-  explicit LinearSettings(const FlightSetup<double>& setup);
+  explicit LinearSettings(const Configuration<double>& c);
 };
 
 }  // namespace tiltrotor::cli

@@ -8,6 +8,7 @@
 #include "cli/errors.hpp"
 #include "text/nearest.hpp"
 #include "tiltrotor/model/aircraft/aircraft_data.hpp"
+#include "tiltrotor/model/aircraft/c2_aircraft.hpp"
 #include "tiltrotor/model/setup/blade_grid.hpp"
 #include "tiltrotor/model/variables/presets.hpp"
 
@@ -19,8 +20,8 @@ struct Switch {
   std::string name;
   std::string values;  // as shown in the help
   const char* help;
-  std::function<void(Options&, const std::string& value, const std::string& where)> set;
-  std::function<std::string(const Options&)> value;  // none: a name for several others
+  std::function<void(ModelChoice&, const std::string& value, const std::string& where)> set;
+  std::function<std::string(const ModelChoice&)> value;  // none: a name for several others
 };
 
 // Words in the order of the enumerators.
@@ -30,36 +31,36 @@ Switch words(const char* name, Enum Options::*member, const std::vector<std::str
   std::string values;
   for (const std::string& choice : choices) values += (values.empty() ? "" : "|") + choice;
   return {name, values, help,
-          [=](Options& options, const std::string& value, const std::string& where) {
+          [=](ModelChoice& options, const std::string& value, const std::string& where) {
             options.*member = static_cast<Enum>(place_of(value, choices, where));
           },
-          [=](const Options& options) { return choices[static_cast<std::size_t>(options.*member)]; }};
+          [=](const ModelChoice& options) { return choices[static_cast<std::size_t>(options.*member)]; }};
 }
 
 Switch on_off(const char* name, bool Options::*member, const char* help) {
   const bool is_on = Options().*member;
   return {name, is_on ? "on|off" : "off|on", help,
-          [=](Options& options, const std::string& value, const std::string& where) {
+          [=](ModelChoice& options, const std::string& value, const std::string& where) {
             options.*member = place_of(value, {"off", "on"}, where) == 1;
           },
-          [=](const Options& options) { return options.*member ? "on" : "off"; }};
+          [=](const ModelChoice& options) { return options.*member ? "on" : "off"; }};
 }
 
 Switch number(const char* name, double Options::*member, double low, double high, const char* help) {
   const Range range{low, high, ""};
   return {name, range_text(range), help,
-          [=](Options& options, const std::string& value, const std::string& where) {
+          [=](ModelChoice& options, const std::string& value, const std::string& where) {
             options.*member = parse_number(value, where, range);
           },
-          [=](const Options& options) { return number_text(options.*member); }};
+          [=](const ModelChoice& options) { return number_text(options.*member); }};
 }
 
 Switch whole(const char* name, int Options::*member, long low, long high, const char* help) {
   return {name, std::to_string(low) + ".." + std::to_string(high), help,
-          [=](Options& options, const std::string& value, const std::string& where) {
+          [=](ModelChoice& options, const std::string& value, const std::string& where) {
             options.*member = static_cast<int>(parse_integer(value, where, low, high));
           },
-          [=](const Options& options) { return std::to_string(options.*member); }};
+          [=](const ModelChoice& options) { return std::to_string(options.*member); }};
 }
 
 // Two stations or fewer cannot carry the first harmonics.
@@ -69,7 +70,7 @@ Switch azimuth_stations() {
                    "0: the grid's own number");
   const std::string stated = "0 or " + s.values;
   s.values = "0|" + s.values;
-  s.set = [=](Options& options, const std::string& value, const std::string& where) {
+  s.set = [=](ModelChoice& options, const std::string& value, const std::string& where) {
     const long stations = parse_integer(value, where, 0, kMaxAzimuthStations, stated);
     if (stations != 0 && stations < fewest) refuse_integer(value, where, stated);
     options.azimuth_stations = static_cast<int>(stations);
@@ -81,16 +82,31 @@ Switch azimuth_stations() {
 Switch data_set() {
   const std::vector<std::string> sets = {"as_simulated", "as_flown"};
   return {"data_set", sets[0] + "|" + sets[1], "inertia and tail_pressure of that aircraft",
-          [sets](Options& options, const std::string& value, const std::string& where) {
+          [sets](ModelChoice& options, const std::string& value, const std::string& where) {
             choose(static_cast<DataSet>(place_of(value, sets, where)), options);
           },
           nullptr};
 }
 
+Switch tables() {
+  const std::vector<std::string> kinds = {"c1", "linear", "c2"};
+  Switch s =
+      words("tables", &Options::tables, kinds, "interpolation of the tables; c2: as smooth as print allows");
+  s.set = [=](ModelChoice& options, const std::string& value, const std::string& where) {
+    const std::size_t kind = place_of(value, kinds, where);
+    options.c2_tables = kinds[kind] == "c2";
+    options.tables = kinds[kind] == "linear" ? Interpolation::linear : Interpolation::c1;
+  };
+  s.value = [=](const ModelChoice& options) {
+    return options.c2_tables ? kinds[2] : kinds[static_cast<std::size_t>(options.tables)];
+  };
+  return s;
+}
+
 std::vector<Switch> all_switches() {
   using O = Options;
   return {
-      words("tables", &O::tables, {"c1", "linear"}, "interpolation of the tables"),
+      tables(),
       words("grid", &O::grid, {"specification", "realtime"}, "blade stations"),
       whole("grid_refinement", &O::grid_refinement, 1, 4, "times the radial stations of the grid"),
       azimuth_stations(),
@@ -153,6 +169,10 @@ const std::vector<Switch>& switches() {
 
 }  // namespace
 
+ModelChoice choice_of(const Configuration<double>& c) {
+  return {c.setup.options, has_c2_tables(*c.aircraft)};
+}
+
 std::string model_options_help() {
   constexpr std::size_t help_column = 50;
   std::string text;
@@ -170,22 +190,22 @@ std::vector<std::pair<std::string, std::string>> model_option_values() {
   return all;
 }
 
-std::string model_text(const Options& options) {
-  const Options standard;
+std::string model_text(const ModelChoice& options) {
+  const ModelChoice standard;
   std::string text = aircraft_identity().name;
   for (const Switch& s : switches())
     if (s.value && s.value(options) != s.value(standard)) text += " " + s.name + "=" + s.value(options);
   return text;
 }
 
-std::vector<std::pair<std::string, std::string>> model_switches(const Options& options) {
+std::vector<std::pair<std::string, std::string>> model_switches(const ModelChoice& options) {
   std::vector<std::pair<std::string, std::string>> all;
   for (const Switch& s : switches())
     if (s.value) all.emplace_back(s.name, s.value(options));
   return all;
 }
 
-void set_model_option(Options& options, const std::string& name, const std::string& value,
+void set_model_option(ModelChoice& options, const std::string& name, const std::string& value,
                       const std::string& where) {
   const auto place =
       std::find_if(switches().begin(), switches().end(), [&](const Switch& s) { return s.name == name; });

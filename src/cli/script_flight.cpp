@@ -34,7 +34,7 @@ struct ScriptFlight::Parts : ScriptCommander {
   // ---- begin ----
 
   void prepare_vehicle(const FlightSetup<double>& setup) {
-    c = prepared(setup);
+    c = prepared(aircraft, setup);
     Vehicle<double>& v = flight.vehicle;
     v.on = {Governor::pi, true, true, true, true, true, true, false};
     v.ground = {0, 0, 0};
@@ -214,6 +214,7 @@ struct ScriptFlight::Parts : ScriptCommander {
     m.commands = flight.vehicle.commands;
     m.rates = answer.rates;
     read_vehicle(flight.vehicle, here, x, steps, answer.rates, found, m.readings);
+    m.airframe = airframe_readings(here, x, steps, answer.rates, start.outputs);
     m.velocity_n = over_ground(x, c.around.wind_n);
     m.height = height();
     m.airspeed = length(x.velocity - u.gust);

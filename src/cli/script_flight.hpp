@@ -12,11 +12,13 @@
 #include <string>
 #include <vector>
 
+#include "cli/airframe_outputs.hpp"
 #include "cli/feedback_flight.hpp"
 #include "cli/flight_script.hpp"
 #include "cli/pilot_training.hpp"
 #include "tiltrotor/analysis/flight/instruments.hpp"
 #include "tiltrotor/analysis/flight/response.hpp"
+#include "tiltrotor/model/aircraft/aircraft_data.hpp"
 
 namespace tiltrotor::cli {
 
@@ -25,6 +27,8 @@ struct FlightStart {
   bool on_ground;             // on its wheels, rotors turning slowly; else in trim, the gear up
   double speed, height;       // of the trim, m/s and m
   double dt;                  // s
+  const Aircraft<double>* aircraft = &aircraft_data<double>();
+  std::vector<AirframeOutput> outputs = {};  // that are read beside the instruments
 };
 
 // What there is at a moment, and what acts from then on.
@@ -47,6 +51,7 @@ struct FlightMoment {
   double wanted_height;  // m; not a number where none is held
   bool height_settles;   // its reference has arrived
   Instruments<double> readings;
+  std::vector<double> airframe;  // FlightStart::outputs
 };
 
 class ScriptFlight {

@@ -42,7 +42,7 @@ inline FlightSetup<double> where_trained(const FlightStart& start) {
 struct ScriptFlightState {
   const FlightScript& script;
   const FlightStart start;
-  const Aircraft<double>& aircraft = aircraft_data<double>();
+  const Aircraft<double>& aircraft = *start.aircraft;
   PilotTraining training;
   Configuration<double> c{};
   SystemFlight<double> flight{};

@@ -20,23 +20,33 @@ ShownModel::ShownModel(const LinearModel<double>& exact) : states(exact.states),
   }
 }
 
-void ShownModel::add_outputs(const OutputMatrices& found) { add(found); }
-void ShownModel::add_outputs(const VehicleOutputs& found) { add(found); }
+void ShownModel::add_outputs(const OutputMatrices& found) {
+  for (int i = 0; i < OutputMatrices::outputs; ++i) add(found, i);
+}
+void ShownModel::add_outputs(const VehicleOutputs& found) {
+  for (int i = 0; i < VehicleOutputs::outputs; ++i) add(found, i);
+}
+void ShownModel::add_output(const NamedOutput& which, const OutputMatrices& found, int row) {
+  named_.push_back(which);
+  add(found, row);
+}
+void ShownModel::add_output(const NamedOutput& which, const VehicleOutputs& found, int row) {
+  named_.push_back(which);
+  add(found, row);
+}
 
 template <class Outputs>
-void ShownModel::add(const Outputs& found) {
-  outputs = Outputs::outputs;
+void ShownModel::add(const Outputs& found, int row) {
   constexpr double point_terms = 1;
-  for (int i = 0; i < outputs; ++i) {
-    double terms = 0;
-    const auto state_size = [&](int j) { return state(j).facts().bend; };
-    const auto control_size = [&](int j) { return control(j).facts().bend; };
-    for (int j = 0; j < states; ++j) terms += std::abs(found.c(i, j)) * state_size(j);
-    for (int j = 0; j < controls; ++j) terms += std::abs(found.d(i, j)) * control_size(j);
-    y.push_back(without_rounding(found.y[i], point_terms));
-    for (int j = 0; j < states; ++j) c_.push_back(without_rounding(found.c(i, j), terms / state_size(j)));
-    for (int j = 0; j < controls; ++j) d_.push_back(without_rounding(found.d(i, j), terms / control_size(j)));
-  }
+  double terms = 0;
+  const auto state_size = [&](int j) { return state(j).facts().bend; };
+  const auto control_size = [&](int j) { return control(j).facts().bend; };
+  for (int j = 0; j < states; ++j) terms += std::abs(found.c(row, j)) * state_size(j);
+  for (int j = 0; j < controls; ++j) terms += std::abs(found.d(row, j)) * control_size(j);
+  y.push_back(without_rounding(found.y[row], point_terms));
+  for (int j = 0; j < states; ++j) c_.push_back(without_rounding(found.c(row, j), terms / state_size(j)));
+  for (int j = 0; j < controls; ++j) d_.push_back(without_rounding(found.d(row, j), terms / control_size(j)));
+  ++outputs;
 }
 
 ShownModel::ShownModel(const VehicleMatrices& m, const State<double>& of_airframe,

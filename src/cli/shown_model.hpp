@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "cli/named_outputs.hpp"
 #include "cli/output_names.hpp"
 #include "library/vehicle_outputs.hpp"
 
@@ -19,6 +20,9 @@ class ShownModel {
   // The outputs of the same point beside it; none before.
   void add_outputs(const OutputMatrices& found);
   void add_outputs(const VehicleOutputs& found);
+  // One more, of a row there.
+  void add_output(const NamedOutput& which, const OutputMatrices& found, int row);
+  void add_output(const NamedOutput& which, const VehicleOutputs& found, int row);
 
   int states = 0, controls = 0, outputs = 0;
   std::vector<double> x, u, y;
@@ -31,19 +35,26 @@ class ShownModel {
   const char* state_unit(int i) const { return state(i).unit(); }
   const char* control_name(int j) const { return control(j).name; }
   const char* control_unit(int j) const { return control(j).unit(); }
-  const char* output_name(int i) const { return kOutputNames[i].name; }
-  const char* output_unit(int i) const { return kOutputNames[i].unit; }
+  // All of the instruments in their order, or those that were added one by one.
+  const char* output_name(int i) const {
+    return named_.empty() ? kOutputNames[i].name : named(i).name.c_str();
+  }
+  const char* output_unit(int i) const {
+    return named_.empty() ? kOutputNames[i].unit : named(i).unit.c_str();
+  }
 
  private:
   static std::size_t place(int row, int width, int column) {
     return static_cast<std::size_t>(row) * static_cast<std::size_t>(width) + static_cast<std::size_t>(column);
   }
   template <class Outputs>
-  void add(const Outputs& found);
+  void add(const Outputs& found, int row);
+  const NamedOutput& named(int i) const { return named_[static_cast<std::size_t>(i)]; }
   const Variable& state(int i) const { return vehicle_variable(state_[static_cast<std::size_t>(i)]); }
   const Variable& control(int j) const { return vehicle_input(control_[static_cast<std::size_t>(j)]); }
 
   std::vector<int> state_, control_;
+  std::vector<NamedOutput> named_;
   std::vector<double> a_, b_, c_, d_;
 };
 

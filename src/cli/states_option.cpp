@@ -91,7 +91,8 @@ Configuration<double> GivenStates::configuration(const StateRow& row) const {
   setup.rotor_speed = row.rotor_speed.value_or(setup.rotor_speed);
   setup.mass = row.mass.value_or(setup.mass);
   setup.sl_cg = row.sl_cg.value_or(setup.sl_cg);
-  Configuration<double> c = prepared(setup, file_.path() + ":" + std::to_string(row.line) + ": ");
+  Configuration<double> c =
+      prepared(setup_.aircraft(), setup, file_.path() + ":" + std::to_string(row.line) + ": ");
   setup_.surround(c);
   return c;
 }

@@ -15,12 +15,19 @@ Configuration<double> in_its_air(const SystemFlight<double>& flight, const Confi
 
 }  // namespace
 
+void read_vehicle_moment(const SystemFlight<double>& flight, const Configuration<double>& c,
+                         const State<double>& x, const Controls<double>& u, double azimuth,
+                         VehicleMoment& moment) {
+  moment.put = in_its_air(flight, c, x, u);
+  moment.found.read({flight.vehicle, flight.state, c.setup, moment.put}, moment.put, x, flight.state, u,
+                    azimuth);
+}
+
 Instruments<double> vehicle_readings(const SystemFlight<double>& flight, const Configuration<double>& c,
                                      const State<double>& x, const Controls<double>& u, double azimuth) {
-  Configuration<double> put = in_its_air(flight, c, x, u);
-  VehicleReadings<double> now;
-  now.read({flight.vehicle, flight.state, c.setup, put}, put, x, flight.state, u, azimuth);
-  return now.readings;
+  VehicleMoment moment;
+  read_vehicle_moment(flight, c, x, u, azimuth, moment);
+  return moment.found.readings;
 }
 
 Status linearize_vehicle_outputs(const SystemFlight<double>& flight, const Configuration<double>& c,

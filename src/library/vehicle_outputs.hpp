@@ -2,6 +2,7 @@
 #pragma once
 
 #include "library/analyses.hpp"
+#include "tiltrotor/analysis/flight/vehicle_readings.hpp"
 #include "tiltrotor/analysis/linear/vehicle_direction.hpp"
 
 namespace tiltrotor {
@@ -18,6 +19,15 @@ struct VehicleOutputs {
 Status linearize_vehicle_outputs(const SystemFlight<double>& flight, const Configuration<double>& c,
                                  const State<double>& x, const Controls<double>& u, const VehicleShape& shape,
                                  VehicleOutputs& found, double azimuth = 0);
+
+// What an evaluation in the flight's systems and air finds: for what is read of it besides.
+struct VehicleMoment {
+  Configuration<double> put;  // into what the systems ask for
+  VehicleReadings<double> found;
+};
+void read_vehicle_moment(const SystemFlight<double>& flight, const Configuration<double>& c,
+                         const State<double>& x, const Controls<double>& u, double azimuth,
+                         VehicleMoment& moment);
 
 // y alone.
 Instruments<double> vehicle_readings(const SystemFlight<double>& flight, const Configuration<double>& c,

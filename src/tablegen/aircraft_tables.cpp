@@ -58,7 +58,8 @@ void Composer::aileron_lift_loss() {
   }
   if (csv.rows.size() < flap_names_.size())
     throw Fault{csv.file, csv.rows.back().line, "row '" + flap_names_[csv.rows.size()] + "' is missing"};
-  put("wing.aileron_lift_loss", name, Curve{flap_deg_, curve(name, "CL_delta_a", "1/deg", "1/rad").value});
+  const Curve loss = curve(name, "CL_delta_a", "1/deg", "1/rad");
+  put("wing.aileron_lift_loss", name, Curve{flap_deg_, loss.value, loss.half});
 }
 
 // Lift or drag. The clean wing depends on Mach number at mast 90; a Mach column that is shorter than the
@@ -200,10 +201,13 @@ void Composer::controls() {
   const std::string pedal = files_.file("controls.pedal_cyclic");
   const Grid& by_mast_angle = grid(pedal);
   const std::vector<double> speed = by_mast_angle.labels(by_mast_angle.names(), "V");
-  std::vector<Curve> stack(by_mast_angle.knot.size(), Curve{speed, {}});
+  std::vector<Curve> stack(by_mast_angle.knot.size(), Curve{speed, {}, {}});
   for (const std::string& name : by_mast_angle.names()) {
     const Curve column = resampled(curve(pedal, name, "deg/in", "rad/in"), by_mast_angle.knot);
-    for (std::size_t i = 0; i < stack.size(); ++i) stack[i].value.push_back(column.value[i]);
+    for (std::size_t i = 0; i < stack.size(); ++i) {
+      stack[i].value.push_back(column.value[i]);
+      stack[i].half.push_back(column.half[i]);
+    }
   }
   put_stack("controls.pedal_cyclic", pedal, {by_mast_angle.knot}, stack);
 
@@ -240,12 +244,17 @@ constexpr AxisQuantity kQuantities[] = {
     {"controls.pedal_cyclic", 0, kSpeedWidth, "kt"}, {"controls.lateral_cyclic", 0, kSpeedWidth, "kt"},
 };
 
+const AxisQuantity* quantity(const std::string& field, std::size_t axis) {
+  const std::string name = field.substr(0, field.find('['));
+  for (const AxisQuantity& q : kQuantities)
+    if (name == q.field && axis == q.axis) return &q;
+  return nullptr;
+}
+
 // Radial stations and what a mast or flap angle fixes for a run need no width: their arguments never leave
 // the grid.
 double end_width(const Entries& entries, const std::string& field, std::size_t axis) {
-  const std::string name = field.substr(0, field.find('['));
-  for (const AxisQuantity& q : kQuantities)
-    if (name == q.field && axis == q.axis) return entries.in(q.end_width, q.unit);
+  if (const AxisQuantity* const q = quantity(field, axis)) return entries.in(q->end_width, q->unit);
   return entries.in("smooth_table_end_angle", "deg");
 }
 
@@ -275,9 +284,12 @@ std::vector<TableArray> compose_tables(const std::string& folder, const Entries&
   composer.fins();
   composer.controls();
   composer.check_the_rest();
-  for (TableArray& table : composer.tables)
+  for (TableArray& table : composer.tables) {
     for (std::size_t a = 0; a < table.smooth.size(); ++a)
       table.end_width.push_back(end_width(entries, table.field, a));
+    const AxisQuantity* const second = quantity(table.field, 1);
+    table.over_mach = second != nullptr && second->end_width == kRatioWidth;
+  }
   return std::move(composer.tables);
 }
 

@@ -16,7 +16,10 @@ struct TableArray {
   std::vector<std::vector<double>> smooth;
   std::vector<std::vector<double>> linear;
   std::vector<double> value;
+  std::vector<double> half;            // of each value: Curve::half
   std::vector<double> end_width = {};  // of each smooth axis: tiltrotor::Axis::end_width
+  bool over_mach = false;              // the second smooth axis is the Mach number
+  std::vector<double> fitted = {};     // nodes of the C2 fit; empty: values, and slopes of the C1 interpolant
 };
 
 // Flap angles of flap_setting_1, _2, ..., deg: two at least, increasing.

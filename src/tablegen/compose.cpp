@@ -1,6 +1,7 @@
 #include "tablegen/compose.hpp"
 
 #include <algorithm>
+#include <limits>
 
 namespace tablegen {
 
@@ -14,11 +15,25 @@ double at(const Curve& curve, double x) {
   return curve.value[i] + (curve.value[i + 1] - curve.value[i]) * ((x - knot[i]) / (knot[i + 1] - knot[i]));
 }
 
+double half_unit_at(const Curve& curve, double x) {
+  const auto& knot = curve.knot;
+  if (x <= knot.front()) return curve.half.front();
+  if (x >= knot.back()) return curve.half.back();
+  const auto right = std::upper_bound(knot.begin(), knot.end(), x);
+  const auto i = static_cast<std::size_t>(right - knot.begin()) - 1;
+  return x == knot[i] ? curve.half[i] : std::numeric_limits<double>::infinity();
+}
+
 Curve resampled(const Curve& curve, const std::vector<double>& knots) {
-  Curve result{knots, {}};
-  for (const double x : knots) result.value.push_back(at(curve, x));
-  if (around_circle(knots) && curve.knot.front() > knots.front() && curve.knot.back() < knots.back())
+  Curve result{knots, {}, {}};
+  for (const double x : knots) {
+    result.value.push_back(at(curve, x));
+    result.half.push_back(half_unit_at(curve, x));
+  }
+  if (around_circle(knots) && curve.knot.front() > knots.front() && curve.knot.back() < knots.back()) {
     result.value.front() = result.value.back() = 0.5 * (result.value.front() + result.value.back());
+    result.half.front() = result.half.back() = 0.5 * (result.half.front() + result.half.back());
+  }
   return result;
 }
 
@@ -38,6 +53,7 @@ Curve extended(const Curve& curve, const Curve& extension) {
     if (!std::binary_search(source.knot.begin(), source.knot.end(), x)) continue;
     result.knot.push_back(x);
     result.value.push_back(at(source, x));
+    result.half.push_back(half_unit_at(source, x));
   }
   return result;
 }
@@ -47,9 +63,11 @@ Curve with_odd_half(const Curve& half) {
   for (std::size_t i = half.knot.size(); i-- > 1;) {
     result.knot.push_back(-half.knot[i]);
     result.value.push_back(-half.value[i]);
+    result.half.push_back(half.half[i]);
   }
   result.knot.insert(result.knot.end(), half.knot.begin(), half.knot.end());
   result.value.insert(result.value.end(), half.value.begin(), half.value.end());
+  result.half.insert(result.half.end(), half.half.begin(), half.half.end());
   return result;
 }
 

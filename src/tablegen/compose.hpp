@@ -10,6 +10,9 @@ namespace tablegen {
 
 double at(const Curve& curve, double x);
 
+// How far print rounded the value there; infinite between the printed ones.
+double half_unit_at(const Curve& curve, double x);
+
 // The same curve on other knots. Where these go once around the circle, -180..180 deg, and the curve does
 // not, its two held values meet at the ends, which are one place: each becomes their mean there.
 Curve resampled(const Curve& curve, const std::vector<double>& knots);

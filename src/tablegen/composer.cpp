@@ -72,7 +72,7 @@ void Composer::check_same_columns(const std::string& name, const std::string& as
 }
 
 void Composer::put(const std::string& field, const std::string& source, const Curve& c) {
-  tables.push_back({field, source, {c.knot}, {}, c.value});
+  tables.push_back({field, source, {c.knot}, {}, c.value, c.half});
 }
 
 void Composer::put(const std::string& field, const std::string& source, const Surface& s) {
@@ -83,12 +83,16 @@ void Composer::put_stack(const std::string& field, const std::string& source,
                          std::vector<std::vector<double>> linear, const std::vector<Surface>& stack) {
   std::vector<double> x;
   for (const Surface& s : stack) x = union_of(x, s.x);
-  TableArray table{field, source, {x, stack.front().y}, std::move(linear), {}};
+  TableArray table{field, source, {x, stack.front().y}, std::move(linear), {}, {}};
   for (const Surface& s : stack) {
     std::vector<Curve> columns;
     for (const Curve& column : s.column) columns.push_back(resampled(column, x));
-    for (std::size_t i = 0; i < x.size(); ++i)
-      for (const Curve& column : columns) table.value.push_back(column.value[i]);
+    for (std::size_t i = 0; i < x.size(); ++i) {
+      for (const Curve& column : columns) {
+        table.value.push_back(column.value[i]);
+        table.half.push_back(column.half[i]);
+      }
+    }
   }
   tables.push_back(std::move(table));
 }
@@ -97,10 +101,11 @@ void Composer::put_stack(const std::string& field, const std::string& source,
                          std::vector<std::vector<double>> linear, const std::vector<Curve>& stack) {
   std::vector<double> x;
   for (const Curve& c : stack) x = union_of(x, c.knot);
-  TableArray table{field, source, {x}, std::move(linear), {}};
+  TableArray table{field, source, {x}, std::move(linear), {}, {}};
   for (const Curve& c : stack) {
     const Curve on_x = resampled(c, x);
     table.value.insert(table.value.end(), on_x.value.begin(), on_x.value.end());
+    table.half.insert(table.half.end(), on_x.half.begin(), on_x.half.end());
   }
   tables.push_back(std::move(table));
 }

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
+#include <cstdlib>
+#include <map>
 
 #include "tablegen/fault.hpp"
 #include "tablegen/units.hpp"
@@ -37,7 +40,33 @@ std::vector<double> read_knots(const Csv& csv) {
   return knot;
 }
 
-Curve read_column(const Csv& csv, const std::vector<double>& knot, std::size_t index) {
+// Places after the point of a number as it is written, at least 0.
+int decimals(const std::string& text) {
+  const std::size_t exponent = text.find_first_of("eE");
+  const std::size_t point = text.find('.');
+  const std::size_t end = std::min(exponent, text.size());
+  const int places = point < end ? static_cast<int>(end - point) - 1 : 0;
+  return std::max(0, places - (exponent < text.size() ? std::atoi(text.c_str() + exponent + 1) : 0));
+}
+
+// The files leave zeros at the end of a number away. A number is taken as printed with as many decimals as most of those
+// of its file that have some, or with its own when these are more.
+int usual_decimals(const Csv& csv) {
+  std::map<int, int> count;
+  for (const Row& row : csv.rows)
+    for (std::size_t i = 1; i < row.cell.size(); ++i)
+      if (const int places = decimals(row.cell[i]); places > 0) ++count[places];
+  int usual = 0;
+  for (const auto& [places, cells] : count)
+    if (usual == 0 || cells >= count[usual]) usual = places;
+  return usual;
+}
+
+double half_unit(const std::string& text, int usual) {
+  return 0.5 * std::pow(10.0, -std::max(decimals(text), usual));
+}
+
+Curve read_column(const Csv& csv, const std::vector<double>& knot, std::size_t index, int usual) {
   const bool rule = csv.comments.find("Empty = ") != std::string::npos;
   Curve curve;
   int first_empty_after = 0;  // line
@@ -54,6 +83,7 @@ Curve read_column(const Csv& csv, const std::vector<double>& knot, std::size_t i
       throw Fault{csv.file, first_empty_after, "hole in column '" + csv.header[index] + "'"};
     if (!knot.empty()) curve.knot.push_back(knot[i]);
     curve.value.push_back(number(csv, row, index));
+    curve.half.push_back(half_unit(row.cell[index], usual));
   }
   if (curve.value.empty())
     throw Fault{csv.file, csv.header_line, "column '" + csv.header[index] + "' is empty"};
@@ -68,7 +98,9 @@ Grid read_grid(const std::string& file) {
   if (csv.header.size() < 2) throw Fault{file, csv.header_line, "no column beside the knots"};
   // The first column of a table by flap setting holds names, FL1 and so on; it has no knots of its own.
   if (csv.header[0] != "flap") grid.knot = read_knots(csv);
-  for (std::size_t i = 1; i < csv.header.size(); ++i) grid.columns.push_back(read_column(csv, grid.knot, i));
+  const int usual = usual_decimals(csv);
+  for (std::size_t i = 1; i < csv.header.size(); ++i)
+    grid.columns.push_back(read_column(csv, grid.knot, i, usual));
   return grid;
 }
 
@@ -81,6 +113,7 @@ Curve Grid::column(const std::string& name, const std::string& unit, const std::
     throw Fault{csv.file, csv.header_line, "the comments do not state the unit " + unit};
   Curve curve = columns[index - 1];
   for (double& value : curve.value) value = converted(value, *from, *to);
+  for (double& half : curve.half) half = converted(half, *from, *to);
   return curve;
 }
 

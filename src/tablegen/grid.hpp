@@ -8,10 +8,12 @@
 
 namespace tablegen {
 
-// Values over strictly increasing knots.
+// Values over strictly increasing knots, and how far print rounded each: half a unit of its last digit, infinite where
+// no number is printed.
 struct Curve {
   std::vector<double> knot;
   std::vector<double> value;
+  std::vector<double> half;
 };
 
 struct Grid {

@@ -1,19 +1,25 @@
-// tablegen FOLDER OUTPUT [single]: turns the CSV files of one aircraft into a C++ file with constant arrays, on request
-// with the slopes of the airframe's large tables in single precision.
+// tablegen FOLDER OUTPUT [single] [c2]: turns the CSV files of one aircraft into a C++ file with constant arrays, on
+// request with the slopes of the airframe's large tables in single precision, and with the C2 fit instead of the C1
+// interpolant; what the fit moved is printed then, a line a table.
 //
 // Exit code 0, or 2 with one line `file:line: message` on stderr; then there is no OUTPUT.
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
 #include <string>
 #include <system_error>
+#include <utility>
+#include <vector>
 
 #include "tablegen/aircraft_fields.hpp"
 #include "tablegen/aircraft_tables.hpp"
+#include "tablegen/c2_fit.hpp"
 #include "tablegen/emit.hpp"
 #include "tablegen/entries.hpp"
 #include "tablegen/fault.hpp"
+#include "tablegen/flat_knots.hpp"
 #include "tablegen/identity.hpp"
 
 namespace fs = std::filesystem;
@@ -35,14 +41,27 @@ void write(const fs::path& output, const std::string& text) {
   throw tablegen::Fault{output.string(), 1, "cannot be written"};
 }
 
-void generate(const std::string& folder, const fs::path& output, tablegen::Slopes slopes) {
+void fit(std::vector<tablegen::TableArray>& tables) {
+  std::printf("table,nodes,deviation_half_units,roughness_ratio\n");
+  for (tablegen::TableArray& table : tables) {
+    if (!tablegen::is_fitted(table)) continue;
+    const tablegen::TableArray graded = tablegen::with_flat_knots(table);
+    tablegen::C2Fit fit = tablegen::c2_fit(graded);
+    std::printf("%s,%zu,%.3g,%.3g\n", table.field.c_str(), table.value.size(), fit.deviation, fit.roughness);
+    table.smooth = graded.smooth;
+    table.fitted = std::move(fit.node);
+  }
+}
+
+void generate(const std::string& folder, const fs::path& output, tablegen::Slopes slopes, bool c2) {
   if (!fs::is_directory(folder)) throw tablegen::Fault{folder, 1, "is not a folder of tables"};
   const fs::path base(folder);
   tablegen::Entries entries;
   entries.read_aircraft((base / "aircraft.csv").string());
   entries.read_choices((base / "choices.csv").string());
   tablegen::check_fields(entries);
-  const std::vector<tablegen::TableArray> tables = tablegen::compose_tables(folder, entries);
+  std::vector<tablegen::TableArray> tables = tablegen::compose_tables(folder, entries);
+  if (c2) fit(tables);
   std::ostringstream text;
   const std::string name = fs::absolute(base).lexically_normal().filename().string();
   tablegen::emit(text, tablegen::read_identity((base / "identity.csv").string(), name), entries, tables,
@@ -53,15 +72,17 @@ void generate(const std::string& folder, const fs::path& output, tablegen::Slope
 }  // namespace
 
 int main(int count, char** argument) {
-  const bool single = count == 4 && std::string(argument[3]) == "single";
-  if (count != 3 && !single) {
-    std::fputs("usage: tablegen FOLDER_OF_TABLES OUTPUT [single]\n", stderr);
+  const std::vector<std::string> words(argument + std::min(count, 3), argument + count);
+  const auto asked = [&](const char* word) { return std::count(words.begin(), words.end(), word) == 1; };
+  if (count < 3 || words.size() != std::size_t{asked("single")} + std::size_t{asked("c2")}) {
+    std::fputs("usage: tablegen FOLDER_OF_TABLES OUTPUT [single] [c2]\n", stderr);
     return 2;
   }
   const fs::path output = argument[2];
   std::string message;
   try {
-    generate(argument[1], output, single ? tablegen::Slopes::single : tablegen::Slopes::as_values);
+    generate(argument[1], output, asked("single") ? tablegen::Slopes::single : tablegen::Slopes::as_values,
+             asked("c2"));
     return 0;
   } catch (const tablegen::Fault& fault) {
     message = fault.file + ":" + std::to_string(fault.line) + ": " + fault.message;

@@ -86,7 +86,7 @@ TEST_OF_XV15(cli_bad_usage_is_one_line_and_status_2) {
       {"trim --flap 76", "--flap: 76 lies outside 0..75 deg"},
       {"modes --flap 20:10:80", "80 lies outside 0..75 deg"},
       {"loads --flap 20,40", "--flap: '20,40' is not a number; give 0..75 deg"},
-      {"trim --tables cubic", "--tables: 'cubic' is not one of c1 or linear"},
+      {"trim --tables cubic", "--tables: 'cubic' is not one of c1, linear or c2"},
       {"trim --grid fine", "--grid: 'fine' is not one of specification or realtime"},
       {"trim --option wash", "not NAME=VALUE"},
       {"trim --option paint=red", "no switch 'paint'; choose tables"},

@@ -11,10 +11,10 @@ using check::run_tiltrotor;
 
 namespace {
 
-const char* const commands[] = {"trim",        "linearize", "modes",       "bode",       "qualities",
-                                "performance", "respond",   "fly",         "derivative", "loads",
-                                "rotor",       "report",    "conventions", "completion", "version",
-                                "sensitivity", "qlpv"};
+const char* const commands[] = {"trim",        "linearize", "modes",        "bode",       "qualities",
+                                "performance", "respond",   "fly",          "derivative", "loads",
+                                "rotor",       "report",    "conventions",  "completion", "version",
+                                "sensitivity", "qlpv",      "interpolation"};
 
 bool contains(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;

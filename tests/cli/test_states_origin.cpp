@@ -18,7 +18,11 @@ using check::ScratchFolder;
 // One line for the file, not one a row; the numbers are computed.
 TEST(cli_states_of_another_model_are_told) {
   const ScratchFolder folder;
-  const char* const options[] = {"", "--grid realtime", "--tables linear", "--option wake=gtrs_empirical",
+  const char* const options[] = {"",
+                                 "--grid realtime",
+                                 "--tables linear",
+                                 "--tables c2",
+                                 "--option wake=gtrs_empirical",
                                  "--option azimuth_stations=12 --option hub_spring_factor=1.5"};
   for (const std::string command : {"trim --speed 20,40 ", "respond --speed 40 --duration 0.01 "}) {
     for (const std::string made : options) {

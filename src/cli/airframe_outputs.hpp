@@ -1,0 +1,30 @@
+// Outputs of the airframe beside what instruments read: load factors at any station and loads of any component, with
+// exact derivatives.
+#pragma once
+
+#include <vector>
+
+#include "library/analyses.hpp"
+
+namespace tiltrotor::cli {
+
+struct AirframeOutput {
+  enum class Kind : unsigned char { load_factor, force, moment };
+  Kind kind;
+  int axis;           // x, y, z of the body
+  int component;      // of a load; component_count: of all, as total_aero of `loads`
+  double station[3];  // of a load factor: SL aft, BL right, WL up, m
+};
+
+// Specific force over g at a station: nx forward, ny to the right, nz up, 1 in level flight; force on the aircraft, N,
+// and moment about the CG, N m, body axes. From one evaluation; `c` as it was put into what systems ask for.
+std::vector<double> airframe_readings(const Configuration<double>& c, const State<double>& x,
+                                      const DerivativeSteps<double>& steps, const State<double>& rates,
+                                      const std::vector<AirframeOutput>& outputs);
+
+// y, C and D as the first row of `found`, whose point says columns; the others are zero. By dual numbers whatever the program differentiates by. Status as that of linearize_outputs().
+Status linearize_airframe_output(const Configuration<double>& c, const State<double>& x,
+                                 const Controls<double>& u, const ControlSet& columns,
+                                 const AirframeOutput& output, OutputMatrices& found);
+
+}  // namespace tiltrotor::cli

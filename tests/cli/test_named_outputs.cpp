@@ -1,0 +1,248 @@
+// Load factors at stations and loads of components as outputs by name.
+// Expected: complex steps of the model, the load factor from the motion of the station instead of the loads; the rows of
+// `loads`; instruments that read the same.
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <cstdio>
+#include <memory>
+
+#include "check.hpp"
+#include "cli/airframe_outputs.hpp"
+#include "cli/csv_text.hpp"
+#include "cli/exported_model.hpp"
+#include "cli/named_outputs.hpp"
+#include "cli/scratch_folder.hpp"
+#include "run_program.hpp"
+#include "this_aircraft.hpp"
+#include "tiltrotor/math/differentiation/complex_step.hpp"
+
+using namespace tiltrotor;
+using check::CsvText;
+using check::ExportedModel;
+using check::run_tiltrotor;
+using cli::AirframeOutput;
+
+namespace {
+
+using Complex = std::complex<double>;
+
+// From what the body does: v' + w x v less gravity, and the arm's part.
+template <class T>
+T load_factor_by_motion(const Configuration<double>& c, const State<T>& x, const State<T>& rates,
+                        const double (&station)[3], int axis) {
+  const double arm[3] = {c.mass.sl_cg - station[0], station[1], c.mass.wl_cg - station[2]};
+  const T v[3] = {x.velocity.x, x.velocity.y, x.velocity.z};
+  const T w[3] = {x.rates.x, x.rates.y, x.rates.z};
+  const T dv[3] = {rates.velocity.x, rates.velocity.y, rates.velocity.z};
+  const T dw[3] = {rates.rates.x, rates.rates.y, rates.rates.z};
+  const T down[3] = {-sin(x.pitch), cos(x.pitch) * sin(x.roll), cos(x.pitch) * cos(x.roll)};
+  const auto turned = [](const T(&a)[3], const auto& b, int k) {
+    const int i = (k + 1) % 3, j = (k + 2) % 3;
+    return a[i] * b[j] - a[j] * b[i];
+  };
+  T spin[3];
+  for (int k = 0; k < 3; ++k) spin[k] = turned(w, arm, k);
+  const T felt = dv[axis] + turned(w, v, axis) + turned(dw, arm, axis) + turned(w, spin, axis);
+  return (axis == 2 ? -1.0 : 1.0) * (felt / kGravity<double> - down[axis]);
+}
+
+template <class T>
+T output_of(const Configuration<double>& c, const State<T>& x, const Controls<T>& u,
+            const AirframeOutput& o) {
+  const auto now = std::make_unique<Evaluation<T>>();
+  evaluate_aircraft(c, x, u, *now);
+  if (o.kind == AirframeOutput::Kind::load_factor)
+    return load_factor_by_motion(c, x, now->rates, o.station, o.axis);
+  Loads<T> sum{};
+  for (int k = 0; k < component_count; ++k)
+    if (o.component == k || o.component == component_count) sum = sum + now->loads.component[k];
+  const Vec3<T>& v = o.kind == AirframeOutput::Kind::force ? sum.force : sum.moment;
+  return o.axis == 0 ? v.x : o.axis == 1 ? v.y : v.z;
+}
+
+}  // namespace
+
+TEST(cli_linearize_airframe_outputs_equal_complex_steps) {
+  const char* const names[] = {"nx@100/20/90",        "ny@250/-40/60",       "nz@100/20/90",
+                               "htail_moment_y",      "wing_free_force_z",   "rotor_left_force_x",
+                               "total_aero_moment_x", "engine_jets_force_x", "fin_right_moment_z"};
+  FlightSetup<double> setup = flight_setup(aircraft_data<double>(), 40.0);
+  setup.options.grid = BladeGrid::realtime;
+  setup.options.engine_jets = true;
+  const auto c = std::make_unique<Configuration<double>>();
+  if (!CHECK(prepare(aircraft_data<double>(), setup, *c) == Status::ok)) return;
+  State<double> x{};
+  x.velocity = {45 * this_aircraft::speed(), 3, 4};
+  x.rates = {0.1, -0.07, 0.05};
+  x.roll = 0.2;
+  x.pitch = 0.1;
+  for (const Side side : {right, left}) {
+    x.rotor[side].b1c = 0.02;
+    x.rotor[side].b1s = side == right ? 0.01 : -0.02;
+    x.rotor[side].lambda_0 = 0.02;
+  }
+  x.downwash = 0.03;
+  Controls<double> u{};
+  u.collective = 0.35;
+  u.pedal = 0.4;
+  const auto found = std::make_unique<OutputMatrices>();
+  double worst = 0;
+  for (const char* name : names) {
+    const AirframeOutput output = cli::output_named(name, "")->output;
+    if (!CHECK(cli::linearize_airframe_output(*c, x, u, kAllControls, output, *found) == Status::ok)) return;
+    const double y = output_of(*c, x, u, output);
+    CHECK_REL(found->y[0], y, 1e-11);
+    const LinearPoint<double>& p = found->point;
+    double flat_x[state_count], flat_u[control_count];
+    flatten(x, flat_x);
+    flatten(u, flat_u);
+    double size = 0;
+    std::vector<double> exact, complex;
+    for (int j = 0; j < p.states + p.controls; j += 3) {
+      Complex cx[state_count], cu[control_count];
+      for (int i = 0; i < state_count; ++i) cx[i] = flat_x[i];
+      for (int i = 0; i < control_count; ++i) cu[i] = flat_u[i];
+      constexpr double step = 1e-30;
+      (j < p.states ? cx[p.state[j]] : cu[p.control[j - p.states]]) += Complex(0, step);
+      State<Complex> moved;
+      Controls<Complex> moved_u;
+      unflatten(cx, moved);
+      unflatten(cu, moved_u);
+      const double bend = j < p.states ? kStateVariables[p.state[j]].facts().bend
+                                       : kControlVariables[p.control[j - p.states]].facts().bend;
+      complex.push_back(output_of(*c, moved, moved_u, output).imag() / step * bend);
+      exact.push_back((j < p.states ? found->c(0, j) : found->d(0, j - p.states)) * bend);
+      size = std::max(size, std::fabs(complex.back()));
+    }
+    for (std::size_t k = 0; k < exact.size(); ++k)
+      worst = std::max(worst, std::fabs(exact[k] - complex[k]) / size);
+  }
+  NOTE("largest difference " << worst << " of the row");
+  CHECK_LE(worst, 1e-11);
+}
+
+TEST(cli_linearize_airframe_outputs_are_those_of_loads_and_instruments) {
+  const std::string flight = this_aircraft::flown("--mast 30 --speed 45 --grid realtime");
+  const CsvText loads(run_tiltrotor("loads --format csv " + flight).out);
+  std::string list = "specific_force_z,specific_force_x";
+  for (const auto& row : loads.rows)
+    for (const char* load : {"_force_x", "_force_z", "_moment_y"}) list += "," + row[2] + load;
+  const ExportedModel model(flight + " --outputs " + list);
+  const char* const columns[] = {"x_n", "z_n", "m_nm"};
+  for (std::size_t i = 0; i < loads.rows.size(); ++i)
+    for (std::size_t k = 0; k < 3; ++k)
+      CHECK_NEAR(model.y0[2 + 3 * i + k], loads.number(i, columns[k]),
+                 1e-9 * (std::fabs(loads.number(i, columns[k])) + 1e3));
+  // The forces of all move the CG as its accelerometers say.
+  const std::size_t all = ExportedModel::place(model.outputs, "total_aero_force_z");
+  const double mass = this_aircraft::numbers().mass.gross;
+  for (std::size_t j = 0; j < model.n(); ++j)
+    CHECK_NEAR(model.c[all * model.n() + j] / mass, model.c[j], 1e-11 * (std::fabs(model.c[j]) + 1));
+}
+
+// Reduced as the instruments are; a load factor at the CG is the specific force there.
+TEST(cli_linearize_airframe_outputs_are_reduced) {
+  const std::string flight = this_aircraft::flown("--mast 0 --speed 30 --grid realtime");
+  char at_cg[80];
+  const auto& m = this_aircraft::numbers().mass;
+  std::snprintf(at_cg, sizeof at_cg, "nz@%.17g/0/%.17g", m.sl_cg / 0.0254, m.wl_cg / 0.0254);
+  for (const char* order : {"none", "rigid", "quasi_steady"}) {
+    const ExportedModel model(flight + " --reduce " + order + " --outputs specific_force_z," + at_cg);
+    for (std::size_t j = 0; j < model.n(); ++j)
+      CHECK_NEAR(model.c[model.n() + j], -model.c[j] / 9.80665, 1e-11 * (std::fabs(model.c[j]) + 1));
+    for (std::size_t j = 0; j < model.m(); ++j)
+      CHECK_NEAR(model.d[model.m() + j], -model.d[j] / 9.80665, 1e-11 * (std::fabs(model.d[j]) + 1));
+  }
+}
+
+TEST(cli_linearize_outputs_in_every_format) {
+  const std::string command = "linearize " + this_aircraft::flown("--mast 60 --speed 60 --grid realtime") +
+                              " --outputs nz@100/0/80,airspeed";
+  const CsvText csv(run_tiltrotor(command + " --format csv").out);
+  int rows[3] = {};
+  for (std::size_t i = 0; i < csv.rows.size(); ++i)
+    for (int k = 0; k < 3; ++k)
+      rows[k] += csv.text(i, "matrix") == (k == 0 ? "y0" : k == 1 ? "C" : "D") ? 1 : 0;
+  CHECK_EQ(rows[0], 2);
+  CHECK_EQ(rows[1], 2 * 23);
+  CHECK_EQ(rows[2], 2 * 4);
+  CHECK(run_tiltrotor(command + " --format matlab").out.find("outputs = {'nz@100/0/80', 'airspeed'};") !=
+        std::string::npos);
+  CHECK(run_tiltrotor(command + " --format table").out.find("nz@100/0/80") != std::string::npos);
+  // What was not asked for is as before.
+  CHECK(run_tiltrotor("linearize " + this_aircraft::flown("--speed 30") + " --format csv").out.find(",y0,") ==
+        std::string::npos);
+}
+
+TEST(cli_columns_of_stations_and_components_are_the_outputs_of_linearize) {
+  const std::string flight = this_aircraft::flown("--mast 60 --speed 60 --grid realtime --sideslip 3");
+  const std::string names = "nx@100/20/80,ny@100/20/80,nz@100/20/80,htail_moment_y,rotor_right_force_x";
+  const ExportedModel model(flight + " --outputs " + names);
+  for (const std::string command : {"trim ", "respond --duration 0.1 --dt 0.1 "}) {
+    const CsvText rows(run_tiltrotor(command + flight + " --format csv --columns " + names).out);
+    for (std::size_t k = 0; k < model.outputs.size(); ++k)
+      CHECK_NEAR(rows.number(0, model.outputs[k]), model.y0[k], 1e-9 * (std::fabs(model.y0[k]) + 1));
+  }
+}
+
+// Pitching up is felt ahead of the CG: nz there differs by the arm times the pitch acceleration over g.
+TEST(cli_columns_of_stations_follow_the_flight) {
+  const std::string flight = this_aircraft::flown("--mast 60 --speed 60 --grid realtime");
+  const std::string chosen = " --format csv --columns time_s,q_degps,nz@100/0/80,nz@300/0/80";
+  for (const std::string& command :
+       {"respond " + flight + " --duration 0.4 --dt 0.01 --input long_stick=0.5in@0.1..0.6",
+        "respond " + flight +
+            " --duration 0.4 --dt 0.01 --option governor=pi --input long_stick=0.5in@0.1..0.6"}) {
+    const CsvText rows(run_tiltrotor(command + chosen).out);
+    if (!CHECK(rows.rows.size() > 30)) return;
+    double largest = 0;
+    for (std::size_t i = 1; i + 1 < rows.rows.size(); ++i) {
+      const double before = rows.number(i - 1, "q_degps"), after = rows.number(i + 1, "q_degps");
+      const double h = rows.number(i + 1, "time_s") - rows.number(i - 1, "time_s");
+      constexpr double radian = 3.14159265358979323846 / 180;
+      const double by_rate = (after - before) / h * radian * 200 * 0.0254 / 9.80665;
+      const double felt = rows.number(i, "nz@100/0/80") - rows.number(i, "nz@300/0/80");
+      if (std::fabs(rows.number(i, "time_s") - 0.1) > 0.03) CHECK_NEAR(felt, by_rate, 0.003);
+      largest = std::max(largest, std::fabs(felt));
+    }
+    CHECK(largest > 0.01);
+  }
+}
+
+TEST(cli_bad_outputs_are_refused) {
+  const auto refused = [](const std::string& command, const std::string& message) {
+    const check::ProgramResult result = run_tiltrotor(command);
+    CHECK_EQ(result.exit_status, 2);
+    if (!CHECK(result.err.find(message) != std::string::npos)) NOTE(result.err);
+    CHECK_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1);
+  };
+  refused("linearize --outputs htail_momnt_y", "no output 'htail_momnt_y' (did you mean htail_moment_y?)");
+  refused("linearize --outputs nz@1/2", "'nz@1/2': a station is SL/BL/WL in inches: nz@230/0/75");
+  refused("linearize --outputs nz@1/x/2", "'x' is not a number");
+  refused("linearize --outputs nz@1/2/99999", "-10000..10000");
+  refused("linearize --outputs nq@1/2/3", "no output 'nq@1/2/3'");
+  refused("linearize --outputs airspeed,airspeed", "airspeed stands there twice");
+  refused("linearize --outputs nz@1/2/3 --option governor=pi", "nz@1/2/3 is of the airframe alone");
+  refused("trim --columns nz@1/2", "a station is SL/BL/WL in inches");
+  refused("trim --columns pitch_deg,htail_force_w",
+          "no column 'htail_force_w' (did you mean htail_force_x?)");
+  refused("respond --columns nz@1/2/3,nz@1/2/3", "stands there twice");
+}
+
+// Of the whole vehicle: at its CG the load factor along z is that of the accelerometer.
+TEST_OF_XV15(cli_columns_of_stations_are_there_in_fly) {
+  const check::ScratchFolder folder;
+  const std::string script = folder.write("s.txt", "0 hold speed 40\n0.3 hold height 60\n1 end\n");
+  const check::ProgramResult result = run_tiltrotor(
+      "fly --mast 0 --speed 30 --height 50 --script " + check::quoted(script) +
+      " --every 0.1 --format csv --columns load_factor,specific_force_x,nx@301.2/0/81.65,nz@301.2/0/81.65,htail_force_z");
+  if (!CHECK_EQ(result.exit_status, 0)) NOTE(result.err);
+  const CsvText rows(result.out);
+  if (!CHECK(rows.rows.size() > 5)) return;
+  for (std::size_t i = 0; i < rows.rows.size(); ++i) {
+    CHECK_NEAR(rows.number(i, "nz@301.2/0/81.65"), rows.number(i, "load_factor"), 1e-5);
+    CHECK_NEAR(rows.number(i, "nx@301.2/0/81.65"), rows.number(i, "specific_force_x") / 9.80665, 1e-5);
+    CHECK(std::fabs(rows.number(i, "htail_force_z")) > 1);
+  }
+}
