@@ -51,16 +51,25 @@ const kiloNewton = (force) => `${fixed(Math.hypot(...force) / 1000, 2)} kN`;
 const forceText = ({name}, [x, y, z]) => `${name}: ${kiloNewton([x, y, z])}; forward ${fixed(x / 1000, 2)}, ` +
   `right ${fixed(y / 1000, 2)}, up ${fixed(-z / 1000, 2)} kN in the axes of the body`;
 
-// An arrow and its letter from a place by so much of the picture.
-function forceArrow({group, force}, [x, y], [dx, dy]) {
-  const length = Math.hypot(dx, dy);
-  const off = length > 0 ? [dx / length, dy / length] : [0, -1];
-  const tip = forceText(group, force);
-  return svg('g', {class: 'force', style: `color:${group.colour}`, 'data-tip': tip},
-    svg('circle', {cx: x, cy: y, r: 3.5, fill: 'currentColor'}),
-    arrow(x, y, x + dx, y + dy, {}),
-    svg('text', {x: x + dx + 13 * off[0], y: y + dy + 13 * off[1] + 6, 'text-anchor': 'middle', class: 'force_letter'}, group.letter));
+const kLetterGap = 19;  // of the picture: between letters
+// Arrows with their letters, of {found, at: [x, y], by: [dx, dy]} in the picture; a letter stands beside the end of its arrow,
+// where no other letter nor a place of `taken` is.
+function forceLayer(all, taken) {
+  const held = [...taken];
+  return all.map(({found: {group, force}, at: [x, y], by: [dx, dy]}) => {
+    const end = [x + dx, y + dy], way = Math.atan2(dy, dx);
+    const places = [15, 24, 36].flatMap((far) => [0, 1, -1, 2, -2, 3, -3, 4].map((turn) => [end[0] + far * Math.cos(way + turn * Math.PI / 4),
+      end[1] + far * Math.sin(way + turn * Math.PI / 4)]));
+    const near = ([px, py]) => Math.min(...held.map(([qx, qy]) => Math.hypot(px - qx, py - qy)), Infinity);
+    const place = places.find((p) => near(p) > kLetterGap) || places[0];
+    held.push(place, end);
+    return svg('g', {class: 'force', style: `color:${group.colour}`, 'data-tip': forceText(group, force)},
+      svg('circle', {cx: x, cy: y, r: 3.5, fill: 'currentColor'}), arrow(x, y, ...end, {}),
+      svg('text', {x: place[0], y: place[1] + 7, 'text-anchor': 'middle', class: 'force_letter'}, group.letter));
+  });
 }
+// Places along a line, which letters keep clear of.
+const placesOn = ([x1, y1], [x2, y2]) => Array.from({length: 8}, (_, k) => [x1 + (x2 - x1) * k / 7, y1 + (y2 - y1) * k / 7]);
 
 // The legend: every group with its size, shared by both pictures.
 function listForces(list, forces) {

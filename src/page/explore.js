@@ -68,6 +68,8 @@ class Explore {
   }
   showAircraft() {
     const {seen = null, forces = null} = this.found, shown = byId('show_forces').checked ? forces : null;
+    for (const id of ['side', 'front']) byId(id).toggleAttribute('hidden', seen === null);
+    byId('no_picture').hidden = seen !== null;
     this.view.show(seen, shown);
     this.front.show(seen, shown);
     listForces(byId('forces'), shown);

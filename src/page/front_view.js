@@ -25,6 +25,15 @@ class FrontView {
     ];
     return svg('g', {}, ...parts, svg('text', {x, y: 172, 'text-anchor': 'middle'}, name.toLowerCase()));
   }
+  forces(forces, hub, weight, mast, thrust) {
+    const scale = kWeightArrow / weight;
+    const taken = [1, -1].flatMap((side, k) => {
+      const [x, y] = this.at(side * kFront.hub, hub[1]);
+      return placesOn([x, y], [x, y - scale * thrust[k] * Math.cos(mast)]);
+    });
+    return forceLayer(forceArrows(forces, hub, true).map((found) => ({found, at: this.at(found.from[2], found.from[1]),
+      by: [-scale * found.force[1], scale * found.force[2]]})), [...taken, ...placesOn([0, 0], [0, kWeightArrow])]);
+  }
   // `forces`: of the components, or null for none.
   show(seen, forces) {
     this.element.replaceChildren();
@@ -41,8 +50,7 @@ class FrontView {
         svg('ellipse', {cx: 0, cy: 0, rx: 33, ry: 38, class: 'fuselage'}),
         this.polygon([[-22, 92], [22, 92], [15, 110], [-15, 110]], 'window'),
         this.rotor(1, mast, thrust[0], weight), this.rotor(-1, mast, thrust[1], weight),
-        ...(forces === null ? [] : forceArrows(forces, hub, true).map((found) => forceArrow(found, this.at(found.from[2], found.from[1]),
-          [-kWeightArrow * found.force[1] / weight, kWeightArrow * found.force[2] / weight])))),
+        ...(forces === null ? [] : this.forces(forces, hub, weight, mast, thrust))),
       arrow(0, 0, 0, kWeightArrow, {class: 'weight', 'data-tip': `Weight ${fixed(weight / 1000, 1)} kN`}),
       svg('circle', {r: 6, class: 'cg', 'data-tip': 'Centre of gravity'}));
     this.element.setAttribute('aria-label', `Aircraft from the front: roll ${fixed(degrees(roll), 1)} deg, thrust right ` +

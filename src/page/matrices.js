@@ -1,5 +1,7 @@
 // A and B as a picture: blue adds, orange takes away, darker is more.
 
+const kGap = 16;  // between A and B
+
 class Matrices {
   constructor(canvas) {
     this.canvas = canvas;
@@ -16,12 +18,12 @@ class Matrices {
   show(linear) {
     const {pen, canvas} = this, {n, m} = linear;
     this.linear = linear;
-    this.cell = Math.min((canvas.width - 8) / (n + m), canvas.height / n);
+    this.cell = Math.min((canvas.width - kGap) / (n + m), canvas.height / n);
     pen.clearRect(0, 0, canvas.width, canvas.height);
     for (let i = 0; i < n; ++i) {
       for (let j = 0; j < n + m; ++j) {
         pen.fillStyle = this.shade(j < n ? linear.a[i * n + j] : linear.b[i * m + j - n]);
-        pen.fillRect(j * this.cell + (j < n ? 0 : 8), i * this.cell, this.cell - 0.5, this.cell - 0.5);
+        pen.fillRect(j * this.cell + (j < n ? 0 : kGap), i * this.cell, this.cell - 1, this.cell - 1);
       }
     }
   }
@@ -31,7 +33,7 @@ class Matrices {
     const x = (event.clientX - box.left) / box.width * this.canvas.width;
     const i = Math.floor((event.clientY - box.top) / box.height * this.canvas.height / this.cell);
     const inA = x < n * this.cell;
-    const j = Math.floor((inA ? x : x - 8 - n * this.cell) / this.cell);
+    const j = Math.floor((inA ? x : x - kGap - n * this.cell) / this.cell);
     if (i < 0 || i >= n || j < 0 || j >= (inA ? n : m)) delete this.canvas.dataset.tip;
     else this.canvas.dataset.tip = this.words(i, inA ? j : n + j);
   }

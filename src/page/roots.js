@@ -16,7 +16,7 @@ class Roots {
     this.chart.below.append(this.lines);
     this.chart.marks.append(this.trail, this.now);
     this.before = [];
-    this.chosen = null;
+    this.wanted = 'dutch roll';
     this.rule(null);
   }
   axes(x, y) {
@@ -26,6 +26,7 @@ class Roots {
   rule(mode) {
     const {chart} = this, {x: [x0, x1], y: [y0, y1]} = chart.axes;
     this.chosen = mode;
+    if (mode !== null) this.wanted = mode.name;
     this.lines.replaceChildren(svg('rect', {x: chart.x(0), y: chart.top, width: Math.max(0, chart.right - chart.x(0)),
       height: chart.bottom - chart.top, class: 'unstable_side'}));
     const taken = [];
@@ -73,7 +74,7 @@ class Roots {
     while (this.trail.childNodes.length > kTrail) this.trail.firstChild.remove();
     this.before = inside.map((m) => ({x: chart.x(m.real), y: chart.y(m.imag)}));
     this.now.replaceChildren();
-    if (this.chosen !== null) this.rule(modes.find(({name}) => name === this.chosen.name) || null);
+    if (modes.length > 0) this.rule(modes.find(({name}) => name === this.wanted) || null);
     const taken = this.before.map(({x, y}) => ({x0: x - 6, x1: x + 6, y0: y - 6, y1: y + 6}));
     inside.forEach((mode, k) => this.now.append(this.mark(mode, this.before[k])));
     inside.forEach((mode, k) => {
@@ -116,5 +117,5 @@ function listModes(body, modes) {
   body.replaceChildren(...modes.map((mode) => html('tr', {'data-tip': modeText(mode)},
     html('th', {scope: 'row'}, mode.name), html('td', {}, fixed(mode.real, 3)),
     html('td', {}, mode.imag > 0 ? fixed(mode.imag, 3) : ''), html('td', {}, mode.imag > 0 ? fixed(mode.damping, 2) : ''),
-    html('td', {}, significant(Math.abs(mode.half)) + (mode.half < 0 ? ' ×2' : '')), html('td', {}, levelOf(mode).replace('level ', '')))));
+    html('td', {}, String(Number(Math.abs(mode.half).toPrecision(3))) + (mode.half < 0 ? ' ×2' : '')), html('td', {}, levelOf(mode).replace('level ', '')))));
 }

@@ -8,7 +8,6 @@ const kUsualChanges = [
   {name: 'mass', label: 'Mass', by: 200, unit: 'kg', digits: 0},
   {name: 'cg', label: 'CG station', by: 0.025, unit: 'm', digits: 3},
   {name: 'flap', label: 'Flap', by: 10, unit: 'deg', digits: 0},
-  {name: 'scas', label: 'SCAS', by: 1, unit: '', digits: 0},
 ];
 const kElementPart = 0.1;  // of an element of A
 const kMostRows = 8;
@@ -32,7 +31,7 @@ function elementMotions(linear, mode) {
   }
   return sorted(found).slice(0, kMostRows);
 }
-const sorted = (motions) => motions.sort((p, q) => Math.hypot(q.real, q.imag) - Math.hypot(p.real, p.imag));
+const sorted = (motions) => motions.sort((p, q) => Math.abs(q.real) - Math.abs(p.real));
 
 // The root of that name, the nearest where there are several.
 function sameMode(modes, mode) {
@@ -73,9 +72,8 @@ class Sensitivities {
     this.title.textContent = mode === null ? '' : mode.name;
     const rows = mode === null ? [] : this.models.map(({change, way, modes}) => {
       const other = sameMode(modes, mode);
-      const amount = `${way > 0 ? '+' : '−'}${fixed(change.by, change.digits)} ${change.unit}`.trim();
-      return {label: change.label, change: change.name === 'scas' ? (way > 0 ? 'on' : 'off') : amount, real: other.real - mode.real,
-        imag: other.imag - mode.imag};
+      const amount = `${way > 0 ? '+' : '−'}${fixed(change.by, change.digits)} ${change.unit}`;
+      return {label: change.label, change: amount, real: other.real - mode.real, imag: other.imag - mode.imag};
     });
     this.list(this.choices, sorted(rows));
     this.list(this.elements, mode === null ? [] : elementMotions(this.linear, mode));

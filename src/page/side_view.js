@@ -47,8 +47,9 @@ class SideView {
     const from = turned(hub), to = turned([hub[0] + size * along[0], hub[1] + size * along[1]]);
     const speed = seen.out[kOut.airspeed], inchOf = (newton) => kWeightArrow * newton / weight;
     const hubStation = [kSide.cg[0] - hub[0], kSide.cg[1] - hub[1]];
-    this.arrows.append(...(forces === null ? [] : forceArrows(forces, hubStation, false).map((found) => forceArrow(found,
-      turned(this.at(found.from[0], found.from[1])), turned([inchOf(found.force[0]), inchOf(found.force[2])])))));
+    if (forces !== null)
+      this.arrows.append(...forceLayer(forceArrows(forces, hubStation, false).map((found) => ({found, at: turned(this.at(...found.from)),
+        by: turned([inchOf(found.force[0]), inchOf(found.force[2])])})), [...placesOn(from, to), ...placesOn([0, 0], [0, kWeightArrow])]));
     this.arrows.append(
       arrow(...from, ...to, {class: 'thrust', 'data-tip': `Thrust of both rotors ${fixed(thrust / 1000, 1)} kN, ` +
         `${fixed(thrust / weight, 2)} of the weight`}),

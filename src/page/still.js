@@ -10,5 +10,7 @@ function stillFaults(room) {
   }
   for (const part of byId(room).querySelectorAll('p, label, h2, .bar > span, output, li'))
     if (part.scrollWidth > part.clientWidth + 1 && part.clientWidth > 0) faults.push(`"${part.textContent.trim()}" is cut off`);
+  for (const part of byId(room).querySelectorAll('.scroll'))
+    if (part.scrollWidth > part.clientWidth + 1) faults.push(`the table is ${part.scrollWidth - part.clientWidth} pixels too wide`);
   return `${room} at ${window.innerWidth} pixels: ${faults.length === 0 ? 'nothing cut off' : faults.join('; ')}`;
 }
