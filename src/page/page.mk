@@ -1,12 +1,11 @@
-#The page : the C interface as WebAssembly and what is around it, in one file that needs nothing else.
+# The page: the C interface as WebAssembly and what is around it, in one file that needs nothing else.
 
 PAGE_CC     ?= clang
 PAGE_CXX    ?= clang++
 PAGE_LD     ?= wasm-ld
 PAGE_TARGET := --target=wasm32-wasi --sysroot=/usr
 BROWSER     ?= chromium
-#As the other libraries are made.Not - msimd128 : with it clang 14 makes code whose derivatives are wrong, \
-    which test - page notices.
+# As the other libraries are made. Not -msimd128: with it clang 14 makes code whose derivatives are wrong, which test-page notices.
 PAGE_COMMON := $(PAGE_TARGET) -O2 -ffp-contract=off -fno-math-errno -Iinclude -Isrc
 PAGE_CXX_FLAGS := $(PAGE_COMMON) -std=c++17 $(CORE_FLAGS) -Dtiltrotor=tiltrotor_library_double -fvisibility=hidden
 PAGE_C_FLAGS   := $(PAGE_COMMON) -std=c99 -Wall -Wextra -Wpedantic
@@ -21,7 +20,7 @@ PAGE         := $(BUILD)/report/explore.html
 STAMP_page    = $(call COMPILER,$(PAGE_CXX)) $(PAGE_CXX_FLAGS) $(PAGE_C_FLAGS) $(PRIVATE)
 OBJECTS      += $(PAGE_OBJECTS)
 
-#The shim on this machine, for the tests.
+# The shim on this machine, for the tests.
 PAGE_ON_HOST := $(BUILD)/on_host/page/page.o $(BUILD)/ad/page/component_forces.o $(BUILD)/firmware/reference_flight.o $(BUILD)/firmware/text.o
 OBJECTS      += $(BUILD)/ad/page/component_forces.o
 $(BUILD)/ad/page/component_forces.o: $(BUILD)/flags.stamp | $(GENERATED)
