@@ -47,7 +47,7 @@ constexpr Room kRooms[] = {
     {"tablegen", "math text " MODEL},
     {"firmware", "interface"},
     {"fmu", "interface"},
-    {"page", "interface firmware"},
+    {"page", "interface firmware library model"},
     {"examples",
      "interface facade math systems analysis " MODEL},  // a user's, with the installed headers alone
 };

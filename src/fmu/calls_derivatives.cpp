@@ -61,7 +61,9 @@ Instance* with_directions(fmi3Instance instance, const fmi3ValueReference unknow
   if ((unknowns > 0 && unknown == nullptr) || (knowns > 0 && known == nullptr) || seeds != expected_seeds ||
       (seeds > 0 && seed == nullptr) || sensitivities != expected ||
       (expected > 0 && sensitivity == nullptr)) {
-    say(*i, fmi3Error, "a partial derivative: counts that differ, or a null pointer");
+    say(*i, fmi3Error,
+        "a partial derivative: %zu seeds for %zu, %zu sensitivities for %zu, or a null pointer", seeds,
+        expected_seeds, sensitivities, expected);
     return nullptr;
   }
   const auto refuse = [&](fmi3ValueReference reference, const char* what) {

@@ -220,8 +220,7 @@ int describe_build(int count, char** sources) {
     std::printf("      <SourceFile%s/>\n", attribute("name", sources[k]).c_str());
   std::printf("      <PreprocessorDefinition name=\"TILTROTOR_VERSION\"%s/>\n",
               attribute("value", std::string("\"") + tr_version() + "\"").c_str());
-  for (const char* const folder : {"include", "src", "generated"})
-    std::printf("      <IncludeDirectory%s/>\n", attribute("name", folder).c_str());
+  std::puts("      <IncludeDirectory name=\".\"/>");
   std::printf("    </SourceFileSet>\n  </BuildConfiguration>\n</fmiBuildDescription>\n");
   return 0;
 }

@@ -32,15 +32,16 @@ $(FMU_FOLDER)/modelDescription.xml: $(BUILD)/describe_fmu
 	@echo "  write   $@"; mkdir -p $(@D)
 	$(Q)$(RUNNER) $< model > $@.part && mv $@.part $@
 
+# One folder finds every include: there are importers that know no other.
 $(FMU_FOLDER)/sources/buildDescription.xml: $(BUILD)/describe_fmu $(FMU_SOURCES) $(HEADERS) | $(GENERATED)
-	@echo "  write   $@"; rm -rf $(@D); mkdir -p $(@D)/generated
+	@echo "  write   $@"; rm -rf $(@D); mkdir -p $(@D)
 	$(Q)for file in $(FMU_SOURCES) $(HEADERS) $(wildcard src/library/*.hpp src/fmu/*.hpp src/fmu/*.h); do \
-	  mkdir -p "$(@D)/$$(dirname $$file)"; cp $$file "$(@D)/$$file"; done; \
-	cp $(BUILD)/generated/aircraft_tables.inc $(@D)/generated; \
-	$(RUNNER) $< build $(FMU_SOURCES) > $@.part && mv $@.part $@
+	  to="$(@D)/$${file#*/}"; mkdir -p "$$(dirname "$$to")"; cp $$file "$$to"; done; \
+	cp $(BUILD)/generated/aircraft_tables.inc $(@D); \
+	$(RUNNER) $< build $(FMU_SOURCES:src/%=%) > $@.part && mv $@.part $@
 
 # The tests load it.
-$(BUILD)/run_tests: | $(FMU_BINARY) $(FMU_FOLDER)/modelDescription.xml
+$(BUILD)/run_tests: | $(FMU_BINARY) $(FMU_FOLDER)/modelDescription.xml $(FMU_FOLDER)/sources/buildDescription.xml
 
 # A copy of one date, in one order: two builds give the same bytes.
 fmu-archive: $(FMU_BINARY) $(FMU_FOLDER)/modelDescription.xml $(FMU_FOLDER)/sources/buildDescription.xml

@@ -53,14 +53,22 @@ class Cockpit {
     pen.moveTo(-3 * width, 0);
     pen.lineTo(3 * width, 0);
     pen.stroke();
-    this.ladder();
     pen.restore();
     if (!this.isStill) this.grid(view);
+    this.ladder(view);
     this.symbol();
     this.instruments(view);
   }
-  ladder() {
-    const {pen} = this;
+  // Below the heading and beside the instruments.
+  ladder(view) {
+    const {pen, canvas: {width, height}} = this;
+    pen.save();
+    pen.beginPath();
+    pen.rect(width / 2 - 90, 74, 180, height - 84);
+    pen.clip();
+    pen.translate(width / 2, height / 2);
+    pen.rotate(-view.roll);
+    pen.translate(0, kLens * Math.tan(clamp(view.pitch, -1.4, 1.4)));
     pen.strokeStyle = pen.fillStyle = '#ffffffcc';
     pen.lineWidth = 1.5;
     pen.font = '13px sans-serif';
@@ -71,6 +79,7 @@ class Cockpit {
       pen.strokeRect(-45, y, 90, 0);
       pen.fillText(String(Math.abs(angle)), 50, y + 4);
     }
+    pen.restore();
   }
   grid(view) {
     const {pen} = this;

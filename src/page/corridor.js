@@ -18,7 +18,8 @@ class Corridor {
     this.handle = svg('circle', {r: 9, class: 'handle', tabindex: 0, role: 'slider',
       'aria-label': 'Mast angle and speed; arrow keys move the point', 'aria-valuemin': 0, 'aria-valuemax': 90});
     this.path = svg('polyline', {class: 'trail_line'});
-    this.chart.marks.append(this.path, this.handle);
+    this.chart.marks.append(this.path);
+    element.append(this.handle);  // whole at the ends of the axes too
     const moveTo = (event) => {
       const {x, y} = this.chart.at(event);
       onMove(clamp(Math.round(x * 2) / 2, 0, kFastest), clamp(Math.round(y * 2) / 2, 0, 90));

@@ -1,35 +1,5 @@
 // Explore: a flight is chosen by hand, and trim, linear model and roots follow.
 
-// What is chosen, with the range of its slider; `usual` says what stands when nothing was chosen.
-const kChoices = {
-  mast: {low: 0, high: 90, usual: 0},
-  speed: {low: 0, high: 140, usual: 40},
-  altitude: {low: 0, high: 6000, usual: 0, unit: 'm', digits: 0},
-  mass: {low: 4300, high: 7200, usual: 5897, unit: 'kg', digits: 0},
-  cg: {low: 7.5, high: 7.8, usual: 7.65, unit: 'm', digits: 3},
-  flap: {low: -1, high: 75, usual: -1, unit: 'deg', digits: 0},
-  governor: {low: 0, high: 2, usual: 0},
-  scas: {low: 0, high: 1, usual: 0},
-};
-
-// The address: #mast=30&speed=60; numbers that are none, or out of range, are left out.
-function readAddress(address) {
-  const point = {};
-  const given = new URLSearchParams(address.replace(/^#/, ''));
-  for (const [name, choice] of Object.entries(kChoices)) {
-    const number = given.get(name) === null || given.get(name).trim() === '' ? NaN : Number(given.get(name));
-    point[name] = Number.isFinite(number) ? clamp(number, choice.low, choice.high) : choice.usual;
-  }
-  point.governor = Math.round(point.governor);
-  point.scas = Math.round(point.scas);
-  return point;
-}
-function writeAddress(point) {
-  const changed = Object.keys(kChoices).filter((name) => point[name] !== kChoices[name].usual ||
-    name === 'mast' || name === 'speed');
-  return `#${changed.map((name) => `${name}=${point[name]}`).join('&')}`;
-}
-
 // What begin() takes.
 function loading(point) {
   return {mast: point.mast, flap: point.flap < 0 ? null : point.flap, altitude: point.altitude, mass: point.mass,
@@ -47,7 +17,10 @@ class Explore {
     this.bars = new TrimBars(byId('bars'));
     this.view = new SideView(byId('side'));
     this.front = new FrontView(byId('front'));
-    this.phasors = new Phasors(byId('phasors'), byId('phasor_mode'));
+    this.phasors = new Phasors(byId('phasors'), byId('phasor_mode'), () => this.showMode());
+    this.sensitivities = new Sensitivities(byId('by_choices'), byId('by_elements'), byId('moved_mode'), (other) => this.solve(other));
+    for (const plane of [this.near, this.all]) plane.onChoose = (mode) => this.phasors.choose(mode);
+    byId('show_forces').addEventListener('change', () => this.showAircraft());
     for (const input of document.querySelectorAll('#choices [name]'))
       input.addEventListener('input', () => this.change({[input.name]: input.type === 'checkbox' ? Number(input.checked)
         : Number(input.value)}));
@@ -87,9 +60,24 @@ class Explore {
     }
   }
 
+  // What belongs to the mode that is looked at.
+  showMode() {
+    const mode = this.phasors.mode();
+    for (const plane of [this.near, this.all]) plane.rule(mode);
+    this.sensitivities.show(mode);
+  }
+  showAircraft() {
+    const {seen = null, forces = null} = this.found, shown = byId('show_forces').checked ? forces : null;
+    for (const id of ['side', 'front']) byId(id).toggleAttribute('hidden', seen === null);
+    byId('no_picture').hidden = seen !== null;
+    this.view.show(seen, shown);
+    this.front.show(seen, shown);
+    listForces(byId('forces'), shown);
+  }
+
   compute() {
     const start = performance.now();
-    const found = this.solve();
+    const found = this.solve(this.point);
     this.found = found;
     if (found.seen) {
       this.trail.push({...this.point});
@@ -97,12 +85,12 @@ class Explore {
     }
     this.corridor.show(this.point, this.trail);
     this.bars.show(found.seen || null);
-    this.view.show(found.seen || null);
-    this.front.show(found.seen || null);
-    this.phasors.show(found.linear || null);
+    this.showAircraft();
     const modes = found.linear ? found.linear.modes : [];
     this.near.show(modes);
     this.all.show(modes);
+    this.sensitivities.begin(this.point, found.linear || null, found.seen ? found.seen.conf[kConf.flap] : 0);
+    this.phasors.show(found.linear || null);
     listModes(byId('modes'), modes);
     byId('where').textContent = `Mast ${fixed(this.point.mast, 1)} deg, ${fixed(this.point.speed, 1)} m/s ` +
       `(${fixed(this.point.speed / kKnot, 0)} kt)`;
@@ -113,8 +101,8 @@ class Explore {
   }
 
   // Trim, linear model and modes of the point; a sentence whatever happens.
-  solve() {
-    const {aircraft, point} = this, {tiltrotor: library} = aircraft;
+  solve(point) {
+    const {aircraft} = this, {tiltrotor: library} = aircraft;
     if (aircraft.begin(loading(point)) !== 0) return {text: `No such aircraft: ${library.lastText()}.`};
     if (point.governor || point.scas) {
       const status = aircraft.setSystems({governor: point.governor, engines: point.governor ? 1 : 0, scas: point.scas});
@@ -126,15 +114,24 @@ class Explore {
     const looked = aircraft.look();
     if (looked !== 0) return {text: `Nothing to see: ${library.statusText(looked)}.`};
     const seen = aircraft.seen();
-    const linear = aircraft.linearize();
-    return {seen, linear, isClean: status === 0,
+    const loads = aircraft.componentForces();
+    const forces = loads && withInPlane(loads, seen.conf[kConf.mast] * kDegree), linear = aircraft.linearize();
+    return {seen, forces, linear, isClean: status === 0,
       text: (status === 0 ? 'Trimmed: ' : 'Trimmed beyond a limit: ') + text +
         (linear ? '' : ' No linear model there.')};
   }
 
-  // The map grows while nothing else is asked.
+  // Sensitivities, then the map, while nothing else is asked.
   idle() {
-    if (!this.isAsked && !this.corridor.isDragged && !this.corridor.isDone()) this.corridor.slice(kSlice);
+    if (!this.isAsked && !this.corridor.isDragged) {
+      if (!this.sensitivities.isDone()) this.settle(1);
+      else if (!this.corridor.isDone()) this.corridor.slice(kSlice);
+    }
     byId('map_state').textContent = this.corridor.isDone() ? '' : 'map is computed…';
+  }
+  // So many of the choices whose effect is to be known, and what is known then.
+  settle(count) {
+    for (let k = 0; k < count && !this.sensitivities.isDone(); ++k) this.sensitivities.step();
+    this.sensitivities.show(this.phasors.mode());
   }
 }

@@ -1,7 +1,7 @@
 // The library as WebAssembly, and one object for each of its two aircraft. Places in the arrays are those of page.h.
 
 const kArrays = ['setup', 'systems', 'environment', 'x', 'u', 'outputs', 'configuration', 'a', 'b', 'modes',
-  'statePlaces', 'controlPlaces'];
+  'statePlaces', 'controlPlaces', 'forces'];
 const kX = {u: 0, v: 1, w: 2, p: 3, q: 4, r: 5, roll: 6, pitch: 7, yaw: 8, north: 28, east: 29, down: 30,
   governor: 37};
 const kU = {collective: 0, longStick: 1, latStick: 2, pedal: 3};
@@ -77,6 +77,16 @@ class Aircraft {
   step(dt) { return this.call.page_step(this.number, dt); }
   look() { return this.call.page_look(this.number); }
   flags() { return this.call.page_flags(this.number); }
+  // {wing_free: [x, y, z], ...} of the state as it is: body axes, N; null where they are not finite.
+  componentForces() {
+    if (this.call.page_component_forces(this.number) !== 0) return null;
+    const found = {};
+    for (let k = 0; ; ++k) {
+      const name = this.tiltrotor.text(this.call.page_component_name(k));
+      if (name === '') return found;
+      found[name] = Array.from(this.array.forces.subarray(3 * k, 3 * k + 3));
+    }
+  }
   fault() { return this.tiltrotor.text(this.call.page_fault(this.number)); }
   // A copy of what look() found.
   seen() {

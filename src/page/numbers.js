@@ -19,5 +19,6 @@ function modeText(mode) {
   const root = mode.imag > 0 ? `${fixed(mode.real, 3)} ± ${fixed(mode.imag, 3)}i 1/s` : `${fixed(mode.real, 3)} 1/s`;
   const life = mode.half >= 0 ? `halves in ${significant(mode.half)} s` : `doubles in ${significant(-mode.half)} s`;
   const damping = mode.imag > 0 ? `, damping ratio ${fixed(mode.damping, 2)}` : '';
-  return `${mode.name}: ${root}${damping}, ${life}`;
+  const level = levelOf(mode);
+  return `${mode.name}: ${root}${damping}, ${life}${level === '' ? '' : `; ${level}`}`;
 }

@@ -1,6 +1,7 @@
 #include "page/page.h"
 
 #include "firmware/reference_flight.h"
+#include "page/component_forces.h"
 
 static tr_sim sims[PAGE_AIRCRAFT];
 static tr_work work;
@@ -13,6 +14,7 @@ static tr_real a[TR_MAX_LINEAR_STATES * TR_MAX_LINEAR_STATES];
 static tr_real b[TR_MAX_LINEAR_STATES * TR_INPUTS];
 static tr_real mode_numbers[TR_MAX_LINEAR_STATES * 5];
 static tr_real state_places[TR_MAX_LINEAR_STATES], control_places[TR_INPUTS];
+static tr_real forces[3 * COMPONENTS];
 static tr_mode modes[TR_MAX_LINEAR_STATES];
 static tr_linear_shape shape;
 static size_t mode_count;
@@ -42,7 +44,8 @@ tr_real* page_array(int32_t which) {
                                        b,
                                        mode_numbers,
                                        state_places,
-                                       control_places};
+                                       control_places,
+                                       forces};
   return which >= 0 && which < PAGE_ARRAYS ? place[which] : (tr_real*)0;
 }
 
@@ -158,6 +161,9 @@ uint32_t page_flags(int32_t aircraft) {
   uint32_t flags = 0;
   return tr_get_flags(&sims[aircraft], &flags) == TR_OK ? flags : 0;
 }
+
+int32_t page_component_forces(int32_t aircraft) { return component_forces(&sims[aircraft], forces); }
+const char* page_component_name(int32_t component) { return component_name(component); }
 
 int32_t page_linearize(int32_t aircraft, int32_t columns) {
   tr_status status = tr_linearize(&sims[aircraft], &work, columns, &shape, a, sizeof a / sizeof a[0], b,

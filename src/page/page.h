@@ -23,6 +23,7 @@ enum {
   PAGE_MODES, /* real, imag, frequency, damping ratio, time to half of every mode */
   PAGE_STATE_PLACES,
   PAGE_CONTROL_PLACES, /* of rows and columns of A and B */
+  PAGE_FORCES,         /* x, y, z of every component, body axes, N */
   PAGE_ARRAYS
 };
 
@@ -40,6 +41,10 @@ int32_t page_set_controls(int32_t aircraft); /* the first 4 of PAGE_U, which the
 int32_t page_step(int32_t aircraft, tr_real dt);
 int32_t page_look(int32_t aircraft);
 uint32_t page_flags(int32_t aircraft);
+
+/* Fills FORCES, of the state as it is. */
+int32_t page_component_forces(int32_t aircraft);
+const char* page_component_name(int32_t component);
 
 /* A, B of `columns` and the modes; *shape by the two counts. Names by number: page_mode_name(k). */
 int32_t page_linearize(int32_t aircraft, int32_t columns);

@@ -9,18 +9,21 @@ BROWSER     ?= chromium
 PAGE_COMMON := $(PAGE_TARGET) -O2 -ffp-contract=off -fno-math-errno -Iinclude -Isrc
 PAGE_CXX_FLAGS := $(PAGE_COMMON) -std=c++17 $(CORE_FLAGS) -Dtiltrotor=tiltrotor_library_double -fvisibility=hidden
 PAGE_C_FLAGS   := $(PAGE_COMMON) -std=c99 -Wall -Wextra -Wpedantic
-PAGE_SCRIPTS := $(addprefix src/page/,module.js numbers.js svg.js chart.js corridor.js roots.js trim_bars.js side_view.js front_view.js phasors.js explore.js \
-                  sticks.js recorder.js cockpit.js matrices.js fly.js self_test.js start.js)
+PAGE_SCRIPTS := $(addprefix src/page/,module.js numbers.js svg.js chart.js address.js levels.js components.js corridor.js roots.js trim_bars.js \
+                  side_view.js front_view.js phasors.js sensitivities.js explore.js \
+                  sticks.js recorder.js cockpit.js matrices.js fly.js self_test.js still.js start.js)
 PAGE_PARTS   := src/page/explore.html src/page/style.css $(PAGE_SCRIPTS)
 PAGE_OBJECTS := $(patsubst src/%.cpp,$(BUILD)/page/%.o,$(C_SOURCE)) \
-                $(BUILD)/page/page/page.o $(BUILD)/page/firmware/reference_flight.o $(BUILD)/page/firmware/text.o
+                $(BUILD)/page/page/page.o $(BUILD)/page/page/component_forces.o $(BUILD)/page/firmware/reference_flight.o $(BUILD)/page/firmware/text.o
 PAGE_EXPORTS := $(shell sed -n 's/^[a-z].*[ *]\(page_[a-z_]*\).*/--export=\1/p' src/page/page.h)
 PAGE         := $(BUILD)/report/explore.html
 STAMP_page    = $(call COMPILER,$(PAGE_CXX)) $(PAGE_CXX_FLAGS) $(PAGE_C_FLAGS) $(PRIVATE)
 OBJECTS      += $(PAGE_OBJECTS)
 
 # The shim on this machine, for the tests.
-PAGE_ON_HOST := $(BUILD)/on_host/page/page.o $(BUILD)/firmware/reference_flight.o $(BUILD)/firmware/text.o
+PAGE_ON_HOST := $(BUILD)/on_host/page/page.o $(BUILD)/ad/page/component_forces.o $(BUILD)/firmware/reference_flight.o $(BUILD)/firmware/text.o
+OBJECTS      += $(BUILD)/ad/page/component_forces.o
+$(BUILD)/ad/page/component_forces.o: $(BUILD)/flags.stamp | $(GENERATED)
 $(BUILD)/run_tests: $(PAGE_ON_HOST)
 $(BUILD)/on_host/page/page.o: src/page/page.c $(wildcard src/page/*.h) $(FIRMWARE_HEADERS) $(BUILD)/c.stamp
 	@echo "  compile $<"; mkdir -p $(@D)
@@ -52,6 +55,8 @@ $(BUILD)/page/tiltrotor.wasm: $(PAGE_OBJECTS)
 	$(Q)$(PAGE_LD) --no-entry --gc-sections --strip-all --stack-first -z stack-size=1048576 --initial-memory=4194304 \
 	  --max-memory=4194304 $(PAGE_EXPORTS) $^ -L/usr/lib/wasm32-wasi -lc -o $@
 
-$(PAGE): $(BUILD)/page/tiltrotor.wasm $(PAGE_PARTS) src/page/assemble.sh
+# Of every aircraft: they are the pilots'.
+PAGE_LIMITS := tables/xv15/published/handling_qualities.csv
+$(PAGE): $(BUILD)/page/tiltrotor.wasm $(PAGE_PARTS) $(PAGE_LIMITS) src/page/assemble.sh
 	@echo "  page    $@"; mkdir -p $(@D)
-	$(Q)src/page/assemble.sh $< $(or $(MADE_TABLES),tables/$(AIRCRAFT)) $(PAGE_PARTS) >$@.part && mv $@.part $@
+	$(Q)src/page/assemble.sh $< $(or $(MADE_TABLES),tables/$(AIRCRAFT)) $(PAGE_LIMITS) $(PAGE_PARTS) >$@.part && mv $@.part $@

@@ -18,6 +18,13 @@ function eigenvector(a, n, {real, imag}) {
   return x;
 }
 
+// A root from a nearby number.
+function quotient(a, n, near) {
+  const x = eigenvector(a, n, near), k = x.reduce((best, z, i) => (Math.hypot(...z) > Math.hypot(...x[best]) ? i : best), 0);
+  const sum = [0, 1].map((part) => x.reduce((total, z, j) => total + a[k * n + j] * z[part], 0)), size = x[k][0] ** 2 + x[k][1] ** 2;
+  return {real: (sum[0] * x[k][0] + sum[1] * x[k][1]) / size, imag: (sum[1] * x[k][0] - sum[0] * x[k][1]) / size};
+}
+
 // Gauss with the largest pivot; rows and right side are used up.
 function solveComplex(rows, right) {
   const n = rows.length, x = right.map((value) => [...value]);
@@ -56,11 +63,12 @@ function bodyPhasors(linear, mode) {
 }
 
 class Phasors {
-  constructor(element, choice) {
+  constructor(element, choice, onChoose) {
     this.element = element;
     this.choice = choice;
     this.linear = null;
     element.setAttribute('viewBox', '-150 -125 300 250');
+    this.onChoose = onChoose;
     choice.addEventListener('change', () => this.draw());
   }
   // Named modes of the body first; the one that was looked at stays, by its name.
@@ -73,11 +81,17 @@ class Phasors {
     this.choice.selectedIndex = modes.length > 0 ? place : -1;
     this.draw();
   }
+  mode() { return this.linear === null ? null : this.linear.modes[this.choice.selectedIndex] || null; }
+  choose(mode) {
+    this.choice.selectedIndex = this.linear.modes.indexOf(mode);
+    this.draw();
+  }
   draw() {
+    this.onChoose();
     this.element.replaceChildren(svg('circle', {r: 100, class: 'phasor_circle'}),
       svg('line', {x1: -112, x2: 112, y1: 0, y2: 0, class: 'zero'}), svg('line', {y1: -112, y2: 112, x1: 0, x2: 0, class: 'zero'}));
-    const mode = this.linear === null ? undefined : this.linear.modes[this.choice.selectedIndex];
-    if (mode === undefined) return;
+    const mode = this.mode();
+    if (mode === null) return;
     const phasors = bodyPhasors(this.linear, mode).filter(({size}) => size >= kLeastPhasor);
     const text = phasors.map((p) => `${p.name} ${fixed(p.size, 2)} at ${fixed(degrees(p.angle), 0)} deg`);
     this.element.setAttribute('aria-label', `${mode.name}: ${text.join(', ')}`);

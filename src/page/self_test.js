@@ -27,6 +27,49 @@ function selfTest(library) {
       byId('phasors').getAttribute('aria-label'));
     check('front view', byId('front').querySelectorAll('.thrust').length === 2, byId('front').getAttribute('aria-label'));
   }
+  {
+    // All forces and the weight hold the balance in level flight, turned by the pitch; wings level.
+    const {seen, forces} = explore.found, pitch = seen.x[kX.pitch], weight = seen.conf[kConf.mass] * 9.80665;
+    const components = Object.keys(forces).filter((name) => !name.startsWith('in_plane'));
+    const [x, y, z] = forceOf(forces, components);
+    const rest = Math.hypot(x - weight * Math.sin(pitch), y, z + weight * Math.cos(pitch)) / weight;
+    check('forces', components.length === 13 && rest < 1e-4, `${components.length} components, out of balance by ${rest} of the weight`);
+    const letters = (id) => byId(id).querySelectorAll('.force_letter').length;
+    check('force arrows', letters('side') >= 5 && letters('front') >= 7 && byId('forces').children.length >= 5,
+      `${letters('side')} and ${letters('front')}, ${byId('forces').textContent}`);
+    byId('show_forces').click();
+    check('forces off', letters('side') + letters('front') + byId('forces').children.length === 0 &&
+      byId('front').querySelectorAll('.thrust').length === 2, 'thrusts stay');
+    byId('show_forces').click();
+  }
+  {
+    // A root moved by a small change of an element, against the Rayleigh quotient of the changed matrix.
+    const {linear} = explore.found, mode = linear.modes.find((m) => m.name === 'short period') || linear.modes[0];
+    const motions = elementMotions(linear, mode), [row, column] = motions[0].label.match(/^d(.*)\/dt by (.*)$/).slice(1)
+      .map((name) => linear.states.indexOf(name));
+    const changed = linear.a.slice(), part = 1e-4;
+    changed[row * linear.n + column] *= 1 + part;
+    let root = {real: mode.real, imag: mode.imag};
+    for (let turn = 0; turn < 4; ++turn) root = quotient(changed, linear.n, root);
+    const off = Math.hypot((root.real - mode.real) / part * kElementPart - motions[0].real,
+      (root.imag - mode.imag) / part * kElementPart - motions[0].imag) / Math.hypot(motions[0].real, motions[0].imag);
+    check('sensitivity', off < 1e-3, `${mode.name}, ${motions[0].label}: to ${off}`);
+    explore.settle(kUsualChanges.length);
+    const size = explore.sensitivities.models.length;
+    check('choices that move the root', size === kUsualChanges.length && byId('by_choices').children.length === size,
+      byId('by_choices').textContent);
+  }
+  {
+    const mark = [...byId('near').querySelectorAll('.stable')].find((m) => m.getAttribute('aria-label').startsWith('short period'));
+    mark.dispatchEvent(new KeyboardEvent('keydown', {key: 'Enter', bubbles: true}));
+    const tips = [...byId('near').querySelectorAll('.level_grip')].map((line) => line.dataset.tip);
+    check('levels of a mode', explore.phasors.mode().name === 'short period' && tips.length === 3 && /at least 0.3 /.test(`${tips[0]} `),
+      tips.join(' | '));
+    // The frequency of the edge and its damping are those that are asked for.
+    const edge = levelEdge({zeta: 0.08, zetaOmega: 0.15, omega: 0.4}, 5);
+    check('edge of a level', edge.every(([re, im]) => { const w = Math.hypot(re, im); return w > 0.4 - 1e-12 &&
+      (Math.min(-re - 0.15, -re - 0.08 * w) < 1e-12 || w < 0.4 + 1e-12); }) && edge.some(([re]) => Math.abs(re + 0.4) < 1e-12), `${edge.length} points`);
+  }
   press(explore.corridor.handle, 'ArrowRight');
   check('arrow key', explore.point.speed === 61, explore.point.speed);
   const box = byId('corridor').getBoundingClientRect();
@@ -47,6 +90,10 @@ function selfTest(library) {
   const again = readAddress(writeAddress(explore.point));
   check('address', JSON.stringify(again) === JSON.stringify(explore.point), writeAddress(explore.point));
   check('bad address', readAddress('#mast=x&speed=1e9&cg=').speed === 140, JSON.stringify(readAddress('#mast=x&cg=')));
+  const faults = understood('#mast=x&speed=1e9&cg=&sped=3&governor=1.5&fly').faults;
+  check('words for a bad address', faults.length === 5 && faults[1].includes('speed=1e9 is out of range: 0 to 140 m/s; shown with 140'),
+    faults.join(' '));
+  check('no words for a good one', understood(writeAddress(explore.point)).faults.length === 0, writeAddress(explore.point));
   explore.change({mast: 90, speed: 10});
   check('no trim', shown().seen === undefined && explore.found.text.startsWith('No level flight'), explore.found.text);
   explore.corridor.start(loading(explore.point));

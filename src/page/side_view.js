@@ -17,7 +17,8 @@ class SideView {
   polygon(points, attributes) {
     return svg('polygon', {points: points.map(([sl, wl]) => this.at(sl, wl).join(',')).join(' '), ...attributes});
   }
-  show(seen) {
+  // `forces`: of the components, or null for none.
+  show(seen, forces) {
     this.body.replaceChildren();
     this.arrows.replaceChildren();
     if (seen === null) return;
@@ -44,7 +45,11 @@ class SideView {
     const thrust = seen.out[kOut.thrust] + seen.out[kOut.thrust + 1];
     const size = kWeightArrow * thrust / weight;
     const from = turned(hub), to = turned([hub[0] + size * along[0], hub[1] + size * along[1]]);
-    const speed = seen.out[kOut.airspeed];
+    const speed = seen.out[kOut.airspeed], inchOf = (newton) => kWeightArrow * newton / weight;
+    const hubStation = [kSide.cg[0] - hub[0], kSide.cg[1] - hub[1]];
+    if (forces !== null)
+      this.arrows.append(...forceLayer(forceArrows(forces, hubStation, false).map((found) => ({found, at: turned(this.at(...found.from)),
+        by: turned([inchOf(found.force[0]), inchOf(found.force[2])])})), [...placesOn(from, to), ...placesOn([0, 0], [0, kWeightArrow])]));
     this.arrows.append(
       arrow(...from, ...to, {class: 'thrust', 'data-tip': `Thrust of both rotors ${fixed(thrust / 1000, 1)} kN, ` +
         `${fixed(thrust / weight, 2)} of the weight`}),

@@ -22,7 +22,9 @@ function begin(instance) {
     byId('self_test').textContent = selfTest(library);
     return;
   }
-  const explore = new Explore(library, readAddress(location.hash));
+  const asked = understood(location.hash);
+  sayFaults(asked.faults);
+  const explore = new Explore(library, asked.point);
   let fly = null;
   const takeOff = (point) => {
     openRoom(true);
@@ -37,12 +39,18 @@ function begin(instance) {
   });
   byId('tab_fly').addEventListener('click', () => (fly === null ? takeOff(explore.point) : openRoom(true)));
   byId('fly_here').addEventListener('click', () => takeOff(explore.point));
-  window.addEventListener('hashchange', () => { explore.change(readAddress(location.hash)); });
+  window.addEventListener('hashchange', () => {
+    const {point, faults} = understood(location.hash);
+    sayFaults(faults);
+    explore.change(point);
+  });
   if (kAsked.has('fly')) takeOff(explore.point);
   if (isStill) {
+    explore.settle(kUsualChanges.length);
     explore.corridor.slice(kStillMap);
     if (fly !== null) fly.advance(100);
     if (fly !== null) fly.draw();
+    window.parent.postMessage(stillFaults(fly === null ? 'explore' : 'fly'), '*');
     return;
   }
   const frame = (now) => {
@@ -52,6 +60,10 @@ function begin(instance) {
   };
   requestAnimationFrame(frame);
 }
+
+// A script that fails, or the module, would leave a picture that stands still.
+for (const kind of ['error', 'unhandledrejection'])
+  window.addEventListener(kind, (event) => fail(`${event.message || (event.reason && event.reason.message) || kind}. Load it again.`));
 
 function fail(reason) {
   byId('failure').hidden = false;

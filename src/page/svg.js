@@ -17,24 +17,23 @@ function html(name, attributes = {}, ...children) {
 const byId = (id) => document.getElementById(id);
 
 // Whatever carries data-tip shows it under the pointer, or beside it while it has the focus.
+function showTip(target, x, y) {
+  const tip = byId('tip'), carrier = target instanceof Element ? target.closest('[data-tip]') : null;
+  tip.hidden = carrier === null;
+  if (carrier === null) return;
+  tip.textContent = carrier.dataset.tip;
+  const box = tip.getBoundingClientRect();
+  tip.style.left = `${clamp(x + 14, 4, Math.max(4, window.innerWidth - box.width - 4))}px`;
+  tip.style.top = `${y + 18 + box.height > window.innerHeight ? y - box.height - 10 : y + 18}px`;
+}
 function followPointer() {
-  const tip = byId('tip');
-  const show = (target, x, y) => {
-    const carrier = target instanceof Element ? target.closest('[data-tip]') : null;
-    tip.hidden = carrier === null;
-    if (carrier === null) return;
-    tip.textContent = carrier.dataset.tip;
-    const box = tip.getBoundingClientRect();
-    tip.style.left = `${clamp(x + 14, 4, Math.max(4, window.innerWidth - box.width - 4))}px`;
-    tip.style.top = `${y + 18 + box.height > window.innerHeight ? y - box.height - 10 : y + 18}px`;
-  };
-  document.addEventListener('pointermove', (event) => show(event.target, event.clientX, event.clientY));
-  document.addEventListener('pointerdown', (event) => show(event.target, event.clientX, event.clientY));
+  for (const type of ['pointermove', 'pointerdown'])
+    document.addEventListener(type, (event) => showTip(event.target, event.clientX, event.clientY));
   document.addEventListener('focusin', (event) => {
     const box = event.target.getBoundingClientRect();
-    if (event.target instanceof Element && event.target.matches('[data-tip]')) show(event.target, box.left, box.top);
+    if (event.target instanceof Element && event.target.matches('[data-tip]')) showTip(event.target, box.left, box.top);
   });
-  document.addEventListener('scroll', () => { tip.hidden = true; }, {passive: true});
+  document.addEventListener('scroll', () => { byId('tip').hidden = true; }, {passive: true});
 }
 
 // An arrow with its point at (x2, y2).

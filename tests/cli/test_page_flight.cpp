@@ -228,3 +228,30 @@ TEST(fly_repeats_governors_of_the_page) {
   f.fly({0, 0, 0, 0}, 0, 50);
   check_flown_again(f, 1e-9);
 }
+
+// What the page draws as arrows. Expected: `loads` of the command line at its own trim.
+TEST(cli_loads_are_those_of_the_page) {
+  const double setup[] = {30, -1, 0, 5897, 7.65, -1};
+  std::copy(std::begin(setup), std::end(setup), page_array(PAGE_SETUP));
+  CHECK_EQ(page_begin(PAGE_EXPLORE), 0);
+  CHECK_EQ(page_trim(PAGE_EXPLORE, 60), 0);
+  CHECK_EQ(page_component_forces(PAGE_EXPLORE), 0);
+  const check::ProgramResult result = check::run_tiltrotor(
+      "loads --grid realtime --mast 30 --speed 60 --mass 5897 --cg-sl " + digits(7.65 / kInch));
+  CHECK_EQ(result.exit_status, 0);
+  const check::CsvText rows(result.out);
+  double worst = 0;
+  std::size_t found = 0;
+  for (std::size_t i = 0; i < rows.rows.size(); ++i)
+    for (int k = 0; *page_component_name(k) != '\0'; ++k) {
+      if (rows.text(i, "component") != page_component_name(k)) continue;
+      const char* const columns[] = {"x_n", "y_n", "z_n"};
+      for (int axis = 0; axis < 3; ++axis)
+        worst = std::fmax(worst,
+                          std::fabs(rows.number(i, columns[axis]) - page_array(PAGE_FORCES)[3 * k + axis]));
+      ++found;
+    }
+  CHECK_EQ(found, rows.rows.size() - 1);  // and their sum
+  CHECK_LT(worst, 1e-3);                  // N of 58 kN: the trims are apart by that much
+  CHECK_EQ(std::string(page_component_name(-1)), "");
+}

@@ -1,0 +1,45 @@
+// The sources in the FMU. Importers know one folder for includes, sources/, and none of buildDescription.xml.
+#include "tiltrotor/tiltrotor.h"
+
+#ifndef TR_SINGLE_PRECISION
+#include <filesystem>
+#include <fstream>
+#include <regex>
+#include <string>
+
+#include "check.hpp"
+
+namespace fs = std::filesystem;
+
+TEST(fmu_sources_find_every_include_from_one_folder) {
+  const fs::path root = fs::path(TILTROTOR_BINARY_DIR) / "fmu/sources";
+  const std::regex include("\\s*#\\s*include\\s*\"([^\"]+)\".*");
+  int count = 0;
+  for (const auto& entry : fs::recursive_directory_iterator(root)) {
+    if (!entry.is_regular_file() || entry.path().extension() == ".xml") continue;
+    std::ifstream in(entry.path());
+    std::smatch part;
+    for (std::string line; std::getline(in, line);) {
+      if (!std::regex_match(line, part, include)) continue;
+      ++count;
+      if (!CHECK(fs::exists(root / part[1].str()))) NOTE(entry.path().string() << " includes " << part[1]);
+    }
+  }
+  CHECK_LE(100, count);
+}
+
+TEST(fmu_sources_that_are_to_be_compiled_are_there) {
+  const fs::path root = fs::path(TILTROTOR_BINARY_DIR) / "fmu/sources";
+  std::ifstream in(root / "buildDescription.xml");
+  const std::regex file("\\s*<SourceFile name=\"([^\"]+)\"/>");
+  int count = 0;
+  std::smatch part;
+  for (std::string line; std::getline(in, line);) {
+    if (!std::regex_match(line, part, file)) continue;
+    ++count;
+    if (!CHECK(fs::exists(root / part[1].str()))) NOTE(part[1]);
+  }
+  CHECK_LE(20, count);
+}
+
+#endif
