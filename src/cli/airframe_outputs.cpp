@@ -56,9 +56,11 @@ std::vector<double> airframe_readings(const Configuration<double>& c, const Stat
   airframe_response(c, steps.airframe_input, work, airframe,
                     [&](Component component, const Loads<double>& l) { loads[component] = l; });
   if (c.setup.options.engine_jets) {
-    const double torque = steps.rotor[right].loads.torque + steps.rotor[left].loads.torque + 2 * c.spin_up;
-    loads[Component::engine_jets] = engine_jet_loads(
-        c, torque * c.setup.rotor_speed, total_speed(steps.velocity_b, c.aircraft->smooth.airspeed));
+    double power = 0;
+    for (const Side side : {right, left})
+      power += (steps.rotor[side].loads.torque + c.rotor[side].spin_up) * c.rotor[side].speed;
+    loads[Component::engine_jets] =
+        engine_jet_loads(c, power, total_speed(steps.velocity_b, c.aircraft->smooth.airspeed));
   }
   for (const AirframeOutput& output : outputs) y.push_back(read(c, x, steps.total, rates, loads, output));
   return y;
