@@ -34,6 +34,24 @@ std::pair<State<double>, Controls<double>> moved(const TrimResult<double>& trim,
   return at;
 }
 
+// Air of another density or speed of sound at the same altitude, as its temperature and pressure make it: systems that make
+// the configuration anew keep these.
+void move_air(Configuration<double>& c, ConfigurationParameter parameter, double by) {
+  double density = c.air.density;
+  double sound = c.air.speed_of_sound;
+  (parameter == ConfigurationParameter::air_density ? density : sound) += by;
+  const Air<double> standard = standard_air(c.setup.altitude);
+  const double ratio = (sound / standard.speed_of_sound) * (sound / standard.speed_of_sound);
+  c.around.warmer = standard.temperature * (ratio - 1);
+  c.around.pressure_above = density / standard.density * ratio - 1;
+  configure(c);
+}
+
+bool is_of_air(const SensitivityParameter& p) {
+  return p.parameter == ConfigurationParameter::air_density ||
+         p.parameter == ConfigurationParameter::speed_of_sound;
+}
+
 // Along mast angle and flap tables are linear between their knots: the side to look to, as partials do; 0: both.
 int table_side(const SensitivityParameter& p, const Configuration<double>& c) {
   const LimitTables<double>& limits = c.aircraft->limits;
@@ -150,6 +168,11 @@ Numbers Sensitivity::slopes(const SensitivityParameter& p, const TrimMotion<doub
                             NumbersOf numbers_of, Status& status) {
   const auto at = [&](double by) {
     if (p.held != nullptr) return (this->*numbers_of)(flight_->configuration, motion, by, status);
+    if (is_of_air(p)) {
+      memory_->moved = flight_->configuration;
+      move_air(memory_->moved, p.parameter, by);
+      return (this->*numbers_of)(memory_->moved, motion, by, status);
+    }
     if (!changes_aircraft(p)) {
       moved_configuration(flight_->configuration, &p.parameter, &by, 1, memory_->moved);
       return (this->*numbers_of)(memory_->moved, motion, by, status);

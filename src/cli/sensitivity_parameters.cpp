@@ -243,8 +243,7 @@ const std::vector<SensitivityParameter>& sensitivity_parameters() {
 
 bool acts(const SensitivityParameter& parameter, const SensitivitySystems& systems) {
   if (parameter.kind == ParameterKind::governor_gain) return systems.governor == Governor::pi;
-  if (parameter.kind == ParameterKind::scas_gain) return systems.scas;
-  return parameter.kind != ParameterKind::consequence || !systems.any() || parameter.change != nullptr;
+  return parameter.kind != ParameterKind::scas_gain || systems.scas;
 }
 
 std::vector<const SensitivityParameter*> chosen_parameters(const std::string& text, const std::string& where,
@@ -267,9 +266,7 @@ std::vector<const SensitivityParameter*> chosen_parameters(const std::string& te
     if (!acts(*parameter, systems))
       throw UsageError(where + ": " + word + " goes with " +
                        (parameter->kind == ParameterKind::scas_gain ? "--of modes --scas on"
-                        : parameter->kind == ParameterKind::governor_gain
-                            ? "--of modes --option governor=pi"
-                            : "governor=off and --scas off alone"));
+                                                                    : "--of modes --option governor=pi"));
     chosen.push_back(parameter);
   }
   return chosen;

@@ -14,7 +14,7 @@ namespace tiltrotor::cli {
 enum class ParameterKind : unsigned char {
   flight,         // what the trim holds: exact
   setting,        // of the configuration: exact, and moves with systems too
-  consequence,    // what follows from the setting: exact; with systems by its `change`, if it has one
+  consequence,    // what follows from the setting: exact; with systems by its `change`, or of the air
   aircraft,       // a number or table of it
   scas_gain,      // of the augmentation, where it is on
   governor_gain,  // of one that governs the rotor speed

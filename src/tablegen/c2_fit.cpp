@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "tablegen/bounded_least.hpp"
 #include "tablegen/compose.hpp"
@@ -130,7 +131,7 @@ FittedBlock fitted(const Block& b, std::size_t axes) {
   const Spline along_y = spline_on(b.y, false);
   const SquareMatrix form = roughness_of(b, along_x, along_y);
   std::vector<double> centre(b.unknowns());
-  std::vector<double> half(b.unknowns(), INFINITY);
+  std::vector<double> half(b.unknowns(), std::numeric_limits<double>::infinity());
   for (std::size_t n = 0; n < b.value.size(); ++n) {
     centre[b.unknown(n)] = b.value[n];
     half[b.unknown(n)] = std::min(half[b.unknown(n)], b.half[n]);

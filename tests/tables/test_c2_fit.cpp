@@ -1,6 +1,7 @@
 // The C2 fit of the table generator, on small cases.
 // Expected: natural and closed splines solved by hand (de Boor 1978), fits whose least roughness is plain.
 #include <cmath>
+#include <limits>
 
 #include "check.hpp"
 #include "tablegen/c2_fit.hpp"
@@ -75,7 +76,7 @@ TEST(tablegen_c2_uses_the_half_unit_of_print) {
 // A value between printed ones is free: the curve is the spline of the others.
 TEST(tablegen_c2_leaves_unprinted_values_free) {
   tablegen::TableArray table = curve({0, 1, 2, 3}, {0, 5, 4, 0}, kNarrow);
-  table.half[1] = INFINITY;
+  table.half[1] = std::numeric_limits<double>::infinity();
   const tablegen::C2Fit fit = tablegen::c2_fit(table);
   const double m = -6;  // at 2: 2 (2 + 1) m = 6 (-4 - 2); before it f = m x^3 / 12 + (2 - m / 3) x
   CHECK_NEAR(value(fit, 1), 2 - m / 4, 1e-9);
