@@ -252,8 +252,8 @@ TEST(dual_special_points) {
 TEST(dual_sine_and_cosine_together) {
   const auto check = [](const auto& x, auto&& same) {
     const auto both = sine_and_cosine(x);
-    CHECK(same(both.sine, sin(x)));
-    CHECK(same(both.cosine, cos(x)));
+    CHECK(same(both.sine, tiltrotor::sin(x)));
+    CHECK(same(both.cosine, tiltrotor::cos(x)));
   };
   Random<double, 9> random(kSeed);
   for (int k = 0; k < 200; ++k) {
