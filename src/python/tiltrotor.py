@@ -20,6 +20,7 @@ import ctypes
 import ctypes.util
 import difflib
 import math
+import numbers
 import os
 import re
 from ctypes import c_char, c_double, c_int32, c_uint32, c_uint64
@@ -89,11 +90,9 @@ TR_MAX_LINEAR_STATES = 48
 TR_INPUTS = 19
 TR_OUTPUTS = 23
 (TR_AT_RIGHT_ROTOR, TR_AT_LEFT_ROTOR, TR_AT_WING, TR_AT_TAIL, TR_PLACES) = range(0, 5)
-(TR_SATURATED, TR_AT_GIMBAL_STOP, TR_OVER_POWER, TR_OVER_TORQUE, TR_TABLE_EDGE, TR_VORTEX_RING, TR_ON_GROUND) = (
-    1, 2, 4, 8, 16, 32, 64)
+(TR_SATURATED, TR_AT_GIMBAL_STOP, TR_OVER_POWER, TR_OVER_TORQUE, TR_TABLE_EDGE, TR_VORTEX_RING, TR_ON_GROUND) = (1, 2, 4, 8, 16, 32, 64)
 
 # ---- structures, fields as the headers declare them ----
-
 _WORDS = {"char": c_char, "void*": ctypes.c_void_p, "char*": ctypes.c_char_p, "size_t": ctypes.c_size_t, "int32_t": c_int32,
           "uint32_t": c_uint32, "tr_status": c_int32, "tr_real": tr_real, "double": c_double, "uint64_t": c_uint64}
 
@@ -129,22 +128,23 @@ class _Structure(ctypes.Structure):
                 raise TypeError(f"{type(self).__name__} has no {name}" + (f" (did you mean {near[0]}?)" if near else "")
                                 + "; there are " + ", ".join(names))
             field = getattr(self, name)
-            if isinstance(field, ctypes.Array):
-                if len(value) != len(field):
+            try:
+                if not isinstance(field, ctypes.Array):
+                    setattr(self, name, value)
+                elif len(value) != len(field):
                     raise ValueError(f"{name} takes {len(field)} numbers, not {len(value)}")
-                for k, item in enumerate(value):
-                    field[k] = tuple(item) if isinstance(field[k], ctypes.Array) else item
-            else:
-                setattr(self, name, value)
+                else:
+                    field[:] = [tuple(item) if isinstance(old, ctypes.Array) else item for old, item in zip(field, value)]
+            except TypeError:
+                wanted = {int: "a whole number", float: "a number"}.get(type(field), "numbers")
+                raise TypeError(f"{name} takes {wanted}, not {value!r}") from None
         return self
 
 def _structure(name, doc, fields):
     return type(name, (_Structure,), {"__doc__": f"{doc}\n\n{fields}", "_fields_": _fields(fields)})
 
-tr_sim = _structure("tr_sim", "The aircraft, opaque: a copy of it is a snapshot.",
-    "uint64_t reserved[TR_SIM_SIZE / 8]")
-tr_work = _structure("tr_work", "Scratch of the calls that name it.",
-    "uint64_t reserved[TR_WORK_SIZE / 8]")
+tr_sim = _structure("tr_sim", "The aircraft, opaque: a copy of it is a snapshot.", "uint64_t reserved[TR_SIM_SIZE / 8]")
+tr_work = _structure("tr_work", "Scratch of the calls that name it.", "uint64_t reserved[TR_WORK_SIZE / 8]")
 tr_setup = _structure("tr_setup", "What a flight begins with; tr_default_setup fills it, tr_check_setup says the ranges.",
     "int32_t aircraft, grid, tables, coning_states; tr_real mast_deg, flap_deg, altitude_m, mass_kg, rotor_radps, "
     "cg_station_m")
@@ -160,20 +160,16 @@ tr_trim_result = _structure("tr_trim_result", "How a trim ended, in a sentence; 
     "int32_t iterations, attempts; tr_real residual; char text[160]")
 tr_linear_shape = _structure("tr_linear_shape", "Rows and columns of A and B: places in tr_state.x and tr_state.u, from TR_CONTROLS on commands of systems.",
     "int32_t states, controls, state[TR_MAX_LINEAR_STATES], control[TR_INPUTS]")
-tr_mode = _structure("tr_mode", "Eigenvalue in 1/s, imag >= 0; time_to_half_s is negative where it is one to double.",
-    "tr_real real, imag, frequency_radps, damping_ratio, time_to_half_s; char name[32]")
+tr_mode = _structure("tr_mode", "Eigenvalue in 1/s, imag >= 0; time_to_half_s is negative where it is one to double.", "tr_real real, imag, frequency_radps, damping_ratio, time_to_half_s; char name[32]")
 tr_configuration = _structure("tr_configuration", "Masts, flaps, rotor speed and loading, as they are now.",
     "tr_real mast_deg, mast_rate_radps, mast_acceleration_radps2, flap_deg, rotor_radps, rotor_acceleration_radps2, "
     "mass_kg, cg_station_m, cg_waterline_m")
 tr_environment = _structure("tr_environment", "Air and ground: wind north east down, gusts in body axes by place.",
     "tr_real wind_mps[3], gust_mps[TR_PLACES][3], gust_rates_radps[3], altitude_origin_m, temperature_offset_k, "
     "pressure_ratio, ground_down_m")
-tr_load = _structure("tr_load", "A load from outside, at a station aft, right, up; force and moment in body axes.",
-    "tr_real station_m[3], force_n[3], moment_nm[3]")
-tr_fault = _structure("tr_fault", "What the last failing call found; state and control are places, -1: none.",
-    "int32_t status, state, control; double time_s")
-tr_mass = _structure("tr_mass", "At the present mast angle; inertia xx yy zz xz about the centre of gravity.",
-    "tr_real mass_kg, cg_m[3], inertia_kgm2[4]")
+tr_load = _structure("tr_load", "A load from outside, at a station aft, right, up; force and moment in body axes.", "tr_real station_m[3], force_n[3], moment_nm[3]")
+tr_fault = _structure("tr_fault", "What the last failing call found; state and control are places, -1: none.", "int32_t status, state, control; double time_s")
+tr_mass = _structure("tr_mass", "At the present mast angle; inertia xx yy zz xz about the centre of gravity.", "tr_real mass_kg, cg_m[3], inertia_kgm2[4]")
 tr_motion = _structure("tr_motion", "Of a point of the airframe: what an inertial unit there has; quaternion scalar first, earth to body.",
     "tr_real position_m[3], velocity_ned_mps[3], velocity_air_mps[3], specific_force_mps2[3], rates_radps[3], "
     "acceleration_radps2[3], quaternion[4]")
@@ -183,8 +179,7 @@ tr_systems = _structure("tr_systems", "Switches (0 or 1; governor a tr_governor)
     "int32_t governor, conversion, engines, actuators, scas, gear, ground_effect, turbulence, interconnect; "
     "tr_real mast_command_deg, flap_command_deg, rotor_command_radps, throttle[2]; int32_t gear_down, engine_failed[2]; uint64_t turbulence_seed; "
     "tr_real turbulence_w20_mps, brake[2]")
-tr_geodetic = _structure("tr_geodetic", "On the ellipsoid WGS-84.",
-    "double latitude_rad, longitude_rad, height_m")
+tr_geodetic = _structure("tr_geodetic", "On the ellipsoid WGS-84.", "double latitude_rad, longitude_rad, height_m")
 tr_lag = _structure("tr_lag", "A first-order lag: reading' = (input - reading) / time constant.",
     "tr_real time_constant_s, reading, input; int32_t begun")
 tr_imu = _structure("tr_imu", "Inertial unit with lags, at a station aft, right, up.",
@@ -269,7 +264,6 @@ def _functions():
 
 _functions()
 # ---- the comfortable way ----
-
 class Error(Exception):
     """What the library says of a failed call; `status` is its tr_status, `word` that in a word."""
 
@@ -301,7 +295,7 @@ class Aircraft:
 
     def __init__(self, mast_deg=0.0, aircraft=TR_XV15, **setup):
         self.setup, self.sim, self.work, text = tr_setup(), tr_sim(), tr_work(), ctypes.create_string_buffer(160)
-        status = tr_default_setup(self.setup, TR_API_VERSION, aircraft, mast_deg)
+        status = tr_default_setup(self.setup, TR_API_VERSION, aircraft, self.setup.set(mast_deg=mast_deg).mast_deg)
         if status == TR_OUT_OF_RANGE:  # tr_check_setup tells the range
             status = tr_default_setup(self.setup, TR_API_VERSION, aircraft, 0)
         check(status, f"aircraft={aircraft}")
@@ -325,14 +319,15 @@ class Aircraft:
 
     def trim(self, speed_mps=0.0, climb_rad=0.0, turn_rate_radps=0.0, sideslip_rad=0.0):
         """Steady flight; a limit may be exceeded, which the Trim says. Error with the reason where there is none."""
-        flight, r = tr_flight(speed_mps, climb_rad, turn_rate_radps, sideslip_rad), tr_trim_result()
+        flight, r = tr_flight(), tr_trim_result()
+        flight.set(speed_mps=speed_mps, climb_rad=climb_rad, turn_rate_radps=turn_rate_radps, sideslip_rad=sideslip_rad)
         status = tr_trim(self.sim, self.work, flight, r)
         check(TR_OK if status in _TRIMMED else status, f"trim at {speed_mps} m/s", r.text.decode())
         return Trim(status, tr_status_word(status).decode(), r.text.decode(), r.iterations, r.residual)
 
     def step(self, dt=0.005, count=1):
         """So many steps of dt, 0..0.02 s, controls held."""
-        check(TR_OK if 0 < dt <= 0.02 else TR_OUT_OF_RANGE, "step", f"dt = {dt} s lies outside 0..0.02 s")
+        check(TR_OK if isinstance(dt, numbers.Real) and 0 < dt <= 0.02 else TR_OUT_OF_RANGE, "step", f"dt = {dt} s lies outside 0..0.02 s")
         for _ in range(count):
             self.call(tr_step, self.work, dt)
 
@@ -368,17 +363,24 @@ class Aircraft:
         u = dict(zip(names, self.state.u), **controls)
         if len(u) > TR_CONTROLS:
             raise TypeError(f"no control {', '.join(set(controls) - set(names))}; there are {', '.join(names)}")
+        wrong = [f"{name}={value!r}" for name, value in controls.items() if not isinstance(value, numbers.Real)]
+        check(TR_BAD_ARGUMENT if wrong else TR_OK, "set", ", ".join(wrong) + ": each takes a number")
         self.call(tr_set_controls, (tr_real * TR_CONTROLS)(*u.values()), TR_CONTROLS)
 
     def change(self, **fields):
-        """Fields of tr_configuration or tr_systems by name, in force from now on: change(scas=1, flap_deg=20)."""
+        """Fields of tr_configuration or tr_systems by name, in force from now on: change(scas=1, flap_deg=20). All or none."""
         s, c = self.systems, self.configuration
         of_systems = {name: value for name, value in fields.items() if hasattr(s, name)}
         c.set(**{name: value for name, value in fields.items() if name not in of_systems})
-        if of_systems:
-            self.call(tr_set_systems, s.set(**of_systems))
-        if len(of_systems) < len(fields):
-            self.call(tr_set_configuration, c)
+        before = tr_sim.from_buffer_copy(self.sim)
+        try:
+            if of_systems:
+                self.call(tr_set_systems, s.set(**of_systems))
+            if len(of_systems) < len(fields):
+                self.call(tr_set_configuration, c)
+        except Error as error:
+            self.sim = before
+            raise Error(error.status, f"change({', '.join(f'{name}={value}' for name, value in fields.items())})") from None
 
     def save(self):
         """The whole aircraft as bytes, for files and other machines."""
