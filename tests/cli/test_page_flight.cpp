@@ -4,6 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <fstream>
+#include <iterator>
+#include <regex>
+#include <string>
 #include <vector>
 
 #include "check.hpp"
@@ -254,4 +258,21 @@ TEST(cli_loads_are_those_of_the_page) {
   CHECK_EQ(found, rows.rows.size() - 1);  // and their sum
   CHECK_LT(worst, 1e-3);                  // N of 58 kN: the trims are apart by that much
   CHECK_EQ(std::string(page_component_name(-1)), "");
+}
+
+// Places that the page's script counts by hand. Expected: the C interface's, by name.
+TEST(cli_page_knows_the_places_of_the_state) {
+  std::ifstream file(check::source_path("src/page/module.js"));
+  const std::string script((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
+  const std::size_t begin = script.find("kX = {");
+  CHECK(begin != std::string::npos);
+  const std::string places = script.substr(begin, script.find('}', begin) - begin);
+  const std::regex entry("(\\w+): (\\d+)");
+  int counted = 0;
+  for (std::sregex_iterator at(places.begin(), places.end(), entry), end; at != end; ++at, ++counted) {
+    CHECK_EQ(std::string(tr_state_name(std::stoi((*at)[2]))), (*at)[1].str());
+  }
+  CHECK_LE(13, counted);
+  CHECK(script.find("copy('x', " + std::to_string(int{TR_STATES}) + ")") != std::string::npos);
+  CHECK(script.find("copy('u', " + std::to_string(int{TR_CONTROLS}) + ")") != std::string::npos);
 }
