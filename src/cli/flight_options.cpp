@@ -195,6 +195,10 @@ SetupOptions::SetupOptions(const Arguments& arguments, Common) {
       set_model_option(switches_, name, arguments.text(option, ""), arguments.where(option));
     }
   }
+  // A script has a governor of its own.
+  if (switches_.interconnect == Interconnect::twists && switches_.governor != Governor::pi &&
+      arguments.command() != "fly")
+    throw UsageError(arguments.where("--option") + " interconnect=twists: goes with governor=pi alone");
 }
 
 FlightSetup<double> SetupOptions::flight_setup(double mast_deg) const {

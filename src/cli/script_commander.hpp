@@ -66,7 +66,7 @@ struct ScriptCommander : ScriptFlightState {
   void balance_shaft() {
     const Vehicle<double>& v = flight.vehicle;
     SystemState<double>& s = flight.state;
-    s.twist_rate = c.setup.rotor_difference = 0;
+    s.twist_rate = 0;
     s.shaft_twist =
         twists(v.on) ? balanced_twist(aircraft, v.engine_failed, s.power, answer.torque, c.setup.rotor_speed)
                      : 0;

@@ -37,6 +37,7 @@ struct ScriptFlight::Parts : ScriptCommander {
     c = prepared(aircraft, setup);
     Vehicle<double>& v = flight.vehicle;
     v.on = {Governor::pi, true, true, true, true, true, true, false};
+    v.on.interconnect = setup.options.interconnect == Interconnect::twists;
     v.ground = {0, 0, 0};
     v.air_follows = true;
     v.altitude_origin = start.setup.altitude;

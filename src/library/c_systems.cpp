@@ -322,6 +322,15 @@ tr_status tr_set_systems(tr_sim* sim, const tr_systems* systems) {
   // A drive that is switched off holds the masts.
   if (all_before.vehicle.on.conversion && !s.systems.vehicle.on.conversion) hold_masts(s);
   const tr_status status = follow_systems(s);
+  // Rotors that turn alike again keep the speed of their inflow.
+  const R apart = all_before.state.twist_rate - s.systems.state.twist_rate;
+  const R mean = s.configuration.setup.rotor_speed;
+  for (const Side side : {right, left}) {
+    if (status != TR_OK || apart == R(0)) break;
+    const R faster = R(1) + R(0.5) * side_sign<R>(side) * apart / mean;
+    RotorState<R>& rotor = s.x.rotor[side];
+    for (R* inflow : {&rotor.lambda_0, &rotor.lambda_c, &rotor.lambda_s}) *inflow *= faster;
+  }
   // Loads of a gear belong to the moment.
   if (status == TR_OK) leave_ground(s);
   if (status != TR_OK) s.systems = all_before;

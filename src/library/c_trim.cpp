@@ -42,12 +42,14 @@ tr_status tr_trim(tr_sim* sim, tr_work* work, const tr_flight* flight, tr_trim_r
   TrimCallWorkspace& call = workspace_in<TrimCallWorkspace>(work);
   const SteadyFlight<R> wanted = {flight->speed_mps, flight->climb_rad, flight->turn_rate_radps,
                                   flight->sideslip_rad, s.u.gust};
-  // A driven mast stands while a trim is looked for.
+  // A driven mast stands while a trim is looked for, and the rotors turn alike.
   equipped(s, call.configuration);
-  if (s.systems.vehicle.on.conversion && is_moving<R>(call.configuration.setup)) {
-    call.configuration.setup.mast_rate = call.configuration.setup.mast_acceleration = R(0);
-    configure(call.configuration);
-  }
+  FlightSetup<R>& setup = call.configuration.setup;
+  const bool driven = s.systems.vehicle.on.conversion && is_moving<R>(setup);
+  if (driven) setup.mast_rate = setup.mast_acceleration = R(0);
+  const bool apart = setup.rotor_difference != R(0);
+  setup.rotor_difference = R(0);
+  if (driven || apart) configure(call.configuration);
   // Gear and ground depend on what is found: a few rounds, each a trim from its beginning.
   TrimStatus status = TrimStatus::ok;
   for (int round = 0; round < kGroundRounds; ++round) {

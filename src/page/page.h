@@ -42,7 +42,7 @@ int32_t page_step(int32_t aircraft, tr_real dt);
 int32_t page_look(int32_t aircraft);
 uint32_t page_flags(int32_t aircraft);
 
-/* Fills FORCES, of the state as it is. */
+/* Fills FORCES, of state and controls as they are; what systems add to the controls is left out: of a trim, nothing. */
 int32_t page_component_forces(int32_t aircraft);
 const char* page_component_name(int32_t component);
 

@@ -68,6 +68,58 @@ TEST(capi_interconnect_swings_and_is_saved) {
   // Rigid again, the rotors turn alike.
   systems.interconnect = 0;
   set_systems(sim, systems);
-  CHECK_EQ(state_of(sim).x[TR_SHAFT_TWIST], 0);
-  CHECK_EQ(state_of(sim).x[TR_TWIST_RATE], 0);
+  const tr_state state = state_of(sim);
+  CHECK_EQ(state.x[TR_SHAFT_TWIST], 0);
+  CHECK_EQ(state.x[TR_TWIST_RATE], 0);
+  tr_sim rigid = one_engine_out();
+  set_systems(rigid, systems);
+  CHECK_EQ(tr_set_state(&rigid, &state), TR_OK);
+  CHECK(rates_of(sim) == rates_of(rigid));
+}
+
+// The inflow keeps its speed when the rotors' speeds jump: its ratio to the tip's times each rotor's speed.
+TEST(capi_interconnect_that_becomes_rigid_keeps_the_inflow) {
+  tr_sim sim = one_engine_out();
+  tr_systems systems = systems_of(sim);
+  systems.interconnect = 1;
+  set_systems(sim, systems);
+  systems.throttle[0] = tr_real(0.5);
+  set_systems(sim, systems);
+  const auto work = new_work();
+  for (int k = 0; k < 10; ++k) CHECK_EQ(tr_step(&sim, work.get(), dt), TR_OK);
+  const tr_state before = state_of(sim);
+  systems.interconnect = 0;
+  set_systems(sim, systems);
+  const tr_state after = state_of(sim);
+  const tr_real omega = before.x[TR_ROTOR_SPEED], half = before.x[TR_TWIST_RATE] / 2;
+  for (const int k : {TR_MEAN_INFLOW, TR_COSINE_INFLOW, TR_SINE_INFLOW}) {
+    const int r = TR_ROTOR_RIGHT + k, l = TR_ROTOR_LEFT + k;
+    CHECK_NEAR(after.x[r] * omega, before.x[r] * (omega + half), 1e-6);
+    CHECK_NEAR(after.x[l] * omega, before.x[l] * (omega - half), 1e-6);
+  }
+  CHECK_LT(1e-5, std::fabs(static_cast<double>(after.x[TR_ROTOR_RIGHT + TR_MEAN_INFLOW] -
+                                               before.x[TR_ROTOR_RIGHT + TR_MEAN_INFLOW])));
+}
+
+// Rotors that swing turn alike while a trim is looked for: nothing lateral is left.
+TEST(capi_interconnect_is_at_rest_in_a_new_trim) {
+  tr_sim sim = trimmed_sim(30, 50);
+  tr_systems systems = systems_of(sim);
+  systems.governor = TR_GOVERNOR_PI;
+  systems.interconnect = 1;
+  set_systems(sim, systems);
+  const auto work = new_work();
+  const tr_flight flight = {50, 0, 0, 0};
+  CHECK_EQ(tr_trim(&sim, work.get(), &flight, nullptr), TR_OK);
+  systems = systems_of(sim);
+  systems.throttle[0] *= tr_real(1.3);
+  systems.throttle[1] *= tr_real(0.7);
+  set_systems(sim, systems);
+  for (int k = 0; k < 12; ++k) CHECK_EQ(tr_step(&sim, work.get(), dt), TR_OK);
+  CHECK_LT(0.1, std::fabs(static_cast<double>(state_of(sim).x[TR_TWIST_RATE])));
+  CHECK_EQ(tr_trim(&sim, work.get(), &flight, nullptr), TR_OK);
+  const tr_state state = state_of(sim);
+  CHECK_EQ(state.u[TR_LAT_STICK], 0);
+  CHECK_EQ(state.u[TR_PEDAL], 0);
+  CHECK_NEAR(rate_of(sim, TR_P), 0, 1e-4);
 }

@@ -208,6 +208,10 @@ TEST(interconnect_that_is_rigid_has_no_states) {
   f.state().twist_rate = 3;
   const Rates after = rates(f);
   for (int i = 0; i < vehicle_state_count; ++i) CHECK_EQ(after.of[i], before.of[i]);
+  f.c.setup.rotor_difference = 1;  // left by a flight whose shaft twisted
+  configure(f.c);
+  const Rates rigid = rates(f);
+  for (int i = 0; i < vehicle_state_count; ++i) CHECK_EQ(rigid.of[i], before.of[i]);
   SystemSwitches on = twisting();
   CHECK(is_active(kSystemIndex.shaft_twist, on) && is_active(kSystemIndex.twist_rate, on));
   for (const Governor governor : {Governor::off, Governor::ideal}) {

@@ -16,7 +16,7 @@
 
 namespace tiltrotor {
 
-// For Configuration::ground_wash and Configuration::download; 1 away from the ground.
+// For `ground_wash` of Configuration::rotor, and Configuration::download; 1 away from the ground.
 template <class T>
 struct GroundEffect {
   T wash[2];   // f of each rotor, right and left

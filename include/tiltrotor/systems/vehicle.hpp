@@ -225,8 +225,8 @@ void airframe_demand(const Vehicle<Real<T>>& v, const Configuration<Real<T>>& c,
   if (v.on.governor == Governor::pi) {
     setting.rotor_speed = s.rotor_speed;
     setting.rotor_acceleration = T(R(0));  // see vehicle_rates()
-    if (twists(v.on)) setting.rotor_difference = s.twist_rate;
   }
+  setting.rotor_difference = twists(v.on) ? s.twist_rate : T(R(0));
 
   if (v.on.engines) setting.mass = v.loaded_mass - s.fuel;
   if (v.air_follows) setting.altitude = v.altitude_origin - x.position.z;

@@ -148,11 +148,13 @@ Status change_step(Simulation<R>& s, R dt) {
 // the tip's. Status as of reconfigure(); unless ok, nothing is changed.
 template <class R>
 Status change_configuration(const ConfigurationSetting<R>& setting, Configuration<R>& c, State<R>& x) {
-  const R before = c.setup.rotor_speed;
+  const R before[] = {c.rotor[right].speed, c.rotor[left].speed};
   const Status status = reconfigure(setting, c);
-  if (status != Status::ok || setting.rotor_speed == before) return status;
-  const R faster = before / setting.rotor_speed;
-  for (RotorState<R>& rotor : x.rotor) {
+  if (status != Status::ok) return status;
+  for (const Side side : {right, left}) {
+    if (c.rotor[side].speed == before[side]) continue;
+    const R faster = before[side] / c.rotor[side].speed;
+    RotorState<R>& rotor = x.rotor[side];
     rotor.lambda_0 *= faster;
     rotor.lambda_c *= faster;
     rotor.lambda_s *= faster;

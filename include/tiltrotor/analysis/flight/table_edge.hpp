@@ -12,10 +12,10 @@ bool is_beyond(const Axis<R>& axis, R x) {
   return axis.count > 1 && !is_within(x, axis.knot[0], axis.knot[axis.count - 1]);
 }
 
-// Mach number of the advancing tip on its helix.
+// Mach number of the advancing tip of a rotor on its helix.
 template <class R>
-R tip_mach(const Configuration<R>& c, const Vec3<R>& hub_velocity_a) {
-  const R advancing = c.tip_speed + length(Vec3<R>{hub_velocity_a.x, hub_velocity_a.y, R(0)});
+R tip_mach(const Configuration<R>& c, int side, const Vec3<R>& hub_velocity_a) {
+  const R advancing = c.rotor[side].tip_speed + length(Vec3<R>{hub_velocity_a.x, hub_velocity_a.y, R(0)});
   return length(Vec3<R>{advancing, hub_velocity_a.z, R(0)}) / c.air.speed_of_sound;
 }
 
@@ -39,7 +39,8 @@ bool is_beyond_tables(const Configuration<R>& c, const State<R>& x, const Vec3<R
   for (const Side side : {right, left}) {
     RotorInput<R> in;
     rotor_input(c, x, velocity, blades, side, in);
-    if (is_beyond(aircraft.rotor.section_lift[kSectionRegions - 1].smooth[1], tip_mach(c, in.velocity_a)))
+    if (is_beyond(aircraft.rotor.section_lift[kSectionRegions - 1].smooth[1],
+                  tip_mach(c, side, in.velocity_a)))
       return true;
   }
   const R pressure_lift = R(0.5) * c.air.density * square(speed) * aircraft.wing.area;

@@ -99,6 +99,8 @@ void rotor_response(const Configuration<C>& c, const RotorSetting<C>& turn, cons
   }
   out_of_line([&] {
     if (second_order) out.flapping = flap_rates(c, turn, in.state, in.rates_a, out.loads.mc, out.loads.ms);
+  });
+  out_of_line([&] {
     out.coning_acceleration = coning_acceleration(c, turn, in.coning, out.loads.m0);
     out.inflow = inflow_rates(c, turn, in.state, inflow_forcing(c, turn, in, out.loads));
   });
