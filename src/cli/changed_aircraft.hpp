@@ -1,13 +1,12 @@
 // An aircraft with some of its numbers or tables changed, around a configuration that is there.
 #pragma once
 
-#include <vector>
-
+#include "study/copied_tables.hpp"
 #include "tiltrotor/model/preparation.hpp"
 
 namespace tiltrotor::cli {
 
-class ChangedAircraft {
+class ChangedAircraft : public study::CopiedTables {
  public:
   // Of the configuration; `change(*this)` may write to `aircraft`, scale and shift.
   template <class Change>
@@ -22,32 +21,9 @@ class ChangedAircraft {
 
   Aircraft<double> aircraft;
 
-  // Every entry, and with them the slopes between.
-  template <int Smooth, int Linear>
-  void scale(tiltrotor::Table<double, Smooth, Linear>& table, double factor) {
-    for (double& number : copied(table)) number *= factor;
-  }
-  // An amount added to every entry: slopes stay.
-  template <int Smooth, int Linear>
-  void shift(tiltrotor::Table<double, Smooth, Linear>& table, double by) {
-    std::vector<double>& nodes = copied(table);
-    for (std::size_t i = 0; i < nodes.size(); i += std::size_t{1} << Smooth) nodes[i] += by;
-  }
-
  private:
-  template <int Smooth, int Linear>
-  std::vector<double>& copied(tiltrotor::Table<double, Smooth, Linear>& table) {
-    std::size_t count = table.node == nullptr ? 0 : std::size_t{1} << Smooth;  // numbers of a node
-    for (const Axis<double>& axis : table.smooth) count *= static_cast<std::size_t>(axis.count);
-    if (Linear > 0)
-      for (const Axis<double>& axis : table.linear) count *= static_cast<std::size_t>(axis.count);
-    nodes_.emplace_back(table.node, table.node + count);
-    if (count > 0) table.node = nodes_.back().data();
-    return nodes_.back();
-  }
   void remake(const Configuration<double>& base);
 
-  std::vector<std::vector<double>> nodes_;  // a moved vector keeps its numbers where they are
   Configuration<double> c_;
 };
 

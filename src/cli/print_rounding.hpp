@@ -17,6 +17,7 @@ class PrintRounding {
 
  private:
   std::vector<std::vector<double>> nodes_;
+  std::vector<std::vector<float>> slopes_;  // where they stand apart
 };
 
 }  // namespace tiltrotor::cli

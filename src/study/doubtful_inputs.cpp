@@ -6,19 +6,6 @@
 
 namespace tiltrotor::study {
 
-template <int Smooth, int Linear>
-void MovedAircraft::scale(tiltrotor::Table<double, Smooth, Linear>& table, double factor) {
-  if (table.node == nullptr) return;
-  std::size_t count = std::size_t{1} << Smooth;  // numbers of a node
-  for (const Axis<double>& axis : table.smooth) count *= static_cast<std::size_t>(axis.count);
-  if (Linear > 0) {
-    for (const Axis<double>& axis : table.linear) count *= static_cast<std::size_t>(axis.count);
-  }
-  nodes_.emplace_back(table.node, table.node + count);
-  for (double& number : nodes_.back()) number *= factor;
-  table.node = nodes_.back().data();
-}
-
 namespace {
 
 using Parameter = ConfigurationParameter;

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "study/copied_tables.hpp"
 #include "study/flights.hpp"
 #include "tiltrotor/analysis/linear/configuration_sensitivity.hpp"
 
@@ -30,7 +31,7 @@ ConfigurationParameter parameter_of(const DoubtfulInput& input);
 double parameter_amount(const DoubtfulInput& input, const Configured& c, double by);
 
 // The configuration of a setup with one input moved by an amount in its unit, and the numbers it refers to.
-class MovedAircraft {
+class MovedAircraft : public CopiedTables {
  public:
   MovedAircraft(const Setup& setup, const DoubtfulInput& input, double by);
   MovedAircraft(const MovedAircraft&) = delete;
@@ -41,11 +42,8 @@ class MovedAircraft {
   // For the list of inputs: what it changes.
   Aircraft<double> aircraft;
   Setup setup;
-  template <int Smooth, int Linear>
-  void scale(tiltrotor::Table<double, Smooth, Linear>& table, double factor);
 
  private:
-  std::vector<std::vector<double>> nodes_;  // of tables that were scaled
   Configured c_;
 };
 
