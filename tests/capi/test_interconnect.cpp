@@ -27,6 +27,19 @@ tr_sim one_engine_out() {
   return sim;
 }
 
+// Then with a shaft that twists, flown on with another throttle.
+tr_sim swinging(tr_real throttle, int steps) {
+  tr_sim sim = one_engine_out();
+  tr_systems systems = systems_of(sim);
+  systems.interconnect = 1;
+  set_systems(sim, systems);
+  systems.throttle[0] = throttle;
+  set_systems(sim, systems);
+  const auto work = new_work();
+  for (int k = 0; k < steps; ++k) CHECK_EQ(tr_step(&sim, work.get(), dt), TR_OK);
+  return sim;
+}
+
 }  // namespace
 
 // The shaft begins at the twist that carries the other one's power: both rotors go on as they did.
@@ -45,14 +58,9 @@ TEST(capi_interconnect_begins_in_balance) {
 }
 
 TEST(capi_interconnect_swings_and_is_saved) {
-  tr_sim sim = one_engine_out();
+  tr_sim sim = swinging(tr_real(0.7), 20);
   tr_systems systems = systems_of(sim);
-  systems.interconnect = 1;
-  set_systems(sim, systems);
-  systems.throttle[0] = tr_real(0.7);
-  set_systems(sim, systems);
   const auto work = new_work();
-  for (int k = 0; k < 20; ++k) CHECK_EQ(tr_step(&sim, work.get(), dt), TR_OK);
   CHECK_LT(0.01, std::fabs(static_cast<double>(state_of(sim).x[TR_TWIST_RATE])));
   unsigned char bytes[TR_SAVED_SIZE];
   std::size_t used = 0;
@@ -79,14 +87,8 @@ TEST(capi_interconnect_swings_and_is_saved) {
 
 // The inflow keeps its speed when the rotors' speeds jump: its ratio to the tip's times each rotor's speed.
 TEST(capi_interconnect_that_becomes_rigid_keeps_the_inflow) {
-  tr_sim sim = one_engine_out();
+  tr_sim sim = swinging(tr_real(0.5), 10);
   tr_systems systems = systems_of(sim);
-  systems.interconnect = 1;
-  set_systems(sim, systems);
-  systems.throttle[0] = tr_real(0.5);
-  set_systems(sim, systems);
-  const auto work = new_work();
-  for (int k = 0; k < 10; ++k) CHECK_EQ(tr_step(&sim, work.get(), dt), TR_OK);
   const tr_state before = state_of(sim);
   systems.interconnect = 0;
   set_systems(sim, systems);
