@@ -46,7 +46,7 @@ enum { TR_AT_RIGHT_ROTOR, TR_AT_LEFT_ROTOR, TR_AT_WING, TR_AT_TAIL, TR_PLACES };
  * relative to it, positions are over the ground. Gusts are of the air at a place relative to the undisturbed air,
  * and add to TR_GUST_U..TR_GUST_W, which are felt everywhere; instruments of tr_outputs know the latter alone. */
 typedef struct tr_environment {
-  tr_real wind_mps[3];            /* north east down, each within 100 */
+  tr_real wind_mps[3];            /* north east down, each within 100; along height see tr_wind_shear */
   tr_real gust_mps[TR_PLACES][3]; /* body axes, each within 50 */
   tr_real
       gust_rates_radps[3]; /* turning of the air about the centre of gravity, body axes, within 2: what grows

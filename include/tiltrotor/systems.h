@@ -20,6 +20,13 @@ typedef enum tr_governor {
   TR_GOVERNOR_PI = 2 /* rotor speed is a state; the governor adds collective to hold rotor_command_radps */
 } tr_governor;
 
+typedef enum tr_wind_shear {
+  TR_SHEAR_NONE = 0, /* the same wind at every height */
+  TR_SHEAR_TERMINAL =
+      1,             /* growing with height over the ground as MIL-F-8785C has it in terminal flight phases */
+  TR_SHEAR_OTHER = 2 /* and in all others: a rougher ground */
+} tr_wind_shear;
+
 /* Switches, and commands that may change at any time. With every switch off the aircraft flies as without systems, bit
  * for bit. */
 typedef struct tr_systems {
@@ -32,12 +39,17 @@ typedef struct tr_systems {
   int32_t ground_effect; /* 1: of the ground of tr_environment on rotors and download */
   int32_t turbulence;    /* 1: Dryden turbulence at rotors, wing and tail, a function of seed and steps */
   int32_t interconnect;  /* 1: with TR_GOVERNOR_PI the shaft between the rotors twists, each has its speed */
+  int32_t
+      wind_shear; /* tr_wind_shear: wind_mps of tr_environment, its level part, is that 20 ft above the ground
+                            there; 3 to 1000 ft, constant beyond; without a ground none */
   tr_real mast_command_deg;    /* 0..90 */
   tr_real flap_command_deg;    /* 0..75 */
   tr_real rotor_command_radps; /* of the governor, 20..80 */
   tr_real throttle[2]; /* power of an engine, right and left, over its take-off power here, 0..1.2; held at
                                   the contingency power, 1.16 */
-  int32_t gear_down;   /* 1: extended; raised on the wheels (TR_ON_GROUND) it leaves nothing to stand on */
+  int32_t
+      gear_down; /* 1: down. It is on its way for some seconds (TR_GEAR), and carries when it is locked down; raised on
+                          the wheels (TR_ON_GROUND) it unlocks at once and leaves nothing to stand on */
   int32_t engine_failed[2]; /* 1: it gives no power, and its turbine is off the shaft */
   uint64_t turbulence_seed;
   tr_real
@@ -66,6 +78,7 @@ enum {
   TR_HOLDS_ROLL, /* 1: the attitude is held */
   TR_REST_LONG,
   TR_REST_LAT,    /* where the stick rests, in */
+  TR_GEAR,        /* extension, 0 retracted .. 1 locked down */
   TR_GUST_FILTERS /* 16 of the turbulence */
 };
 

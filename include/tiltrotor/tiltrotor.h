@@ -58,14 +58,14 @@ extern "C" {
 
 #ifdef TR_SINGLE_PRECISION
 typedef float tr_real;
-#define TR_API_VERSION 0x00050004u
+#define TR_API_VERSION 0x00060004u
 #define TR_SIM_SIZE 3968
 #define TR_WORK_SIZE TR_SINGLE_WORK_SIZE
 #else
 typedef double tr_real;
 /* Changes when a program must be compiled again: interface in the upper half, bytes of a tr_real in the
  * lower. */
-#define TR_API_VERSION 0x00050008u
+#define TR_API_VERSION 0x00060008u
 #define TR_SIM_SIZE 7424 /* bytes */
 #define TR_WORK_SIZE TR_DOUBLE_WORK_SIZE
 #endif
@@ -166,7 +166,7 @@ enum {
   TR_EAST,
   TR_DOWN, /* position over the ground, m: the wind of tr_environment carries along */
   TR_MAST, /* from here on those of systems.h, 0 while theirs are off */
-  TR_STATES = 74
+  TR_STATES = 75
 };
 
 /* After TR_ROTOR_RIGHT and TR_ROTOR_LEFT: x[TR_ROTOR_LEFT + TR_MEAN_INFLOW]. */

@@ -65,6 +65,7 @@ const Column columns[] = {
     {"b1s_left_deg", [](Now m) { return m.state.rotor[left].b1s / kDegree; }},
     {"n0_left", [](Now m) { return m.state.rotor[left].lambda_0; }},
     {"downwash_deg", [](Now m) { return m.state.downwash / kDegree; }},
+    {"gear", [](Now m) { return m.systems.gear; }},
     {"weight_on_wheels", [](Now m) { return m.weight_on_wheels; }},
     {"wanted_height_m", [](Now m) { return m.wanted_height; }},
 };

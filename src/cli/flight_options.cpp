@@ -195,9 +195,11 @@ SetupOptions::SetupOptions(const Arguments& arguments, Common) {
       set_model_option(switches_, name, arguments.text(option, ""), arguments.where(option));
     }
   }
-  // A script has a governor of its own.
-  if (switches_.interconnect == Interconnect::twists && switches_.governor != Governor::pi &&
-      arguments.command() != "fly")
+  const bool flies = arguments.command() == "fly";
+  if (flies && std::find(assigned.begin(), assigned.end(), "governor") != assigned.end())
+    throw UsageError(arguments.where("--option") +
+                     " governor: a script says it, in a line as '0 governor ideal'; it begins with pi");
+  if (switches_.interconnect == Interconnect::twists && switches_.governor != Governor::pi && !flies)
     throw UsageError(arguments.where("--option") + " interconnect=twists: goes with governor=pi alone");
 }
 

@@ -40,7 +40,7 @@ struct ScriptCommander : ScriptFlightState {
     flight.vehicle.engine_failed[side] = e.word == 0;
   }
 
-  // At once: the time of its travel is published nowhere. The switch on the legs keeps a gear that carries.
+  // The switch on the legs keeps a gear that carries.
   void move_gear(bool down) {
     if (!down && moment.weight_on_wheels > 0) {
       ignored.push_back("gear up at " + number_text(time(), 6) + " s: ignored, with weight on the wheels");
@@ -88,11 +88,13 @@ struct ScriptCommander : ScriptFlightState {
     v.disengages = false;
   }
 
-  void change_wind(const Vec3<double>& wind_n) {
-    const Vec3<double> change = wind_n - c.around.wind_n;
+  // The velocity over the ground stays.
+  void change_wind(const Vec3<double>& told_n, WindShear shear) {
+    const Vec3<double> before = wind();
+    c.around.wind_n = told_n;
+    flight.vehicle.on.wind_shear = shear;
     simulation.state.velocity =
-        simulation.state.velocity - vehicle_parts::wind_in_body(change, simulation.state);
-    c.around.wind_n = wind_n;
+        simulation.state.velocity - vehicle_parts::wind_in_body(wind() - before, simulation.state);
   }
 
   void release(std::size_t loop) {
@@ -217,7 +219,10 @@ struct ScriptCommander : ScriptFlightState {
         inputs.blow(e);
         return;
       case C::wind:
-        change_wind({e.number[0], e.number[1], e.number[2]});
+        change_wind({e.number[0], e.number[1], e.number[2]}, v.on.wind_shear);
+        return;
+      case C::shear:
+        change_wind(c.around.wind_n, static_cast<WindShear>(e.word));
         return;
       case C::turbulence:
         v.on.turbulence = first > 0;

@@ -31,6 +31,7 @@ enum class ScriptCommand : unsigned char {
   engine,
   gust,
   wind,
+  shear,
   turbulence,
   land,
   spool,

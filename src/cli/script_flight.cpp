@@ -184,7 +184,7 @@ struct ScriptFlight::Parts : ScriptCommander {
 
   // Nothing but wheels carries: without them the flight ends where they would stand, else where the CG would.
   bool has_struck() {
-    struck = height() < (flight.vehicle.gear_down ? -rest_height() : 0.0);
+    struck = height() < (is_locked_down(flight.vehicle, flight.state.gear) ? -rest_height() : 0.0);
     if (!struck) return false;
     simulation.status = Status::out_of_range;
     simulation.fault_state = kStateIndex.position.z;
@@ -216,12 +216,10 @@ struct ScriptFlight::Parts : ScriptCommander {
     m.rates = answer.rates;
     read_vehicle(flight.vehicle, here, x, steps, answer.rates, found, m.readings);
     m.airframe = airframe_readings(here, x, steps, answer.rates, start.outputs);
-    m.velocity_n = over_ground(x, c.around.wind_n);
+    m.velocity_n = over_ground(x, wind());
     m.height = height();
     m.airspeed = length(x.velocity - u.gust);
-    const Vec3<double> turning = cross(x.rates, x.velocity);
-    m.load_factor =
-        std::cos(x.pitch) * std::cos(x.roll) - (answer.rates.velocity.z + turning.z) / kGravity<double>;
+    m.load_factor = -steps.total.force.z / (here.mass.mass * kGravity<double>);
     m.mast_deg = c.setup.mast_deg;
     m.rotor_speed = c.setup.rotor_speed;
     m.flap_deg = c.setup.flap_deg;
@@ -229,7 +227,7 @@ struct ScriptFlight::Parts : ScriptCommander {
     m.rotor_power = (answer.torque[right] + answer.torque[left]) * c.setup.rotor_speed +
                     0.5 * (answer.torque[right] - answer.torque[left]) * c.setup.rotor_difference;
     m.power_allowed = full_power();
-    m.weight_on_wheels = flight.vehicle.gear_down ? demand.gear.weight_on_wheels : 0;
+    m.weight_on_wheels = demand.gear.weight_on_wheels;
     const bool holds = !parked && aims.vertical == Vertical::height;
     constexpr double arrived = 0.5;  // m
     m.wanted_height = holds ? aims.height : std::numeric_limits<double>::quiet_NaN();

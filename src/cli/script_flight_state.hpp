@@ -78,6 +78,11 @@ struct ScriptFlightState {
     return running == 0 ? 0 : 2.0 / running;
   }
 
+  // Over the ground, at the aircraft's height.
+  Vec3<double> wind() const {
+    return wind_at(aircraft.gust, flight.vehicle, c.around.wind_n, current_state(simulation).position.z);
+  }
+
   pilot::PilotSees look() const {
     const State<double> x = current_state(simulation);
     const Vec3<double> air = levelled(x);
@@ -88,7 +93,7 @@ struct ScriptFlightState {
     sees.north = x.position.x;
     sees.east = x.position.y;
     sees.height = height();
-    sees.ground_velocity = over_ground(x, c.around.wind_n);
+    sees.ground_velocity = over_ground(x, wind());
     sees.roll = x.roll;
     sees.pitch = x.pitch;
     sees.yaw = x.yaw;
@@ -111,7 +116,10 @@ struct ScriptFlightState {
     const std::string what = simulation.fault_state < 0
                                  ? std::string()
                                  : std::string(", ") + vehicle_variable(simulation.fault_state).name;
-    const char* const gear = flight.vehicle.gear_down ? "" : " with the gear up";
+    const Vehicle<double>& v = flight.vehicle;
+    const char* const gear = is_locked_down(v, flight.state.gear) ? ""
+                             : v.gear_down                        ? " before the gear was down"
+                                                                  : " with the gear up";
     return "at " + number_text(simulation.fault_time, 6) + " s" + what + ": " +
            (struck ? std::string("the aircraft has met the ground") + gear : status_text(simulation.status));
   }

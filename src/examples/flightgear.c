@@ -115,7 +115,7 @@ static tr_status fill(packet* p) {
   put_zeros(p, 5);
   put_integer(p, 3);
   for (k = 0; k < 3; ++k) put_integer(p, (flags & TR_ON_GROUND) != 0);
-  for (k = 0; k < 3; ++k) put_float(p, systems.gear_down);
+  for (k = 0; k < 3; ++k) put_float(p, (double)s.x[TR_GEAR]);
   put_zeros(p, 6);
   put_integer(p, (uint32_t)time(NULL));
   put_integer(p, 0);

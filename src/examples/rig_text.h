@@ -11,7 +11,7 @@ enum { RIG_LINE = 1024 };
 /* Acts on a line "[collective_rad long_stick_in lat_stick_in pedal_in] [NAME NUMBER]...", numbers decimal or hexadecimal.
  * `commanded` holds the systems as commanded. 0: it is no such line or the aircraft refuses it, and nothing is changed.
  * Names are members of tr_systems:
- *   governor 0..2; conversion engines actuators scas gear_system ground_effect turbulence interconnect 0 or 1   switches
+ *   governor 0..2; wind_shear 0..2; conversion engines actuators scas gear_system ground_effect turbulence interconnect 0 or 1   switches
  *   mast deg, flap deg, rotor rad/s, throttle 0..1.2, brakes 0..1, gear 1 down or 0 up             commands
  *   throttle_right throttle_left brake_right brake_left; failed_right failed_left; wind_20_ft m/s */
 int take_line(tr_sim* aircraft, tr_systems* commanded, const char* text);

@@ -31,7 +31,8 @@ const tr_sim& with_air(Instance& i) {
   tr_systems s;
   if (tr_get_systems(&i.flight.sim, &s) != TR_OK) return i.flight.sim;
   const bool any = s.governor != 0 || s.conversion != 0 || s.engines != 0 || s.actuators != 0 ||
-                   s.scas != 0 || s.gear != 0 || s.ground_effect != 0 || s.turbulence != 0;
+                   s.scas != 0 || s.gear != 0 || s.ground_effect != 0 || s.wind_shear != 0 ||
+                   s.turbulence != 0;
   if (any || i.flight.setting[kEnvironment] == 0) return i.flight.sim;
   copy = i.flight.sim;
   s.ground_effect = 1;

@@ -60,7 +60,10 @@ std::string rate_unit(const std::string& unit) {
 }
 
 const char* enumeration_of(int setting) {
-  return setting == kGrid ? "Grid" : setting == kTables ? "Tables" : "Governor";
+  return setting == kGrid        ? "Grid"
+         : setting == kTables    ? "Tables"
+         : setting == kWindShear ? "WindShear"
+                                 : "Governor";
 }
 
 bool is_rigid(int state) { return state <= TR_YAW || (state >= TR_NORTH && state <= TR_DOWN); }
@@ -187,6 +190,8 @@ int describe_model() {
       "<Item name=\"linear\" value=\"2\"/></EnumerationType>\n"
       "    <EnumerationType name=\"Governor\"><Item name=\"off\" value=\"0\"/><Item name=\"ideal\" value=\"1\"/>"
       "<Item name=\"pi\" value=\"2\"/></EnumerationType>\n"
+      "    <EnumerationType name=\"WindShear\"><Item name=\"none\" value=\"0\"/><Item name=\"terminal\" value=\"1\"/>"
+      "<Item name=\"other\" value=\"2\"/></EnumerationType>\n"
       "  </TypeDefinitions>\n  <LogCategories>\n"
       "    <Category name=\"logEvents\"/>\n    <Category name=\"logStatusWarning\"/>\n"
       "    <Category name=\"logStatusDiscard\"/>\n    <Category name=\"logStatusError\"/>\n"

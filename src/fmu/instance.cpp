@@ -40,7 +40,7 @@ fmi3Status make_setup(Instance& i, tr_setup& setup) {
 fmi3Status put_environment(Instance& i) {
   const Flight& f = i.flight;
   if (!is_on(f, kEnvironment)) {
-    for (const int k : {kGear, kGroundEffect, kWindNorth, kWindEast, kWindDown})
+    for (const int k : {kGear, kGroundEffect, kWindShear, kWindNorth, kWindEast, kWindDown})
       if (is_on(f, k)) return say(i, fmi3Error, "%s needs environment = true", facts_of(k).name);
     return fmi3OK;
   }
@@ -50,7 +50,8 @@ fmi3Status put_environment(Instance& i) {
   e.altitude_origin_m = f.setting[kAltitude];
   e.temperature_offset_k = f.setting[kTemperatureOffset];
   e.pressure_ratio = f.setting[kPressureRatio];
-  if (is_on(f, kGear) || is_on(f, kGroundEffect)) e.ground_down_m = f.setting[kGroundDown];
+  if (is_on(f, kGear) || is_on(f, kGroundEffect) || is_on(f, kWindShear))
+    e.ground_down_m = f.setting[kGroundDown];
   return answer(i, tr_set_environment(&i.flight.sim, &e), "environment", fmi3Error);
 }
 
@@ -70,6 +71,7 @@ fmi3Status put_systems(Instance& i, bool with_commands) {
   s.gear = is_on(f, kGear);
   s.ground_effect = is_on(f, kGroundEffect);
   s.turbulence = is_on(f, kTurbulence);
+  s.wind_shear = static_cast<std::int32_t>(f.setting[kWindShear]);
   s.interconnect = is_on(f, kInterconnect);
   s.turbulence_seed = static_cast<std::uint64_t>(f.setting[kTurbulenceSeed]);
   s.turbulence_w20_mps = f.setting[kTurbulenceW20];
@@ -86,7 +88,13 @@ fmi3Status put_systems(Instance& i, bool with_commands) {
     s.throttle[0] = command[3];
     s.throttle[1] = command[4];
   }
-  return answer(i, tr_set_systems(&i.flight.sim, &s), "systems", fmi3Error);
+  const fmi3Status status = answer(i, tr_set_systems(&i.flight.sim, &s), "systems", fmi3Error);
+  if (status != fmi3OK || i.co_simulation || !is_on(f, kGear)) return status;
+  // No step moves it there.
+  tr_state state;
+  tr_get_state(&i.flight.sim, &state);
+  state.x[TR_GEAR] = is_on(f, kGearDown);
+  return answer(i, tr_set_state(&i.flight.sim, &state), "gear", fmi3Error);
 }
 
 // Controls and commands that the flight has by itself.

@@ -43,6 +43,7 @@ enum Setting {
   kScas,
   kGear,
   kGroundEffect,
+  kWindShear,
   kTurbulence,
   kInterconnect,
   kTurbulenceSeed,

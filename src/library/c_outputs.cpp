@@ -142,7 +142,8 @@ tr_status tr_motion_at(const tr_sim* sim, const tr_real station_m[3], tr_motion*
   const Vec3<R> specific = R(R(1) / c.mass.mass) * found.total.force;
   tr_motion& m = *motion;
   put(x.position + to_body.apply_inverse(arm), m.position_m);
-  put(to_body.apply_inverse(velocity) + c.around.wind_n, m.velocity_ned_mps);
+  put(to_body.apply_inverse(velocity) + wind_there(s, s.systems.vehicle, c.around.wind_n),
+      m.velocity_ned_mps);
   put(velocity - s.u.gust, m.velocity_air_mps);
   put(specific_force_at(specific, c.mass.nacelles, x.rates, rates.rates, arm), m.specific_force_mps2);
   put(x.rates, m.rates_radps);

@@ -122,6 +122,7 @@ constexpr void each_of_conditions(Saved& saved, Visit&& visit) {
   visit(y.ground_effect);
   visit(y.turbulence);
   visit(y.interconnect);
+  visit(y.wind_shear);
   visit(y.mast_command_deg);
   visit(y.flap_command_deg);
   visit(y.rotor_command_radps);

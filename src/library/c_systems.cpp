@@ -3,6 +3,7 @@
 
 #include "library/c_state.hpp"
 #include "library/c_words.hpp"
+#include "tiltrotor/analysis/flight/attitude.hpp"
 
 namespace tiltrotor::c_interface {
 
@@ -10,9 +11,11 @@ namespace {
 
 static_assert(TR_STATES == vehicle_state_count && TR_INPUTS == vehicle_input_count);
 static_assert(TR_MAST == state_count + kSystemIndex.mast && TR_FUEL == state_count + kSystemIndex.fuel);
+static_assert(TR_GEAR == state_count + kSystemIndex.gear);
 static_assert(TR_ACTUATORS == state_count + kSystemIndex.collective[right]);
-static_assert(TR_WASHOUT == state_count + kSystemIndex.washout && TR_REST_LAT + 17 == TR_STATES);
+static_assert(TR_WASHOUT == state_count + kSystemIndex.washout && TR_GEAR + 17 == TR_STATES);
 static_assert(TR_GOVERNOR_PI == static_cast<int>(Governor::pi));
+static_assert(TR_SHEAR_OTHER == static_cast<int>(WindShear::other));
 
 constexpr R kMostThrottle = R(1.2);
 constexpr R kMostTurbulence = R(50);  // m/s
@@ -40,6 +43,7 @@ void begin_systems(const SystemSwitches& before, Sim& s) {
       x.power[side] =
           v.engine_failed[side] ? R(0) : demanded_power(*c.aircraft, c.air, v.commands.throttle[side]);
   }
+  if (on.gear && !before.gear) x.gear = v.gear_down ? R(1) : R(0);
   if (twists(on) && !twists(before)) {
     DerivativeSteps<R> steps;
     State<R> rates;
@@ -98,6 +102,7 @@ void clear_unused(Sim& s) {
   if (on.governor == Governor::off) x.governor = R(0);
   if (!on.engines) x.power[right] = x.power[left] = x.fuel = R(0);
   if (!on.actuators) put_actuators(BladeControls<R>{}, x);
+  if (!on.gear) x.gear = R(0);
   if (!on.turbulence) x.gusts = TurbulenceState<R>{};
   if (!on.augmentation) {
     for (R& way : x.series) way = R(0);
@@ -193,7 +198,7 @@ bool meet_ground_in_flight(const Sim& s, State<R> x, const Controls<R>& u, Confi
   AirframeDemand<R> demand;
   demand.controls = u;
   demand.setting = c.setup;
-  vehicle_parts::meet_ground(v, c, c, x, demand);
+  vehicle_parts::meet_ground(v, c, c, x, gear ? R(1) : R(0), demand);
   demand.gear.total = Loads<R>{};
   if (gear)
     demand.gear.total = gear_drag(c, R(1), airframe_velocity(x.velocity - u.gust, c.mass.nacelles), x.rates);
@@ -217,6 +222,7 @@ void settle_systems(Sim& s) {
 tr_status check_systems(const tr_systems& systems) {
   const LimitTables<R>& limits = aircraft_data<R>().limits;
   if (systems.governor < TR_GOVERNOR_OFF || systems.governor > TR_GOVERNOR_PI) return TR_BAD_ARGUMENT;
+  if (systems.wind_shear < TR_SHEAR_NONE || systems.wind_shear > TR_SHEAR_OTHER) return TR_BAD_ARGUMENT;
   for (const std::int32_t on : {systems.conversion, systems.engines, systems.actuators, systems.scas,
                                 systems.gear, systems.ground_effect, systems.turbulence, systems.interconnect,
                                 systems.gear_down, systems.engine_failed[0], systems.engine_failed[1]})
@@ -248,6 +254,7 @@ void get_systems(const Sim& s, tr_systems& systems) {
   systems.ground_effect = v.on.ground_effect;
   systems.turbulence = v.on.turbulence;
   systems.interconnect = v.on.interconnect;
+  systems.wind_shear = static_cast<std::int32_t>(v.on.wind_shear);
   systems.mast_command_deg = v.commands.mast * kDegPerRad<R>;
   systems.flap_command_deg = v.commands.flap * kDegPerRad<R>;
   systems.rotor_command_radps = v.commands.rotor_speed;
@@ -261,6 +268,20 @@ void get_systems(const Sim& s, tr_systems& systems) {
   systems.turbulence_w20_mps = v.wind_20_ft;
 }
 
+Vec3<R> wind_there(const Sim& s, const Vehicle<R>& v, const Vec3<R>& told_n) {
+  return wind_at(aircraft_data<R>().gust, v, told_n, s.x.position.z);
+}
+
+bool keep_over_ground(const Sim& s, const Vec3<R>& change_n, Vec3<R>& velocity) {
+  const State<R> x = evaluated_state(s);
+  velocity = s.x.velocity - earth_to_body(EulerAngles<R>{x.roll, x.pitch, x.yaw}).apply(change_n);
+  bool possible = true;
+  Vec3<R>::each(velocity, [&possible](R part) {
+    possible = possible && std::fabs(part) <= state_bound<R>(kStateIndex.velocity.x);
+  });
+  return possible;
+}
+
 void put_switches(const tr_systems& systems, Sim& s) {
   Vehicle<R>& v = s.systems.vehicle;
   v.on.governor = static_cast<Governor>(systems.governor);
@@ -271,6 +292,7 @@ void put_switches(const tr_systems& systems, Sim& s) {
   v.on.ground_effect = systems.ground_effect == 1;
   v.on.turbulence = systems.turbulence == 1;
   v.on.interconnect = systems.interconnect == 1;
+  v.on.wind_shear = static_cast<WindShear>(systems.wind_shear);
   // Switched off it stays until its actuators have returned.
   v.disengages = v.on.augmentation && systems.scas == 0 && !has_returned(s.systems.state);
   v.on.augmentation = v.disengages || systems.scas == 1;
@@ -317,6 +339,13 @@ tr_status tr_set_systems(tr_sim* sim, const tr_systems* systems) {
   Sim& s = *opened(sim);
   const SystemFlight<R> all_before = s.systems;
   put_switches(*systems, s);
+  const Vec3<R>& told = s.configuration.around.wind_n;
+  Vec3<R> velocity;
+  if (!keep_over_ground(s, wind_there(s, s.systems.vehicle, told) - wind_there(s, all_before.vehicle, told),
+                        velocity)) {
+    s.systems = all_before;
+    return TR_OUT_OF_RANGE;
+  }
   begin_systems(all_before.vehicle.on, s);
   clear_unused(s);
   // A drive that is switched off holds the masts.
@@ -332,7 +361,10 @@ tr_status tr_set_systems(tr_sim* sim, const tr_systems* systems) {
     for (R* inflow : {&rotor.lambda_0, &rotor.lambda_c, &rotor.lambda_s}) *inflow *= faster;
   }
   // Loads of a gear belong to the moment.
-  if (status == TR_OK) leave_ground(s);
+  if (status == TR_OK) {
+    s.x.velocity = velocity;
+    leave_ground(s);
+  }
   if (status != TR_OK) s.systems = all_before;
   return status;
 }

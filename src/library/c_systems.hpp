@@ -34,6 +34,10 @@ void settle_systems(Sim& s);
 
 tr_status check_systems(const tr_systems& systems);
 void get_systems(const Sim& s, tr_systems& systems);
+// Wind over the ground at the aircraft, north east down, m/s, with the ground and the shear of `v`, from the one told.
+Vec3<R> wind_there(const Sim& s, const Vehicle<R>& v, const Vec3<R>& told_n);
+// Velocity through the air when the wind has changed by so much and that over the ground has stayed; whether it may be.
+bool keep_over_ground(const Sim& s, const Vec3<R>& change_n, Vec3<R>& velocity);
 // Switches and commands alone; states as they are.
 void put_switches(const tr_systems& systems, Sim& s);
 

@@ -189,7 +189,7 @@ class Fly {
     if (status === 0) status = aircraft.look();
     if (status !== 0) return this.end(status);
     this.seen = aircraft.seen();
-    if (this.height() < (this.seen.sys[kSys.gearDown] ? -restHeight() : 0)) return this.strike();
+    if (this.height() < (this.seen.sys[kSys.gearDown] && this.seen.x[kX.gear] >= 1 ? -restHeight() : 0)) return this.strike();
     if (this.steps % Math.round(kModelEvery / kStep) < steps) this.model();
     return true;
   }

@@ -3,7 +3,7 @@
 const kArrays = ['setup', 'systems', 'environment', 'x', 'u', 'outputs', 'configuration', 'a', 'b', 'modes',
   'statePlaces', 'controlPlaces', 'forces'];
 const kX = {u: 0, v: 1, w: 2, p: 3, q: 4, r: 5, roll: 6, pitch: 7, yaw: 8, north: 28, east: 29, down: 30,
-  governor: 39};
+  governor: 39, gear: 58};
 const kU = {collective: 0, longStick: 1, latStick: 2, pedal: 3};
 const kOut = {airspeed: 1, alpha: 2, beta: 3, force: 4, loadFactor: 7, climb: 8, thrust: 9, torque: 11,
   power: 13, collective: 15, longCyclic: 17, tilt: 19, elevator: 21, aileron: 22, rudder: 23};
@@ -91,7 +91,7 @@ class Aircraft {
   // A copy of what look() found.
   seen() {
     const copy = (name, length) => Array.from(this.array[name].subarray(0, length));
-    return {x: copy('x', 74), u: copy('u', 14), out: copy('outputs', 24), conf: copy('configuration', 9),
+    return {x: copy('x', 75), u: copy('u', 14), out: copy('outputs', 24), conf: copy('configuration', 9),
       sys: copy('systems', 16)};
   }
   // A, B, their names and the modes; null where there is no linear model.

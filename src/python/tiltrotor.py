@@ -55,7 +55,7 @@ if _single and not hasattr(_library, "tr_init_single"):
 tr_real = ctypes.c_float if _single else ctypes.c_double
 
 # ---- constants ----
-TR_API_VERSION = 0x00050004 if _single else 0x00050008
+TR_API_VERSION = 0x00060004 if _single else 0x00060008
 TR_SIM_SIZE = 3968 if _single else 7424  # bytes
 TR_WORK_SIZE = 135168 if _single else 245760
 TR_SAVED_SIZE = 2048
@@ -65,12 +65,12 @@ TR_MOST_LOADS = 8
 (TR_OK, TR_NOT_CONVERGED, TR_SINGULAR, TR_NOT_FINITE, TR_OUT_OF_RANGE, TR_BAD_ARGUMENT, TR_SHORT_BUFFER, TR_WRONG_VERSION,
  TR_NOT_INITIALIZED, TR_WING_STALL, TR_CONTROL_LIMIT, TR_FLAP_LIMIT, TR_ROTOR_STALL, TR_DAMAGED, TR_BAD_ARITHMETIC,
  TR_VORTEX_RING_STATE, TR_POWER_LIMIT, TR_TORQUE_LIMIT, TR_STATUS_COUNT) = range(0, 19)
-# tr_aircraft, tr_grid, tr_tables, tr_columns, tr_governor
+# tr_aircraft, tr_grid, tr_tables, tr_columns, tr_governor and tr_wind_shear
 (TR_XV15, TR_SCALED_XV15) = range(1, 3)
 (TR_GRID_REALTIME, TR_GRID_SPECIFICATION) = range(1, 3)
 (TR_TABLES_SMOOTH, TR_TABLES_LINEAR) = range(1, 3)
 (TR_INCEPTORS, TR_BLADE_CONTROLS, TR_ALL_CONTROLS, TR_ALL_INPUTS) = range(1, 5)
-(TR_GOVERNOR_OFF, TR_GOVERNOR_IDEAL, TR_GOVERNOR_PI) = range(0, 3)
+(TR_GOVERNOR_OFF, TR_GOVERNOR_IDEAL, TR_GOVERNOR_PI), (TR_SHEAR_NONE, TR_SHEAR_TERMINAL, TR_SHEAR_OTHER) = range(0, 3), range(0, 3)
 # places in tr_state.x
 (TR_U, TR_V, TR_W, TR_P, TR_Q, TR_R, TR_ROLL, TR_PITCH, TR_YAW, TR_ROTOR_RIGHT) = range(0, 10)
 (TR_B1C, TR_B1S, TR_B1C_RATE, TR_B1S_RATE, TR_MEAN_INFLOW, TR_COSINE_INFLOW, TR_SINE_INFLOW) = range(0, 7)
@@ -81,8 +81,8 @@ TR_CONING_LEFT = 26
  TR_POWER_RIGHT, TR_POWER_LEFT, TR_GOVERNOR, TR_FUEL, TR_ACTUATORS) = range(28, 42)
 TR_SERIES_ACTUATORS = 48
 (TR_WASHOUT, TR_HELD_PITCH, TR_HELD_ROLL, TR_HOLDS_PITCH, TR_HOLDS_ROLL, TR_REST_LONG, TR_REST_LAT,
- TR_GUST_FILTERS) = range(51, 59)
-TR_STATES = 74
+ TR_GEAR, TR_GUST_FILTERS) = range(51, 60)
+TR_STATES = 75
 TR_MAX_LINEAR_STATES = 48
 # places in tr_state.u, of air, of tr_get_flags
 (TR_COLLECTIVE, TR_LONG_STICK, TR_LAT_STICK, TR_PEDAL, TR_LONG_CYCLIC, TR_DIFF_COLLECTIVE, TR_DIFF_LONG_CYCLIC, TR_ELEVATOR,
@@ -176,7 +176,7 @@ tr_motion = _structure("tr_motion", "Of a point of the airframe: what an inertia
 tr_air_data = _structure("tr_air_data", "What an air data probe without errors reads.",
     "tr_real static_pa, impact_pa, tas_mps, cas_mps, mach, alpha_rad, beta_rad")
 tr_systems = _structure("tr_systems", "Switches (0 or 1; governor a tr_governor) and commands of the systems around the airframe.",
-    "int32_t governor, conversion, engines, actuators, scas, gear, ground_effect, turbulence, interconnect; "
+    "int32_t governor, conversion, engines, actuators, scas, gear, ground_effect, turbulence, interconnect, wind_shear; "
     "tr_real mast_command_deg, flap_command_deg, rotor_command_radps, throttle[2]; int32_t gear_down, engine_failed[2]; uint64_t turbulence_seed; "
     "tr_real turbulence_w20_mps, brake[2]")
 tr_geodetic = _structure("tr_geodetic", "On the ellipsoid WGS-84.", "double latitude_rad, longitude_rad, height_m")

@@ -336,6 +336,7 @@ const std::vector<Field> kFields = {
     {"gear.least_cosine", "gear_least_cosine", "ND"},
     {"gear.drag_area", "gear_drag_area", "m2"},
     {"gear.drag_wl", "gear_drag_WL", "m"},
+    {"gear.transit", "gear_transit", "s"},
 
     {"ground.hub_height_on_gear", "hub_height_on_gear", "m"},
     {"ground.least_height", "ground_least_height", "ND"},
@@ -356,6 +357,12 @@ const std::vector<Field> kFields = {
     {"gust.convection_speed", "gust_convection_speed", "m/s"},
     {"gust.height_width", "gust_height_width", "m"},
     {"gust.speed_width", "gust_speed_width", "m/s"},
+    {"gust.shear_height", "wind_shear_height", "m"},
+    {"gust.shear_lowest", "wind_shear_lowest", "m"},
+    {"gust.shear_highest", "wind_shear_highest", "m"},
+    {"gust.roughness_terminal", "wind_roughness_terminal", "m"},
+    {"gust.roughness_other", "wind_roughness_other", "m"},
+    {"gust.shear_width", "wind_shear_width", "m"},
 };
 
 namespace {

@@ -1,6 +1,7 @@
 // The C interface in air that moves: instruments read the air, and a trim keeps wind, heading and position.
 // Expected: velocity triangles, and the same flight in still air.
 #include <cmath>
+#include <vector>
 
 #include "capi/flying.hpp"
 
@@ -129,4 +130,58 @@ TEST(capi_trim_without_wind_is_in_still_air) {
   const tr_state state = state_of(sim);
   for (int i = TR_YAW; i < TR_STATES; i += i == TR_YAW ? TR_NORTH - TR_YAW : 1) CHECK_EQ(state.x[i], 0);
   for (int i = TR_GUST_U; i < TR_CONTROLS; ++i) CHECK_EQ(state.u[i], 0);
+}
+
+// A wind that grows with height: switched on, with the ground or with another wind the aircraft keeps its velocity over the
+// ground, which is that through the air and the wind of its height; saved and loaded it is the same.
+TEST(capi_wind_shear_keeps_the_velocity_over_the_ground) {
+  tr_sim sim = trimmed_sim(30, 50);
+  tr_environment air;
+  CHECK_EQ(tr_default_environment(&air), TR_OK);
+  const auto moves = [&sim] {
+    const tr_real station[3] = {tr_real(7.65), 0, 2};
+    tr_motion m;
+    CHECK_EQ(tr_motion_at(&sim, station, &m), TR_OK);
+    return m;
+  };
+  const tr_motion before = moves();
+  const auto check = [&](double wind_share) {
+    const tr_motion now = moves();
+    const tr_state x = state_of(sim);
+    for (int k = 0; k < 3; ++k)
+      CHECK_NEAR(now.velocity_ned_mps[k], before.velocity_ned_mps[k], kDouble ? 1e-11 : 1e-4);
+    tr_real rates[TR_STATES];
+    CHECK_EQ(tr_derivative(&sim, rates, TR_STATES), TR_OK);
+    CHECK_NEAR(rates[TR_NORTH], before.velocity_ned_mps[0], kDouble ? 1e-10 : 1e-3);
+    const double pitch = static_cast<double>(x.x[TR_PITCH]);
+    const double ahead =
+        static_cast<double>(x.x[TR_U]) * std::cos(pitch) + static_cast<double>(x.x[TR_W]) * std::sin(pitch);
+    CHECK_NEAR(ahead - wind_share * 9, before.velocity_ned_mps[0], kDouble ? 1e-10 : 1e-3);
+  };
+  air.wind_mps[0] = -9;
+  air.ground_down_m = 30;
+  CHECK_EQ(tr_set_environment(&sim, &air), TR_OK);
+  check(1);
+  tr_systems systems;
+  CHECK_EQ(tr_get_systems(&sim, &systems), TR_OK);
+  systems.wind_shear = TR_SHEAR_OTHER;
+  CHECK_EQ(tr_set_systems(&sim, &systems), TR_OK);
+  const auto share = [](double height_m) { return std::log(height_m / (2 * 0.3048)) / std::log(10.0); };
+  check(share(30));
+  air.ground_down_m = 12;
+  CHECK_EQ(tr_set_environment(&sim, &air), TR_OK);
+  check(share(12));
+  std::vector<unsigned char> bytes(TR_SAVED_SIZE);
+  std::size_t length = 0;
+  CHECK_EQ(tr_save(&sim, bytes.data(), bytes.size(), &length), TR_OK);
+  tr_sim loaded;
+  CHECK_EQ(tr_load_saved(&loaded, TR_API_VERSION, bytes.data(), length), TR_OK);
+  CHECK(same_bits(state_of(loaded), state_of(sim)));
+  CHECK_EQ(tr_get_systems(&loaded, &systems), TR_OK);
+  CHECK_EQ(systems.wind_shear, int{TR_SHEAR_OTHER});
+  systems.wind_shear = 3;
+  CHECK_EQ(tr_set_systems(&sim, &systems), TR_BAD_ARGUMENT);
+  systems.wind_shear = TR_SHEAR_NONE;
+  CHECK_EQ(tr_set_systems(&sim, &systems), TR_OK);
+  check(1);
 }

@@ -200,6 +200,22 @@ TEST(fly_wind_and_systems_change_without_a_jolt) {
   CHECK_LT(std::fabs(f(f.count() - 1, "height_m") - 300), 10);
 }
 
+// A wind that grows with height takes the aircraft along as it is there: at 300 m as it ends at 1000 ft, by the logarithm.
+TEST(fly_wind_grows_with_height) {
+  const Flown f = fly("0.1 wind -3 0 0\n0.5 shear terminal\n1 shear none\n2 end\n", "--speed 40 --every 0");
+  CHECK_EQ(f.result.exit_status, 0);
+  const auto jump = [&f](int at) {
+    const auto k = static_cast<std::size_t>(at);
+    return f(k, "airspeed_mps") - f(k - 1, "airspeed_mps");
+  };
+  const double height_ft = f(50, "height_m") / 0.3048 + 5.9;  // of the CG above the wheels
+  const double share = std::log(height_ft / 0.15) / std::log(20 / 0.15);
+  CHECK_NEAR(jump(50), 3 * (share - 1), 0.05);
+  CHECK_NEAR(jump(100), -3 * (share - 1), 0.05);
+  for (std::size_t k = 1; k < f.count(); ++k)
+    CHECK_LT(std::fabs(f(k, "north_speed_mps") - f(k - 1, "north_speed_mps")), 0.1);
+}
+
 TEST(fly_prints_the_columns_that_are_chosen) {
   const Flown f = fly("1 end\n", "--speed 40 --columns rotor_rpm,time_s --every 0.5");
   CHECK_EQ(check::first_line(f.result.out), std::string("rotor_rpm,time_s"));
@@ -229,6 +245,8 @@ TEST(fly_refuses_before_anything_is_written) {
   refused("1 end\n", "--height 0 --speed 40", "--height");
   refused("1 end\n", "--rotor-rpm 500", "--rotor-rpm");
   refused("1 end\n", "--modes-every 1", "--modes-every");
+  refused("1 end\n", "--option governor=ideal", "--option governor: a script says it");
+  refused("0 shear rough\n1 end\n", "", "none, terminal or other");
   CHECK_EQ(run_tiltrotor("fly").exit_status, 2);
 }
 
@@ -297,6 +315,18 @@ TEST(fly_ends_at_the_ground_with_the_gear_up) {
   const Flown lands = fly("0 gear down\n0 hold speed 0\n5 land 1\n40 end\n", "--speed 5 --height 10");
   CHECK_EQ(lands.result.exit_status, 0);
   CHECK_NEAR(lands(lands.count() - 1, "weight_on_wheels"), 1, 0.2);
+}
+
+// Told to come down at 1 s it is half out at 5 s and carries from 9 s; before that there is no gear to land on.
+TEST_OF_XV15(fly_gear_takes_its_time) {
+  const Flown f = fly("0 hold speed 20\n1 gear down\n10 end\n", "--speed 20 --height 50 --every 1");
+  CHECK_EQ(f.result.exit_status, 0);
+  const double expected[] = {0, 0, 0.125, 0.25, 0.375, 0.5, 0.625, 0.75, 0.875, 1, 1};
+  for (std::size_t k = 0; k < f.count(); ++k) CHECK_NEAR(f(k, "gear"), expected[k], 2e-3);
+  const Flown early = fly("0 gear down\n0 hold climb -3\n20 end\n", "--speed 20 --height 10 --every 0");
+  CHECK_EQ(early.result.exit_status, 1);
+  CHECK(early.result.err.find(", down: the aircraft has met the ground before the gear was down\n") !=
+        std::string::npos);
 }
 
 // A and B of the whole vehicle along the way: at a trim those of the airframe, where its systems leave it alone, and at any

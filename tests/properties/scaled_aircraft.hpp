@@ -187,6 +187,7 @@ class ScaledAircraft {
     times(s_.length, g.ground_wl, g.drag_wl, aircraft_.ground.hub_height_on_gear, e.gear_contact,
           e.gear_stop);
     times(s_.length * s_.length, g.drag_area);
+    times(s_.time(), g.transit);
     times(s_.speed(), g.slip_speed, e.ground_wash);
     times(s_.force(), e.gear_force);
   }

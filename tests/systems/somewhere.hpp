@@ -118,6 +118,9 @@ inline Somewhere somewhere(Dice& dice, Governor governor) {
   v.commands.mast = tilt + dice.between(-0.2, 0.2);
   v.commands.flap = s.flap + dice.between(-0.1, 0.1);
   v.commands.rotor_speed = at.c.setup.rotor_speed;
+  s.gear = v.gear_down && dice.flip() ? 1 : dice.between(0, 0.99);
+  v.on.wind_shear = static_cast<WindShear>(static_cast<int>(dice.between(0, 3)));
+  at.c.around.wind_n = {dice.between(-10, 10) * size, dice.between(-10, 10) * size, 0};
   // The search for its collective begins where it will end.
   for (int k = 0; k < 3 && governor == Governor::ideal; ++k)
     s.governor = rates(v, at.c, at.x, s, at.u).flows.governed;

@@ -23,7 +23,7 @@ inline constexpr int strut_count = static_cast<int>(Strut::count);
 
 template <class T>
 struct GearCommand {
-  bool down;         // extended; in transit and retracted it carries nothing
+  bool down;         // extended and locked; in transit and retracted it carries nothing
   bool nose_locked;  // straight ahead, for parking
   T brake[2];        // of the main wheels, right and left: 0 rolling .. 1 full
 };

@@ -27,6 +27,7 @@ struct SystemState {
   T held_pitch, held_roll;          // attitude that is held, rad
   T holds_pitch, holds_roll;        // 1 while it is, else 0
   T rest_long, rest_lat;            // where the stick stands when it is let go, in
+  T gear;                           // extension, 0 retracted .. 1 locked down, moved on between steps
   TurbulenceState<T> gusts;         // filters of the turbulence, moved on between steps
 
   template <class Self, class Visit>
@@ -62,6 +63,7 @@ struct SystemState {
     visit(s.holds_roll, Variable{"holds_roll", K::flag, lat});
     visit(s.rest_long, Variable{"rest_long", K::held_stick, lon});
     visit(s.rest_lat, Variable{"rest_lat", K::held_stick, lat});
+    visit(s.gear, Variable{"gear", K::gear_extension, lon});
     TurbulenceState<T>::describe(s.gusts, [&visit](auto& x, const char* name) {
       visit(x, Variable{name, K::gust_filter, Plane::longitudinal});
     });

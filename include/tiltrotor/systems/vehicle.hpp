@@ -12,6 +12,7 @@
 #include "tiltrotor/systems/drive.hpp"
 #include "tiltrotor/systems/ground_effect.hpp"
 #include "tiltrotor/systems/landing_gear.hpp"
+#include "tiltrotor/systems/wind_shear.hpp"
 
 namespace tiltrotor {
 
@@ -19,6 +20,7 @@ struct SystemSwitches {
   Governor governor;
   bool conversion, engines, actuators, augmentation, gear, ground_effect, turbulence;
   bool interconnect = false;  // its shaft twists, where the rotor speed is a state
+  WindShear wind_shear = WindShear::none;
 };
 
 template <class R>
@@ -26,8 +28,8 @@ struct Vehicle {
   SystemSwitches on;
   Commands<R> commands;
   bool engine_failed[2];
-  bool disengages;  // the augmentation: its actuators return to neutral
-  bool gear_down;
+  bool disengages;        // the augmentation: its actuators return to neutral
+  bool gear_down;         // told to be: SystemState::gear follows
   R brake[2];             // of the main wheels, right and left, 0..1
   GroundPlane<R> ground;  // level and infinitely far below without one
   std::uint64_t turbulence_seed;
@@ -39,11 +41,36 @@ struct Vehicle {
 
 inline bool any_system(const SystemSwitches& on) {
   return on.governor != Governor::off || on.conversion || on.engines || on.actuators || on.augmentation ||
-         on.gear || on.ground_effect || on.turbulence;
+         on.gear || on.ground_effect || on.turbulence || on.wind_shear != WindShear::none;
 }
 
 // Whether the rotors have a speed each.
 constexpr bool twists(const SystemSwitches& on) { return on.interconnect && on.governor == Governor::pi; }
+
+template <class R>
+inline constexpr R kFarGround = R(1e8);  // m down: none
+template <class R>
+bool has_ground(const Vehicle<R>& v) {
+  return v.ground.down < kFarGround<R>;
+}
+
+// Whether the wind grows with the height above the ground.
+template <class R>
+bool has_shear(const Vehicle<R>& v) {
+  return v.on.wind_shear != WindShear::none && has_ground(v);
+}
+// Wind over the ground at a position down, north east down, m/s, from the one that is told.
+template <class T, class R>
+Vec3<T> wind_at(const GustTables<R>& gust, const Vehicle<R>& v, const Vec3<R>& told_n, const T& down) {
+  const T share = has_shear(v) ? wind_profile(gust, v.on.wind_shear, T(v.ground.down - down)).share : T(R(1));
+  return {share * told_n.x, share * told_n.y, T(told_n.z)};
+}
+
+// Whether the gear carries.
+template <class R>
+bool is_locked_down(const Vehicle<R>& v, R extension) {
+  return v.on.gear && v.gear_down && extension >= R(1);
+}
 
 // The states of systems that move by themselves, in order: places in kSystemVariables.
 struct ActiveSystems {
@@ -100,12 +127,9 @@ struct VehicleFlows {
 
 namespace vehicle_parts {
 
-template <class R>
-inline constexpr R kFarGround = R(1e8);  // m down: none
-
-// Wind over the ground in body axes.
-template <class T>
-Vec3<T> wind_in_body(const Vec3<Real<T>>& wind_n, const State<T>& x) {
+// From the earth's axes to the body's.
+template <class T, class W>
+Vec3<T> wind_in_body(const Vec3<W>& wind_n, const State<T>& x) {
   const SineCosine<T> r = sine_and_cosine(x.roll), p = sine_and_cosine(x.pitch), y = sine_and_cosine(x.yaw);
   const T ahead = wind_n.x * y.cosine + wind_n.y * y.sine;
   const T aside = wind_n.y * y.cosine - wind_n.x * y.sine;
@@ -143,15 +167,34 @@ BladeControls<T> wanted_angles(const Aircraft<Real<T>>& aircraft, const Options&
   return wanted;
 }
 
-// Gear and ground effect. Without them `at` is left alone.
+// Of the airframe, in body axes.
+template <class T>
+Vec3<T> velocity_over_ground(const Vehicle<Real<T>>& v, const Configuration<Real<T>>& c, const State<T>& x) {
+  if (!has_shear(v)) return x.velocity + wind_in_body(c.around.wind_n, x);
+  return x.velocity + wind_in_body(wind_at(c.aircraft->gust, v, c.around.wind_n, x.position.z), x);
+}
+
+// What a wind that grows with height adds to the rates of a state.
+template <class T>
+void drift(const Vehicle<Real<T>>& v, const Configuration<Real<T>>& c, const State<T>& x, State<T>& rates) {
+  using R = Real<T>;
+  const WindProfile<T> profile =
+      wind_profile(c.aircraft->gust, v.on.wind_shear, T(v.ground.down - x.position.z));
+  const Vec3<R> level = {c.around.wind_n.x, c.around.wind_n.y, R(0)};
+  const T more = profile.share - R(1);
+  rates.position = rates.position + Vec3<T>{more * level.x, more * level.y, T(R(0))};
+  rates.velocity = rates.velocity + (profile.slope * rates.position.z) * wind_in_body(level, x);
+}
+
+// Gear, `extension` of it out, and ground effect. Without them `at` is left alone.
 template <class T>
 void meet_ground(const Vehicle<Real<T>>& v, const Configuration<Real<T>>& c, Configuration<T>& at,
-                 const State<T>& x, AirframeDemand<T>& demand) {
+                 const State<T>& x, const T& extension, AirframeDemand<T>& demand) {
   using R = Real<T>;
   demand.ground = {{T(R(1)), T(R(1))}, T(R(1))};
   GearLoads<T>::each(demand.gear, [](T& number) { number = T(R(0)); });
-  const bool gear = v.on.gear && v.gear_down;
-  const bool near = v.ground.down < kFarGround<R>;
+  const bool gear = v.on.gear && value(extension) > R(0);
+  const bool near = has_ground(v);
   if (!gear && !(v.on.ground_effect && near)) return;
   put_setting(demand.setting, at);
   const Vec3<T> in_air = airframe_velocity(x.velocity - demand.controls.gust, at.mass.nacelles);
@@ -160,11 +203,11 @@ void meet_ground(const Vehicle<Real<T>>& v, const Configuration<Real<T>>& c, Con
     if (v.on.ground_effect)
       demand.ground =
           ground_effect(at, above, in_air, x.rates, {x.rotor[right].lambda_0, x.rotor[left].lambda_0});
-    const GearCommand<T> command = {true, false, {T(v.brake[right]), T(v.brake[left])}};
-    if (gear)
-      landing_gear(at, above, x.velocity + wind_in_body(c.around.wind_n, x), x.rates, command, demand.gear);
+    const GearCommand<T> command = {
+        is_locked_down(v, value(extension)), false, {T(v.brake[right]), T(v.brake[left])}};
+    if (gear) landing_gear(at, above, velocity_over_ground(v, c, x), x.rates, command, demand.gear);
   }
-  if (gear) demand.gear.total = demand.gear.total + gear_drag(at, T(R(1)), in_air, x.rates);
+  if (gear) demand.gear.total = demand.gear.total + gear_drag(at, extension, in_air, x.rates);
 }
 
 // Speeds and accelerations of the two halves of the drive, and the rates of its states.
@@ -270,7 +313,7 @@ void airframe_demand(const Vehicle<Real<T>>& v, const Configuration<Real<T>>& c,
     actuator_rates(aircraft, wanted, s, rates);
     moved = actuated_controls(s, u);
   });
-  vehicle_parts::meet_ground(v, c, at, x, demand);
+  vehicle_parts::meet_ground(v, c, at, x, s.gear, demand);
 }
 
 // The ideal governor: the collective at which the rotors take the power of the engines, by the secant method, its slope
@@ -325,6 +368,7 @@ void vehicle_rates(const Vehicle<Real<T>>& v, const Configuration<Real<T>>& c,
   } else {
     airframe(demand, answer);
   }
+  if (has_shear(v)) vehicle_parts::drift(v, c, x, answer.rates);
   if (v.on.governor != Governor::pi) return;
   T rotor_speed[2] = {s.rotor_speed, s.rotor_speed}, faster[2];  // rad/s, rad/s^2
   if (twists(v.on)) {

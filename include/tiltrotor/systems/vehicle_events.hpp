@@ -52,6 +52,13 @@ bool begin_step(const Aircraft<R>& aircraft, const State<R>& x, const Controls<R
   return happened || s.holds_pitch != before[0] || s.holds_roll != before[1];
 }
 
+// Extension of the gear `dt` later: unlocked at once when it is told to go up, locked where it arrives.
+template <class R>
+R moved_gear(const GearTables<R>& gear, const Vehicle<R>& v, R extension, R dt) {
+  const R way = dt / gear.transit;
+  return v.gear_down ? smaller_of(extension + way, R(1)) : larger_of(extension - way, R(0));
+}
+
 // The systems in a steady flight at (x, u) of the airframe, `torque` of each rotor (N m): every rate that the flight
 // leaves zero is zero. Commands become what is; stick and pedals are relieved of what the augmentation holds, and
 // rest there. Engines that run share the power, which is none where the rotors drive them.
@@ -78,6 +85,7 @@ void settle(const Configuration<R>& c, const State<R>& x, const R (&torque)[2], 
   s.shaft_twist =
       twists(v.on) ? balanced_twist(aircraft, v.engine_failed, s.power, torque, c.setup.rotor_speed) : R(0);
   s.twist_rate = R(0);
+  s.gear = v.on.gear && v.gear_down ? R(1) : R(0);
 
   const Vec3<R> velocity = x.velocity - u.gust;
   put_actuators(vehicle_parts::wanted_angles(aircraft, c.setup.options, c.setup.mast_deg, u, velocity), s);
@@ -104,8 +112,7 @@ void settle(const Configuration<R>& c, const State<R>& x, const R (&torque)[2], 
 template <class R>
 TurbulentAir<R> turbulent_air(const Configuration<R>& c, const State<R>& x, const Controls<R>& u,
                               const Vehicle<R>& v) {
-  const bool near = v.ground.down < vehicle_parts::kFarGround<R>;
-  const R height = near ? v.ground.down - x.position.z : c.setup.altitude;
+  const R height = has_ground(v) ? v.ground.down - x.position.z : c.setup.altitude;
   return {height, length(x.velocity - u.gust), v.wind_20_ft};
 }
 

@@ -323,6 +323,8 @@ Status advance_vehicle(Configuration<R>& c, SystemFlight<R>& flight, SimulationW
       const GustNoise<R> noise = gust_noise<R>(flight.vehicle.turbulence_seed, flight.steps);
       flight.state.gusts = turbulence_step(flight.state.gusts, air, s.dt, noise, *c.aircraft);
     }
+    if (flight.vehicle.on.gear)
+      flight.state.gear = moved_gear(c.aircraft->gear, flight.vehicle, flight.state.gear, s.dt);
     ++flight.steps;
   } else {
     flight = before;

@@ -37,7 +37,8 @@ void vehicle_states(const Vehicle<R>& v, const Options& options, VehicleShape& s
   linear_states(options, point);
   shape.states = 0;
   for (int i = 0; i < point.states; ++i) shape.state[shape.states++] = point.state[i];
-  if (v.air_follows || v.on.gear || v.on.ground_effect) shape.state[shape.states++] = kStateIndex.position.z;
+  if (v.air_follows || v.on.gear || v.on.ground_effect || has_shear(v))
+    shape.state[shape.states++] = kStateIndex.position.z;
   const ActiveSystems active = active_systems(v.on);
   for (int k = 0; k < active.count; ++k)
     if (!kSystemVariables[active.index[k]].facts().ignorable)

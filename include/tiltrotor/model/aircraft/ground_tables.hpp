@@ -23,6 +23,7 @@ struct GearTables {
   R slip_speed;                       // choices: gear_slip_speed: over which friction saturates, m/s
   R least_cosine;        // choices: gear_least_cosine: of the angle between strut and the ground's normal
   R drag_area, drag_wl;  // choices: gear_drag_area, m^2, gear_drag_WL, m
+  R transit;             // choices: gear_transit: from one end to the other, s
 };
 
 template <class R>

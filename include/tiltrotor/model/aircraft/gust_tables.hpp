@@ -1,4 +1,4 @@
-// Gusts of the air the aircraft flies through: numbers of the law of turbulence.
+// Gusts of the air the aircraft flies through: numbers of the laws of turbulence and of the mean wind.
 #pragma once
 
 #include "tiltrotor/math/arithmetic.hpp"
@@ -18,6 +18,10 @@ struct GustTables {
   R convection_speed;         // choices: gust_convection_speed: lowest airspeed of the filters, m/s
   R height_width;             // choices: gust_height_width, m
   R speed_width;              // choices: gust_speed_width, m/s
+  // Mean wind: where it is told, between which heights it grows, and roughness of the ground, m.
+  R shear_height, shear_lowest, shear_highest;  // wind_shear_*
+  R roughness_terminal, roughness_other;        // wind_roughness_*: category C, other flight phases
+  R shear_width;                                // choices: wind_shear_width, m
 };
 
 }  // namespace tiltrotor

@@ -46,6 +46,7 @@ enum class VariableKind : unsigned char {
   held_angle,
   held_stick,
   flag,
+  gear_extension,
   gust_filter,
   throttle,
   count
@@ -96,6 +97,7 @@ inline constexpr KindFacts kKindFacts[] = {
     {VariableKind::held_angle, "rad", 1, 1000, true},
     {VariableKind::held_stick, "in", 1, 100, true},
     {VariableKind::flag, "-", 1, 1, true},
+    {VariableKind::gear_extension, "-", 1, 1, true},
     {VariableKind::gust_filter, "-", 1, 1000, true},
     {VariableKind::throttle, "-", 1, kUnbounded},
 };
