@@ -87,7 +87,7 @@ Status Feedback::linearize(const Configuration<double>& c, const State<double>& 
                                                            : nullptr;
   if (status == Status::ok && seen != nullptr) status = linearize_outputs(c, x, u, kAllControls, work, *seen);
   if (status != Status::ok) return status;
-  VehicleShape shape;
+  VehicleShape shape{};
   shape.states = model.states;
   for (int i = 0; i < model.states; ++i) shape.state[i] = model.state[i];
   status = find_controls(at != nullptr ? *at : reference(c, x, u), shape, seen);
