@@ -140,4 +140,9 @@ Status Feedback::linearize_governed(const Configuration<double>& c, const State<
   return linearize_flight(c, flight, x, at, columns, CommandColumns::throttles, work, matrices, outputs);
 }
 
+void Feedback::close(const ControlSet& columns, const VehicleShape& open, VehicleRows& rows) const {
+  close_rows(work_->closed, rows.outputs, open.states, rows.c, rows.d);
+  keep_columns(columns, rows.outputs, open.inputs, rows.d);
+}
+
 }  // namespace tiltrotor::cli

@@ -121,7 +121,7 @@ Status QlpvGrid::find_model(QlpvPoint& point, Analyses& work) const {
   Status status = linearize(f.configuration, x, u, controls_, work, *point.model);
   if (status == Status::ok)
     status = linearize_outputs(f.configuration, x, u, controls_, work, *point.outputs);
-  if (status == Status::ok && reduced_) status = reduce_to_rigid(*point.model, order_, *point.outputs);
+  if (status == Status::ok && reduced_) status = reduce_to_rigid(*point.model, order_, point.outputs.get());
   return status;
 }
 
