@@ -25,7 +25,8 @@ class Linearizer {
       : rigid_(wants_rigid(arguments)),
         order_(reduction_order(arguments)),
         controls_(control_set(arguments)),
-        feedback_(arguments, options, false),
+        scas_(wants_scas(arguments)),
+        feedback_(arguments, options, scas_),
         chosen_(chosen_outputs(arguments)),
         output_(arguments, single),
         model_(std::make_unique<LinearModel<double>>()),
@@ -68,17 +69,18 @@ class Linearizer {
     which.settings.numbers.insert(which.settings.numbers.end(), flight.numbers.begin(), flight.numbers.end());
     which.settings.switches.emplace_back("reduce", reduce_word(rigid_, order_));
     which.settings.switches.emplace_back("feedback", feedback_.name());
+    which.settings.switches.emplace_back("scas", scas_ ? "on" : "off");
   }
 
   Status find(const Configuration<double>& c, const State<double>& x, const Controls<double>& u,
               ShownModel& shown) {
     Controls<double> at = u;
-    const SystemFlight<double> flight = governed(c, x, at);
+    const SystemFlight<double> flight = governed(c, x, at, scas_);
     const bool wants_outputs = output_.wants_outputs() || !chosen_.empty();
-    if (c.setup.options.governor != Governor::off) {
+    if (c.setup.options.governor != Governor::off || scas_) {
       VehicleOutputs* const outputs = wants_outputs ? governed_outputs_.get() : nullptr;
-      Status status = feedback_.linearize_governed(c, x, u, controls_, *work_, *matrices_, false, outputs);
-      shown = ShownModel(*matrices_, x, flight.state, u, flight.vehicle.commands);
+      Status status = feedback_.linearize_governed(c, x, u, controls_, *work_, *matrices_, scas_, outputs);
+      shown = ShownModel(*matrices_, x, flight.state, at, flight.vehicle.commands);
       if (status == Status::ok) status = find_rows(flight, c, x, at);
       if (status == Status::ok && outputs != nullptr) show_outputs(*outputs, shown);
       return status;
@@ -100,7 +102,7 @@ class Linearizer {
                    const Controls<double>& u) {
     if (airframe_.empty()) return Status::ok;
     const VehicleShape open =
-        governed_shape(c.setup.options, feedback_.is_given() ? kAllControls : controls_, false);
+        governed_shape(c.setup.options, feedback_.is_given() ? kAllControls : controls_, scas_);
     const Status status = linearize_airframe_outputs(flight, c, x, u, open, airframe_, rows_);
     if (status == Status::ok && feedback_.is_given()) feedback_.close(controls_, open, rows_);
     return status;
@@ -120,6 +122,7 @@ class Linearizer {
   bool rigid_;
   Reduction order_;
   ControlSet controls_;
+  bool scas_;
   Feedback feedback_;
   std::vector<NamedOutput> chosen_;
   std::vector<AirframeOutput> airframe_;  // those among them that no instrument reads
@@ -172,7 +175,7 @@ int at_trim(const Arguments& arguments, const SetupOptions& setup) {
 
 int run(const Arguments& arguments) {
   const SetupOptions setup(arguments);
-  require_no_governor(setup.switches(), arguments, "--reduce");
+  require_no_systems(setup.switches(), arguments, "--reduce");
   return arguments.given("--states") ? at_given_states(arguments, setup) : at_trim(arguments, setup);
 }
 
@@ -191,8 +194,8 @@ Command linearize_command() {
       "With --feedback they are those of the closed loop, with what the pilot adds in the place of u.\n"
       "The matlab script makes `model`, with the same members, and of every case model(k).ss where ss() is known.\n",
       "tiltrotor linearize --mast 90 --speed 80 --format json",
-      reduce_option() + control_set_option() + outputs_option() + feedback_option() + states_option() +
-          flight_list() + SetupOptions::list() + LinearOutput::list(),
+      reduce_option() + control_set_option() + outputs_option() + scas_option() + feedback_option() +
+          states_option() + flight_list() + SetupOptions::list() + LinearOutput::list(),
       run};
 }
 

@@ -6,6 +6,7 @@
 
 #include "cli/command.hpp"
 #include "cli/errors.hpp"
+#include "cli/governed.hpp"
 #include "cli/linear_json.hpp"
 #include "cli/output.hpp"
 #include "cli/qlpv_check.hpp"
@@ -48,6 +49,7 @@ std::string point_json(const QlpvGrid& grid, const SchedulingPoint& at, const Ql
   settings.numbers.push_back({"sideslip_deg", point.flight->sideslip_deg});
   settings.numbers.push_back({"turn_rate_degps", point.flight->turn_rate_degps});
   settings.switches.emplace_back("reduce", grid.reduce_word());
+  settings.switches.emplace_back("scas", grid.scas_word());
   text += "\"status\": " + json_text(point.status) + ",\n\"settings\": " + settings_json(settings);
   if (point.valid) text += ",\n" + matrices_json(point.shown);
   return text + "\n}";
@@ -176,12 +178,13 @@ Command qlpv_command() {
       "  points[{altitude_m mast_deg speed_mps status settings x0 u0 y0 A B C D}], speed fastest, altitude slowest.\n"
       "A point without a trim has no matrices. Flaps and rotor speed are those of `trim` at each mast angle: give\n"
       "--flap and --rotor-rpm where they shall not jump. Shards join in order to the file as one run writes it. With a\n"
-      "governor rows and columns are those of `linearize` with it: its states, rotor speed among them, and throttles.\n"
+      "governor or --scas on rows and columns are those of `linearize`: states of systems, rotor speed among them, throttles.\n"
       "--show check: at the centre of every cell the mean of its corners against the model of a trim there; of each root\n"
       "the distance over its size, of each inceptor's response the largest |G' - G|/|G| within 0.1..10 rad/s, and where.\n",
       "tiltrotor qlpv --mast 90 --speed 90,100 --show check",
       OptionList{{"--show", "KIND", "model: the file; check: errors of interpolation (model)"}} +
-          reduce_option() + control_set_option() + flight_list() + SetupOptions::list() + Output::list(),
+          reduce_option() + control_set_option() + scas_option() + flight_list() + SetupOptions::list() +
+          Output::list(),
       run};
 }
 

@@ -137,7 +137,8 @@ Status Feedback::linearize_governed(const Configuration<double>& c, const State<
                                     VehicleMatrices& matrices, bool scas, VehicleOutputs* outputs) const {
   Controls<double> at = u;
   const SystemFlight<double> flight = governed(c, x, at, scas);
-  return linearize_flight(c, flight, x, at, columns, CommandColumns::throttles, work, matrices, outputs);
+  return linearize_flight(c, flight, x, at, columns, governed_commands(c.setup.options), work, matrices,
+                          outputs);
 }
 
 void Feedback::close(const ControlSet& columns, const VehicleShape& open, VehicleRows& rows) const {

@@ -37,7 +37,8 @@ QlpvGrid::QlpvGrid(const Arguments& arguments)
       flight_(flight_cases(arguments).front()),
       reduced_(wants_rigid(arguments)),
       order_(reduction_order(arguments)),
-      controls_(control_set(arguments)) {
+      controls_(control_set(arguments)),
+      scas_(wants_scas(arguments)) {
   const Range ranges[] = {kAltitudeRange, kMastRange, kSpeedRange};
   for (int k = 0; k < kSchedulingVariables; ++k) {
     axis_[k] = arguments.sweep(kOptions[k], "0", ranges[k]);
@@ -49,7 +50,7 @@ QlpvGrid::QlpvGrid(const Arguments& arguments)
     throw UsageError(
         command_ +
         ": the scheduling variables are --altitude, --mast and --speed; everything else takes one value");
-  require_no_governor(setup_.switches(), arguments, "--reduce");
+  require_no_systems(setup_.switches(), arguments, "--reduce");
   require_few(command_, {axis_[0].size(), axis_[1].size(), axis_[2].size()});
 }
 
@@ -144,12 +145,13 @@ Status QlpvGrid::find_airframe_model(QlpvPoint& point, Analyses& work) const {
 
 Status QlpvGrid::find_model(QlpvPoint& point, Analyses& work) const {
   const TrimmedFlight& f = *point.flight;
-  if (f.configuration.setup.options.governor == Governor::off) return find_airframe_model(point, work);
+  const Options& options = f.configuration.setup.options;
+  if (options.governor == Governor::off && !scas_) return find_airframe_model(point, work);
   const State<double>& x = f.trim.state;
   Controls<double> u = f.trim.controls;
-  const SystemFlight<double> flight = governed(f.configuration, x, u);
+  const SystemFlight<double> flight = governed(f.configuration, x, u, scas_);
   const auto outputs = std::make_unique<VehicleOutputs>();
-  Status status = linearize_flight(f.configuration, flight, x, u, controls_, CommandColumns::throttles, work,
+  Status status = linearize_flight(f.configuration, flight, x, u, controls_, governed_commands(options), work,
                                    *point.model);
   if (status == Status::ok)
     status = linearize_vehicle_outputs(flight, f.configuration, x, u, point.model->shape, *outputs);
@@ -161,7 +163,7 @@ Status QlpvGrid::find_model(QlpvPoint& point, Analyses& work) const {
 
 ShownModel QlpvGrid::names() const {
   const auto matrices = std::make_unique<VehicleMatrices>();
-  matrices->shape = governed_shape(setup_.switches(), controls_, false);
+  matrices->shape = governed_shape(setup_.switches(), controls_, scas_);
   if (reduced_) {
     matrices->shape.states = 0;
     for (const int state : kRigidOrder) matrices->shape.state[matrices->shape.states++] = state;

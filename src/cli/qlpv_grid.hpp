@@ -20,7 +20,7 @@ using SchedulingPoint = double[kSchedulingVariables];
 // A trimmed flight with its model; `status` is that of the trim or, where the model failed, the model's.
 struct QlpvPoint {
   std::unique_ptr<TrimmedFlight> flight;
-  std::unique_ptr<VehicleMatrices> model;  // of the airframe, and of its governor where it has one
+  std::unique_ptr<VehicleMatrices> model;  // of the airframe, governor and augmentation with it
   ShownModel shown;                        // with its outputs
   bool valid;
   std::string status;
@@ -44,6 +44,7 @@ class QlpvGrid {
   // Names of rows and columns, whatever the flight.
   ShownModel names() const;
   const char* reduce_word() const { return cli::reduce_word(reduced_, order_); }
+  const char* scas_word() const { return scas_ ? "on" : "off"; }
   std::string where(const SchedulingPoint& at) const;
 
  private:
@@ -56,6 +57,7 @@ class QlpvGrid {
   bool reduced_;
   Reduction order_;
   ControlSet controls_;
+  bool scas_;
   std::vector<double> axis_[kSchedulingVariables];
 };
 

@@ -99,7 +99,7 @@ std::vector<Complex> outputs_of(const SystemFlight<double>& flight, const Config
   return y;
 }
 
-void compare_with_complex_steps(const Options& options) {
+void compare_with_complex_steps(const Options& options, bool scas = false) {
   std::vector<AirframeOutput> outputs;
   for (const char* const name :
        {"nx@100/20/90", "ny@250/-40/60", "nz@100/20/90", "htail_moment_y", "wing_free_force_z",
@@ -125,9 +125,9 @@ void compare_with_complex_steps(const Options& options) {
   Controls<double> u{};
   u.collective = 0.35;
   u.pedal = 0.4;
-  const SystemFlight<double> flight = governed(*c, x, u);
+  const SystemFlight<double> flight = governed(*c, x, u, scas);
   CHECK(options.governor == Governor::off || flight.vehicle.commands.throttle[right] > 0.05);
-  const VehicleShape shape = cli::governed_shape(options, kAllControls, false);
+  const VehicleShape shape = cli::governed_shape(options, kAllControls, scas);
   VehicleRows found;
   if (!CHECK(cli::linearize_airframe_outputs(flight, *c, x, u, shape, outputs, found) == Status::ok)) return;
   std::vector<double> size(outputs.size(), 0), error(outputs.size(), 0);
@@ -161,7 +161,8 @@ TEST(cli_linearize_governed_airframe_outputs_equal_complex_steps) {
     compare_with_complex_steps(options);
   }
   options.interconnect = Interconnect::twists;
-  compare_with_complex_steps(options);
+  compare_with_complex_steps(options, true);
+  compare_with_complex_steps(Options{}, true);
 }
 
 // Of y = C x + D u one stick that reads one output: u = (v - k C x) / (1 + k D), with columns for the throttles behind it.
@@ -171,7 +172,8 @@ TEST(cli_linearize_closed_airframe_outputs_are_exact) {
   const std::string chosen =
       " --outputs specific_force_x,ny@250/-40/60,nz@100/20/90,htail_moment_y,"
       "load_factor,rotor_left_force_x";
-  for (const char* const option : {"", " --option governor=ideal", " --option governor=pi"}) {
+  for (const char* const option :
+       {"", " --option governor=ideal", " --option governor=pi --scas on", " --scas on"}) {
     const std::string flight = this_aircraft::flown("--mast 60 --speed 60 --grid realtime") + option + chosen;
     const ExportedModel open(flight);
     const std::size_t n = open.n(), m = open.m(), k = open.outputs.size();

@@ -38,7 +38,7 @@ double error_of(const CsvText& rows, const std::string& name) {
 
 TEST(cli_qlpv_holds_the_models_of_linearize) {
   for (const std::string kind : {"--reduce none", "--reduce rigid", "--option governor=pi",
-                                 "--option governor=ideal --control-set all"}) {
+                                 "--option governor=ideal --control-set all", "--scas on"}) {
     const std::string axes =
         "--mast 80,90 --speed " + speed(85) + "," + speed(100) + " --altitude 0,300 " + kind;
     const std::string all = run_tiltrotor(grid + axes).out;
@@ -180,4 +180,5 @@ TEST(cli_bad_qlpv_is_refused_in_one_line) {
   refused("--show other", "model or check");
   refused("--format csv", "json");
   refused("--option governor=pi --reduce rigid", "goes with governor=off alone");
+  refused("--scas on --reduce rigid", "goes with --scas off alone");
 }
