@@ -183,6 +183,23 @@ TEST_OF_XV15(cli_sensitivity_in_wind_from_any_side_is_that_of_new_runs) {
   }
 }
 
+// A hover that the wind begins to blow at from the right, against winds from both sides.
+TEST(cli_sensitivity_of_a_hover_to_wind_from_the_side) {
+  const double step = 0.004 * this_aircraft::speed();
+  const auto trim = [](double speed, const char* from) {
+    return rows_of("trim --mast 0 --speed " + exactly(speed) + " --azimuth " + from);
+  };
+  const CsvText found = rows_of("sensitivity --of trim --to speed --mast 0 --speed 0 --azimuth 90");
+  const CsvText run[4] = {trim(step, "90"), trim(step, "-90"), trim(step / 2, "90"), trim(step / 2, "-90")};
+  for (const char* number : {"roll_deg", "lat_stick_in", "pedal_in"}) {
+    double at[4];
+    for (int k = 0; k < 4; ++k) at[k] = run[k].number(0, number);
+    const double expected = found.number(0, "change") / step * extrapolated(at[0], at[1], at[2], at[3]);
+    CHECK_NEAR(found.number(0, std::string("d_") + number), expected, 1e-6 * (std::fabs(expected) + 0.1));
+    CHECK(std::fabs(expected) > 1e-4);
+  }
+}
+
 // Wind from ahead is the flight without sideslip, as long as it is symmetric.
 TEST(cli_sensitivity_by_azimuth_and_by_sideslip_agree_ahead) {
   const std::string flight = " --of trim --mast 20 --speed 25";
