@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "library/analyses.hpp"
+#include "library/vehicle_outputs.hpp"
 
 namespace tiltrotor::cli {
 
@@ -22,9 +22,11 @@ std::vector<double> airframe_readings(const Configuration<double>& c, const Stat
                                       const DerivativeSteps<double>& steps, const State<double>& rates,
                                       const std::vector<AirframeOutput>& outputs);
 
-// y, C and D as the first row of `found`, whose point says columns; the others are zero. By dual numbers whatever the program differentiates by. Status as that of linearize_outputs().
-Status linearize_airframe_output(const Configuration<double>& c, const State<double>& x,
-                                 const Controls<double>& u, const ControlSet& columns,
-                                 const AirframeOutput& output, OutputMatrices& found);
+// y, C and D of these outputs in a flight with systems, which may all be off: columns as `shape` says. By dual numbers
+// whatever the program differentiates by. Status as that of linearize_vehicle_outputs().
+Status linearize_airframe_outputs(const SystemFlight<double>& flight, const Configuration<double>& c,
+                                  const State<double>& x, const Controls<double>& u,
+                                  const VehicleShape& shape, const std::vector<AirframeOutput>& outputs,
+                                  VehicleRows& found);
 
 }  // namespace tiltrotor::cli

@@ -5,7 +5,6 @@
 
 #include "cli/command.hpp"
 #include "cli/derived_columns.hpp"
-#include "cli/errors.hpp"
 #include "cli/feedback.hpp"
 #include "cli/governed.hpp"
 #include "cli/linear_options.hpp"
@@ -26,17 +25,15 @@ class Linearizer {
       : rigid_(wants_rigid(arguments)),
         order_(reduction_order(arguments)),
         controls_(control_set(arguments)),
-        feedback_(arguments, options, false),
+        scas_(wants_scas(arguments)),
+        feedback_(arguments, options, scas_),
         chosen_(chosen_outputs(arguments)),
         output_(arguments, single),
         model_(std::make_unique<LinearModel<double>>()),
         matrices_(std::make_unique<VehicleMatrices>()),
         outputs_(std::make_unique<OutputMatrices>()) {
-    const bool closed = feedback_.is_given() || options.governor != Governor::off;
     for (const NamedOutput& output : chosen_)
-      if (output.reading < 0 && closed)
-        throw UsageError(arguments.where("--outputs") + ": " + output.name +
-                         " is of the airframe alone: leave --feedback and the governor out");
+      if (output.reading < 0) airframe_.push_back(output.output);
   }
 
   const Shard& shard() const { return output_.shard(); }
@@ -72,68 +69,69 @@ class Linearizer {
     which.settings.numbers.insert(which.settings.numbers.end(), flight.numbers.begin(), flight.numbers.end());
     which.settings.switches.emplace_back("reduce", reduce_word(rigid_, order_));
     which.settings.switches.emplace_back("feedback", feedback_.name());
+    which.settings.switches.emplace_back("scas", scas_ ? "on" : "off");
   }
 
   Status find(const Configuration<double>& c, const State<double>& x, const Controls<double>& u,
               ShownModel& shown) {
-    if (c.setup.options.governor != Governor::off) {
-      VehicleOutputs* const outputs = wants_outputs() ? governed_outputs_.get() : nullptr;
-      const Status status =
-          feedback_.linearize_governed(c, x, u, controls_, *work_, *matrices_, false, outputs);
-      Controls<double> at = u;
-      const SystemFlight<double> flight = governed(c, x, at);
-      shown = ShownModel(*matrices_, x, flight.state, u, flight.vehicle.commands);
-      if (status == Status::ok && outputs != nullptr) show_instruments(*outputs, shown);
+    Controls<double> at = u;
+    const SystemFlight<double> flight = governed(c, x, at, scas_);
+    const bool wants_outputs = output_.wants_outputs() || !chosen_.empty();
+    if (c.setup.options.governor != Governor::off || scas_) {
+      VehicleOutputs* const outputs = wants_outputs ? governed_outputs_.get() : nullptr;
+      Status status = feedback_.linearize_governed(c, x, u, controls_, *work_, *matrices_, scas_, outputs);
+      shown = ShownModel(*matrices_, x, flight.state, at, flight.vehicle.commands);
+      if (status == Status::ok) status = find_rows(flight, c, x, at);
+      if (status == Status::ok && outputs != nullptr) show_outputs(*outputs, shown);
       return status;
     }
-    OutputMatrices* const outputs = wants_outputs() ? outputs_.get() : nullptr;
+    OutputMatrices* const outputs = wants_outputs ? outputs_.get() : nullptr;
     Status status = feedback_.is_given() ? feedback_.linearize(c, x, u, controls_, *work_, *model_, outputs)
                                          : linearize(c, x, u, controls_, *work_, *model_);
     if (status == Status::ok && outputs != nullptr && !feedback_.is_given())
       status = linearize_outputs(c, x, u, controls_, *work_, *outputs);
-    const auto full = std::make_unique<LinearModel<double>>(*model_);
-    if (status == Status::ok && rigid_)
-      status =
-          outputs != nullptr ? reduce_to_rigid(*model_, order_, *outputs) : reduce_to_rigid(*model_, order_);
+    if (status == Status::ok) status = find_rows(flight, c, x, at);
+    if (status == Status::ok && rigid_) status = reduce_to_rigid(*model_, order_, outputs, &rows_);
     shown = ShownModel(*model_);
-    if (status != Status::ok || outputs == nullptr) return status;
-    if (chosen_.empty()) {
-      shown.add_outputs(*outputs);
-      return status;
-    }
-    const auto one = std::make_unique<OutputMatrices>();
-    for (const NamedOutput& output : chosen_) {
-      if (output.reading >= 0) {
-        shown.add_output(output, *outputs, output.reading);
-        continue;
-      }
-      status = linearize_airframe_output(c, x, u, controls_, output.output, *one);
-      if (status == Status::ok && rigid_) {
-        *model_ = *full;
-        status = reduce_to_rigid(*model_, order_, *one);
-      }
-      if (status != Status::ok) return status;
-      shown.add_output(output, *one, 0);
-    }
+    if (status == Status::ok && outputs != nullptr) show_outputs(*outputs, shown);
     return status;
   }
 
-  bool wants_outputs() const { return output_.wants_outputs() || !chosen_.empty(); }
-  void show_instruments(const VehicleOutputs& outputs, ShownModel& shown) const {
+  // Outputs that no instrument reads, of the model found last.
+  Status find_rows(const SystemFlight<double>& flight, const Configuration<double>& c, const State<double>& x,
+                   const Controls<double>& u) {
+    if (airframe_.empty()) return Status::ok;
+    const VehicleShape open =
+        governed_shape(c.setup.options, feedback_.is_given() ? kAllControls : controls_, scas_);
+    const Status status = linearize_airframe_outputs(flight, c, x, u, open, airframe_, rows_);
+    if (status == Status::ok && feedback_.is_given()) feedback_.close(controls_, open, rows_);
+    return status;
+  }
+
+  // All that instruments read, or what was chosen.
+  template <class Instrumental>
+  void show_outputs(const Instrumental& outputs, ShownModel& shown) const {
     if (chosen_.empty()) return shown.add_outputs(outputs);
-    for (const NamedOutput& output : chosen_) shown.add_output(output, outputs, output.reading);
+    int row = 0;
+    for (const NamedOutput& output : chosen_) {
+      if (output.reading >= 0) shown.add_output(output, outputs, output.reading);
+      if (output.reading < 0) shown.add_output(output, rows_, row++);
+    }
   }
 
   bool rigid_;
   Reduction order_;
   ControlSet controls_;
+  bool scas_;
   Feedback feedback_;
   std::vector<NamedOutput> chosen_;
-  LinearOutput output_;  // last of what arguments can refuse, since it begins to write
+  std::vector<AirframeOutput> airframe_;  // those among them that no instrument reads
+  LinearOutput output_;                   // last of what arguments can refuse, since it begins to write
   std::unique_ptr<LinearModel<double>> model_;
   std::unique_ptr<VehicleMatrices> matrices_;
   std::unique_ptr<OutputMatrices> outputs_;
   std::unique_ptr<VehicleOutputs> governed_outputs_ = std::make_unique<VehicleOutputs>();
+  VehicleRows rows_;
   AnalysesWorkspace work_;
 };
 
@@ -177,7 +175,7 @@ int at_trim(const Arguments& arguments, const SetupOptions& setup) {
 
 int run(const Arguments& arguments) {
   const SetupOptions setup(arguments);
-  require_no_governor(setup.switches(), arguments, "--reduce");
+  require_no_systems(setup.switches(), arguments, "--reduce");
   return arguments.given("--states") ? at_given_states(arguments, setup) : at_trim(arguments, setup);
 }
 
@@ -196,8 +194,8 @@ Command linearize_command() {
       "With --feedback they are those of the closed loop, with what the pilot adds in the place of u.\n"
       "The matlab script makes `model`, with the same members, and of every case model(k).ss where ss() is known.\n",
       "tiltrotor linearize --mast 90 --speed 80 --format json",
-      reduce_option() + control_set_option() + outputs_option() + feedback_option() + states_option() +
-          flight_list() + SetupOptions::list() + LinearOutput::list(),
+      reduce_option() + control_set_option() + outputs_option() + scas_option() + feedback_option() +
+          states_option() + flight_list() + SetupOptions::list() + LinearOutput::list(),
       run};
 }
 

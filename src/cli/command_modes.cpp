@@ -229,9 +229,7 @@ int run(const Arguments& arguments) {
   const std::vector<SetupOptions> setups = SetupOptions::every_combination(arguments);
   const bool scas = wants_scas(arguments);
   const bool has_systems = scas || setups.front().switches().governor != Governor::off;
-  require_no_governor(setups.front().switches(), arguments, "--reduce");
-  if (scas && wants_rigid(arguments))
-    throw UsageError(arguments.where("--reduce") + ": goes with --scas off alone");
+  require_no_systems(setups.front().switches(), arguments, "--reduce");
   flight_cases(arguments, setups.size());
   const Feedback feedback(arguments, setups.front().switches(), scas);
   Output output(arguments);

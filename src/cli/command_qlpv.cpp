@@ -6,6 +6,7 @@
 
 #include "cli/command.hpp"
 #include "cli/errors.hpp"
+#include "cli/governed.hpp"
 #include "cli/linear_json.hpp"
 #include "cli/output.hpp"
 #include "cli/qlpv_check.hpp"
@@ -25,26 +26,6 @@ int told(const QlpvGrid& grid, const SchedulingPoint& at, const QlpvPoint& point
   return point.valid && point.explanation.empty() ? exit_success : exit_case_failed;
 }
 
-ShownModel shown_model(const QlpvPoint& point) {
-  ShownModel shown(*point.model);
-  if (point.outputs != nullptr) shown.add_outputs(*point.outputs);
-  return shown;
-}
-
-// Names of rows and columns, whatever the flight.
-ShownModel names_of(const QlpvGrid& grid) {
-  LinearModel<double> model{};
-  if (grid.reduced()) {
-    for (const int state : kRigidOrder) model.state[model.states++] = state;
-  } else {
-    linear_states(grid.switches(), model);
-  }
-  for (int j = 0; j < grid.controls().count; ++j) model.control[model.controls++] = grid.controls().index[j];
-  ShownModel shown(model);
-  shown.outputs = OutputMatrices::outputs;
-  return shown;
-}
-
 std::string head_json(const QlpvGrid& grid) {
   std::string variables;
   for (int k = 0; k < kSchedulingVariables; ++k)
@@ -56,7 +37,7 @@ std::string head_json(const QlpvGrid& grid) {
          json_text(
              "every x0, u0, y0, A, B, C, D linear along each scheduling variable; "
              "xdot = A (x - x0) + B (u - u0), y = y0 + C (x - x0) + D (u - u0)") +
-         ",\n" + names_json(names_of(grid)) + ",\n\"points\": [\n";
+         ",\n" + names_json(grid.names()) + ",\n\"points\": [\n";
 }
 
 std::string point_json(const QlpvGrid& grid, const SchedulingPoint& at, const QlpvPoint& point) {
@@ -68,8 +49,9 @@ std::string point_json(const QlpvGrid& grid, const SchedulingPoint& at, const Ql
   settings.numbers.push_back({"sideslip_deg", point.flight->sideslip_deg});
   settings.numbers.push_back({"turn_rate_degps", point.flight->turn_rate_degps});
   settings.switches.emplace_back("reduce", grid.reduce_word());
+  settings.switches.emplace_back("scas", grid.scas_word());
   text += "\"status\": " + json_text(point.status) + ",\n\"settings\": " + settings_json(settings);
-  if (point.valid) text += ",\n" + matrices_json(shown_model(point));
+  if (point.valid) text += ",\n" + matrices_json(point.shown);
   return text + "\n}";
 }
 
@@ -121,7 +103,7 @@ class Checker {
 
  private:
   struct Corner {
-    std::unique_ptr<LinearModel<double>> model;  // none: not valid
+    std::unique_ptr<VehicleMatrices> model;  // none: not valid
     std::string status;
   };
   // Corners are shared by neighbours; those before the first of a cell are not asked for again.
@@ -140,7 +122,7 @@ class Checker {
     SchedulingPoint centre;
     std::vector<std::size_t> corners;
     grid_.place_cell(number, centre, corners);
-    std::vector<const LinearModel<double>*> models;
+    std::vector<const VehicleMatrices*> models;
     corners_.erase(corners_.begin(), corners_.lower_bound(corners.front()));
     for (const std::size_t place : corners) {
       const Corner& found = corner(place);
@@ -151,7 +133,7 @@ class Checker {
     told(grid_, centre, exact, progress_);
     if (!exact.valid) return add_failed(centre, exact.status);
     QlpvErrors errors;
-    const Status status = qlpv_errors(*exact.model, mean_model(models), errors);
+    const Status status = qlpv_errors(*exact.model, *mean_model(models), *work_, errors);
     if (status != Status::ok) return add_failed(centre, status_word(status));
     for (const QlpvRoot& root : errors.roots)
       records_.add({centre[kByMast], centre[kBySpeed], centre[kByAltitude], "root", root.name,
@@ -195,12 +177,14 @@ Command qlpv_command() {
       "  kind program scheduling[{name,unit,values}] interpolation states[{name,unit}] controls outputs\n"
       "  points[{altitude_m mast_deg speed_mps status settings x0 u0 y0 A B C D}], speed fastest, altitude slowest.\n"
       "A point without a trim has no matrices. Flaps and rotor speed are those of `trim` at each mast angle: give\n"
-      "--flap and --rotor-rpm where they shall not jump. Shards join in order to the file as one run writes it.\n"
+      "--flap and --rotor-rpm where they shall not jump. Shards join in order to the file as one run writes it. With a\n"
+      "governor or --scas on rows and columns are those of `linearize`: states of systems, rotor speed among them, throttles.\n"
       "--show check: at the centre of every cell the mean of its corners against the model of a trim there; of each root\n"
       "the distance over its size, of each inceptor's response the largest |G' - G|/|G| within 0.1..10 rad/s, and where.\n",
       "tiltrotor qlpv --mast 90 --speed 90,100 --show check",
       OptionList{{"--show", "KIND", "model: the file; check: errors of interpolation (model)"}} +
-          reduce_option() + control_set_option() + flight_list() + SetupOptions::list() + Output::list(),
+          reduce_option() + control_set_option() + scas_option() + flight_list() + SetupOptions::list() +
+          Output::list(),
       run};
 }
 

@@ -204,8 +204,6 @@ int run(const Arguments& arguments) {
   for (const char* option : {"--scas", "--mode"})
     if (arguments.given(option) && of_trim)
       throw UsageError(arguments.where(option) + ": goes with --of modes");
-  if (arguments.given("--azimuth"))
-    throw UsageError(arguments.where("--azimuth") + ": sensitivities hold the sideslip: give --sideslip");
   flight_cases(arguments, setups.size());
   SensitivityRows rows(arguments, systems);
   const AnalysesWorkspace work;
@@ -239,8 +237,8 @@ Command sensitivity_command() {
   static const std::string description =
       "For each mode, or for the trim, one row a parameter: what its usual `change`, in `unit`, does to first order, the\n"
       "largest effect first: of a pair on the damping ratio, of a real root on the root, of a trim on the power. The trim\n"
-      "moves with the parameter; speed, climb, turn rate, sideslip and what --hold let go stay. method `exact`: by second\n"
-      "derivatives of the model and both eigenvectors. `difference`, for numbers of the aircraft: their own part by\n"
+      "moves with the parameter; speed, climb, turn rate, sideslip or azimuth and what --hold let go stay. method `exact`:\n"
+      "by second derivatives of the model and both eigenvectors. `difference`, for numbers of the aircraft: their own part by\n"
       "extrapolated differences of exact matrices, the moving trim's exact; with a governor or --scas on, all of the matrix.\n"
       "On a knot of a table along mast angle or flap it is that of the interval above.\n"
       "Parameters: " +

@@ -87,7 +87,7 @@ Status Feedback::linearize(const Configuration<double>& c, const State<double>& 
                                                            : nullptr;
   if (status == Status::ok && seen != nullptr) status = linearize_outputs(c, x, u, kAllControls, work, *seen);
   if (status != Status::ok) return status;
-  VehicleShape shape;
+  VehicleShape shape{};
   shape.states = model.states;
   for (int i = 0; i < model.states; ++i) shape.state[i] = model.state[i];
   status = find_controls(at != nullptr ? *at : reference(c, x, u), shape, seen);
@@ -137,7 +137,13 @@ Status Feedback::linearize_governed(const Configuration<double>& c, const State<
                                     VehicleMatrices& matrices, bool scas, VehicleOutputs* outputs) const {
   Controls<double> at = u;
   const SystemFlight<double> flight = governed(c, x, at, scas);
-  return linearize_flight(c, flight, x, at, columns, CommandColumns::throttles, work, matrices, outputs);
+  return linearize_flight(c, flight, x, at, columns, governed_commands(c.setup.options), work, matrices,
+                          outputs);
+}
+
+void Feedback::close(const ControlSet& columns, const VehicleShape& open, VehicleRows& rows) const {
+  close_rows(work_->closed, rows.outputs, open.states, rows.c, rows.d);
+  keep_columns(columns, rows.outputs, open.inputs, rows.d);
 }
 
 }  // namespace tiltrotor::cli

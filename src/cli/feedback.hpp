@@ -41,6 +41,9 @@ class Feedback {
                             const ControlSet& columns, Analyses& work, VehicleMatrices& matrices,
                             bool scas = false, VehicleOutputs* outputs = nullptr) const;
 
+  // Rows of y = C x + D u of the open loop, columns as `open` says, become those of the loop closed last.
+  void close(const ControlSet& columns, const VehicleShape& open, VehicleRows& rows) const;
+
  private:
   struct Work;
   Feedback(const Arguments& arguments, const ReadingNames& names);

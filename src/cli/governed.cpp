@@ -16,7 +16,11 @@ Status linearize_governed(const Configuration<double>& c, const State<double>& x
                           const ControlSet& columns, Analyses& work, VehicleMatrices& matrices, bool scas) {
   Controls<double> at = u;
   const SystemFlight<double> flight = governed(c, x, at, scas);
-  return linearize_flight(c, flight, x, at, columns, CommandColumns::throttles, work, matrices);
+  return linearize_flight(c, flight, x, at, columns, governed_commands(c.setup.options), work, matrices);
+}
+
+CommandColumns governed_commands(const Options& options) {
+  return options.governor == Governor::off ? CommandColumns::none : CommandColumns::throttles;
 }
 
 Status linearize_flight(const Configuration<double>& c, const SystemFlight<double>& flight,
@@ -26,7 +30,9 @@ Status linearize_flight(const Configuration<double>& c, const SystemFlight<doubl
   vehicle_states(flight.vehicle, c.setup.options, shape);
   shape.inputs = 0;
   for (int j = 0; j < columns.count; ++j) shape.input[shape.inputs++] = columns.index[j];
-  const int first = commands == CommandColumns::all ? 0 : kCommandIndex.throttle[right];
+  const int first = commands == CommandColumns::all    ? 0
+                    : commands == CommandColumns::none ? command_count
+                                                       : kCommandIndex.throttle[right];
   for (int k = first; k < command_count; ++k) shape.input[shape.inputs++] = control_count + k;
   Configuration<double> put = c;
   put.around = with_turbulence(c, x, u, flight.vehicle, flight.state);
@@ -65,6 +71,12 @@ VehicleShape governed_shape(const Options& options, const ControlSet& columns, b
 void require_no_governor(const Options& options, const Arguments& arguments, const char* option) {
   if (options.governor == Governor::off || !arguments.given(option)) return;
   throw UsageError(arguments.where(option) + ": goes with governor=off alone");
+}
+
+void require_no_systems(const Options& options, const Arguments& arguments, const char* option) {
+  require_no_governor(options, arguments, option);
+  if (wants_scas(arguments) && arguments.given(option))
+    throw UsageError(arguments.where(option) + ": goes with --scas off alone");
 }
 
 }  // namespace tiltrotor::cli

@@ -7,8 +7,8 @@
 
 namespace tiltrotor::cli {
 
-// A and B at (x, u) of the airframe in a balance of power: the columns of a set, and the throttles of both engines.
-// Without governor and SCAS those of the airframe.
+// A and B at (x, u) of the airframe in a balance of power: the columns of a set, and with a governor the throttles of both
+// engines. Without governor and SCAS those of the airframe.
 Status linearize_governed(const Configuration<double>& c, const State<double>& x, const Controls<double>& u,
                           const ControlSet& columns, Analyses& work, VehicleMatrices& matrices,
                           bool scas = false);
@@ -19,8 +19,9 @@ VehicleShape governed_shape(const Options& options, const ControlSet& columns, b
 OptionList scas_option();
 bool wants_scas(const Arguments& arguments);
 
-// The same of a flight with systems, as they stand, with the columns of every command where wanted.
-enum class CommandColumns : unsigned char { throttles, all };
+// The same of a flight with systems, as they stand, with the columns of these commands.
+enum class CommandColumns : unsigned char { none, throttles, all };
+CommandColumns governed_commands(const Options& options);
 Status linearize_flight(const Configuration<double>& c, const SystemFlight<double>& flight,
                         const State<double>& x, const Controls<double>& u, const ControlSet& columns,
                         CommandColumns commands, Analyses& work, VehicleMatrices& matrices,
@@ -32,5 +33,7 @@ double governed_collective(const Configuration<double>& c, const SystemFlight<do
 
 // Throws UsageError when an option is given that goes with governor=off alone.
 void require_no_governor(const Options& options, const Arguments& arguments, const char* option);
+// The same, with --scas off alone as well.
+void require_no_systems(const Options& options, const Arguments& arguments, const char* option);
 
 }  // namespace tiltrotor::cli

@@ -41,23 +41,21 @@ const ControlSet& control_set(const Arguments& arguments) {
   return sets[arguments.choice("--control-set", "inceptors", {"inceptors", "blades", "all"})];
 }
 
-namespace {
+Status reduce_to_rigid(LinearModel<double>& model, Reduction order) {
+  return reduce_to_rigid(model, order, nullptr);
+}
 
-Status reduce(LinearModel<double>& model, Reduction order, OutputMatrices* outputs) {
+Status reduce_to_rigid(LinearModel<double>& model, Reduction order, OutputMatrices* outputs,
+                       VehicleRows* rows) {
   const auto work = std::make_unique<RigidModelWorkspace<double>>();
   const auto reduced = std::make_unique<LinearModel<double>>();
   const Status status = rigid_model(model, order, *work, *reduced);
   if (status == Status::ok && outputs != nullptr)
     reduce_outputs(model, order, *work, *reduced, OutputMatrices::outputs, outputs->c, outputs->d);
+  if (status == Status::ok && rows != nullptr)
+    reduce_outputs(model, order, *work, *reduced, rows->outputs, rows->c, rows->d);
   model = *reduced;
   return status;
-}
-
-}  // namespace
-
-Status reduce_to_rigid(LinearModel<double>& model, Reduction order) { return reduce(model, order, nullptr); }
-Status reduce_to_rigid(LinearModel<double>& model, Reduction order, OutputMatrices& outputs) {
-  return reduce(model, order, &outputs);
 }
 
 }  // namespace tiltrotor::cli

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "cli/arguments.hpp"
-#include "library/analyses.hpp"
+#include "library/vehicle_outputs.hpp"
 #include "tiltrotor/analysis/linear/rigid_model.hpp"
 
 namespace tiltrotor::cli {
@@ -17,7 +17,9 @@ const ControlSet& control_set(const Arguments& arguments);
 
 // The rigid-body model in place of the full one. Status as rigid_model().
 Status reduce_to_rigid(LinearModel<double>& model, Reduction order);
-// The same with its outputs, of which the first columns of C are then those of the rigid body.
-Status reduce_to_rigid(LinearModel<double>& model, Reduction order, OutputMatrices& outputs);
+// The same with outputs of the full model beside it, where there are some: the first columns of C are then those of the
+// rigid body.
+Status reduce_to_rigid(LinearModel<double>& model, Reduction order, OutputMatrices* outputs,
+                       VehicleRows* rows = nullptr);
 
 }  // namespace tiltrotor::cli

@@ -1,106 +1,141 @@
 #include "cli/qlpv_check.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "tiltrotor/analysis/linear/channel.hpp"
+#include "cli/transfer_of.hpp"
 
 namespace tiltrotor::cli {
 
 namespace {
 
-struct Channels {
-  VehicleChannel<double> channel;
-  TransferFunctionWorkspace<double, kMaxVehicleStates> roots;
-  ResponseWorkspace<double, kMaxVehicleStates> response;
-};
-
-// Rows and columns of a model; -1: not there.
-int place_of(const int* list, int count, int wanted) {
-  for (int i = 0; i < count; ++i)
-    if (list[i] == wanted) return i;
-  return -1;
-}
-
-Status transfer_of(const LinearModel<double>& model, int row, int column, Channels& work,
-                   VehicleTransfer<double>& out) {
-  set_channel(model, row, column, work.channel);
-  return transfer_function(work.channel, work.roots, out);
-}
-
-QlpvResponse response_error(const VehicleTransfer<double>& exact, const VehicleTransfer<double>& interpolated,
-                            Channels& work) {
+QlpvResponse response_error(TransferOf& exact, TransferOf& interpolated) {
   constexpr int steps = 80;
   QlpvResponse worst{"", 0, kQlpvBand[0]};
   for (int k = 0; k <= steps; ++k) {
     const double omega = kQlpvBand[0] * std::pow(kQlpvBand[1] / kQlpvBand[0], static_cast<double>(k) / steps);
-    const std::complex<double> g = response(exact, {0, omega}, work.response);
-    const std::complex<double> h = response(interpolated, {0, omega}, work.response);
+    const std::complex<double> g = exact.at({0, omega});
+    const std::complex<double> h = interpolated.at({0, omega});
     const double error = std::abs(h - g) / std::abs(g);
     if (!(error <= worst.error)) worst = {"", error, omega};
   }
   return worst;
 }
 
+bool is_among(const int* list, int count, int wanted) {
+  return std::find(list, list + count, wanted) != list + count;
+}
+
+struct Roots {
+  VehicleModes<double> modes;
+  Eigensystem<double, kMaxVehicleStates> system;
+  int states;
+
+  Status find(const VehicleMatrices& model, Analyses& work) {
+    const Status status = vehicle_modes(model, work, modes);
+    system = vehicle_eigensystem(work);
+    states = model.shape.states;
+    return status;
+  }
+  // |left^H right| of a mode here and one there.
+  double product(int mode, const Roots& other, int of_other) const {
+    std::complex<double> sum = 0;
+    for (int k = 0; k < states; ++k) {
+      const auto w = left_entry(system, k, modes.mode[mode].eigenvalue);
+      const auto v = right_entry(other.system, k, other.modes.mode[of_other].eigenvalue);
+      sum += std::complex<double>(w.real, -w.imag) * std::complex<double>(v.real, v.imag);
+    }
+    return std::abs(sum);
+  }
+  // overlap() of modes; none of a pair with a real root.
+  double likeness(int mode, const Roots& other, int of_other) const {
+    if ((modes.mode[mode].imag > 0) != (other.modes.mode[of_other].imag > 0)) return 0;
+    const double own = product(mode, *this, mode) * other.product(of_other, other, of_other);
+    return own > 0 ? product(mode, other, of_other) * other.product(of_other, *this, mode) / own : 0;
+  }
+};
+
+// Which of `other` continues each mode, -1 for none: more than half like it, the surest first, as follow().
+std::vector<int> continued_by(const Roots& found, const Roots& other) {
+  std::vector<int> by(static_cast<std::size_t>(found.modes.count), -1);
+  std::vector<bool> used(static_cast<std::size_t>(other.modes.count), false);
+  for (int round = 0; round < found.modes.count; ++round) {
+    double best = 0.5;
+    std::size_t from = 0, to = used.size();
+    for (std::size_t i = 0; i < by.size(); ++i)
+      for (std::size_t k = 0; k < used.size(); ++k) {
+        if (by[i] >= 0 || used[k]) continue;
+        const double likeness = found.likeness(static_cast<int>(i), other, static_cast<int>(k));
+        if (likeness <= best) continue;
+        best = likeness;
+        from = i;
+        to = k;
+      }
+    if (to == used.size()) break;
+    by[from] = static_cast<int>(to);
+    used[to] = true;
+  }
+  return by;
+}
+
 }  // namespace
 
 double QlpvRoot::error() const { return std::abs(interpolated - exact) / std::abs(exact); }
 
-LinearModel<double> mean_model(const std::vector<const LinearModel<double>*>& corners) {
-  LinearModel<double> mean = *corners.front();
+std::unique_ptr<VehicleMatrices> mean_model(const std::vector<const VehicleMatrices*>& corners) {
+  auto mean = std::make_unique<VehicleMatrices>(*corners.front());
   const double share = 1 / static_cast<double>(corners.size());
   const auto average = [&](auto&& entry_of) {
     double sum = 0;
-    for (const LinearModel<double>* corner : corners) sum += entry_of(*corner);
+    for (const VehicleMatrices* corner : corners) sum += entry_of(*corner);
     return share * sum;
   };
-  for (int i = 0; i < mean.states; ++i) {
-    for (int j = 0; j < mean.states; ++j)
-      mean.a(i, j) = average([&](const LinearModel<double>& m) { return m.a(i, j); });
-    for (int j = 0; j < mean.controls; ++j)
-      mean.b(i, j) = average([&](const LinearModel<double>& m) { return m.b(i, j); });
-    mean.x[i] = average([i](const LinearModel<double>& m) { return m.x[i]; });
+  for (int i = 0; i < mean->shape.states; ++i) {
+    for (int j = 0; j < mean->shape.states; ++j)
+      mean->a(i, j) = average([&](const VehicleMatrices& m) { return m.a(i, j); });
+    for (int j = 0; j < mean->shape.inputs; ++j)
+      mean->b(i, j) = average([&](const VehicleMatrices& m) { return m.b(i, j); });
   }
-  for (int j = 0; j < mean.controls; ++j)
-    mean.u[j] = average([j](const LinearModel<double>& m) { return m.u[j]; });
   return mean;
 }
 
-Status qlpv_errors(const LinearModel<double>& exact, const LinearModel<double>& interpolated,
+Status qlpv_errors(const VehicleMatrices& exact, const VehicleMatrices& interpolated, Analyses& work,
                    QlpvErrors& out) {
   out = {};
-  const auto work = std::make_unique<ModesWorkspace<double>>();
-  const auto found = std::make_unique<ModeSet<double>>();
-  const auto other = std::make_unique<ModeSet<double>>();
-  Status status = modes(exact, *work, *found);
-  if (status == Status::ok) status = modes(interpolated, *work, *other);
-  if (status == Status::ok) status = follow(*found, *other);
+  const auto found = std::make_unique<Roots>();
+  const auto other = std::make_unique<Roots>();
+  Status status = found->find(exact, work);
+  if (status == Status::ok) status = other->find(interpolated, work);
   if (status != Status::ok) return status;
   constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
-  for (int i = 0; i < found->count; ++i) {
-    const Mode<double>& m = found->mode[i];
-    QlpvRoot root{axis_word(m.axis), m.name, {m.real, m.imag}, {nothing, nothing}};
-    for (int k = 0; k < other->count; ++k)
-      if (other->mode[k].branch == m.branch) root.interpolated = {other->mode[k].real, other->mode[k].imag};
+  const std::vector<int> by = continued_by(*found, *other);
+  for (int i = 0; i < found->modes.count; ++i) {
+    const VehicleMode<double>& m = found->modes.mode[i];
+    QlpvRoot root{m.is_system ? "system" : axis_word(m.axis), m.name, {m.real, m.imag}, {nothing, nothing}};
+    const int k = by[static_cast<std::size_t>(i)];
+    if (k >= 0) root.interpolated = {other->modes.mode[k].real, other->modes.mode[k].imag};
     out.roots.push_back(root);
   }
 
-  const auto channels = std::make_unique<Channels>();
-  const auto g = std::make_unique<VehicleTransfer<double>>();
-  const auto h = std::make_unique<VehicleTransfer<double>>();
-  const int pairs[][2] = {{kControlIndex.collective, kStateIndex.velocity.z},
-                          {kControlIndex.long_stick, kStateIndex.rates.y},
-                          {kControlIndex.lat_stick, kStateIndex.rates.x},
-                          {kControlIndex.pedal, kStateIndex.rates.z}};
-  for (const auto& [control, state] : pairs) {
-    const int row = place_of(exact.state, exact.states, state);
-    const int column = place_of(exact.control, exact.controls, control);
-    if (row < 0 || column < 0) continue;
-    status = transfer_of(exact, row, column, *channels, *g);
-    if (status == Status::ok) status = transfer_of(interpolated, row, column, *channels, *h);
+  const VehicleShape& shape = exact.shape;
+  const int throttle = control_count + kCommandIndex.throttle[right];
+  const bool is_ideal = is_among(shape.input, shape.inputs, throttle) &&
+                        !is_among(shape.state, shape.states, state_count + kSystemIndex.rotor_speed);
+  const ChannelChoice pairs[] = {{kStateIndex.velocity.z, is_ideal ? throttle : kControlIndex.collective},
+                                 {kStateIndex.rates.y, kControlIndex.long_stick},
+                                 {kStateIndex.rates.x, kControlIndex.lat_stick},
+                                 {kStateIndex.rates.z, kControlIndex.pedal},
+                                 {state_count + kSystemIndex.rotor_speed, throttle}};
+  TransferOf g, h;
+  for (const ChannelChoice& pair : pairs) {
+    if (!is_among(shape.state, shape.states, pair.output)) continue;
+    if (!is_among(shape.input, shape.inputs, pair.input)) continue;
+    status = g.find(exact, pair);
+    if (status == Status::ok) status = h.find(interpolated, pair);
     if (status != Status::ok) return status;
-    QlpvResponse worst = response_error(*g, *h, *channels);
-    worst.name = std::string(exact.control_name(column)) + ">" + exact.state_name(row);
+    QlpvResponse worst = response_error(g, h);
+    worst.name = std::string(vehicle_input(pair.input).name) + ">" + vehicle_variable(pair.output).name;
     out.responses.push_back(worst);
   }
   return Status::ok;

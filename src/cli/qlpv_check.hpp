@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "cli/qlpv_grid.hpp"
-#include "tiltrotor/analysis/linear/modes.hpp"
 
 namespace tiltrotor::cli {
 
@@ -18,7 +17,8 @@ struct QlpvRoot {
   double error() const;  // of the distance, over the size of the exact one
 };
 
-// A response: of an inceptor to the motion that it is there for.
+// A response: of an inceptor to the motion that it is there for, of a throttle to the rotor speed where that is a state.
+// An ideal governor takes back the collective at once: there the throttle makes the motion.
 struct QlpvResponse {
   std::string name;  // "long_stick>q"
   double error;      // largest |G' - G| / |G| over the band, G' the interpolated
@@ -32,10 +32,10 @@ struct QlpvErrors {
 };
 
 // Mean of models with the same rows and columns.
-LinearModel<double> mean_model(const std::vector<const LinearModel<double>*>& corners);
+std::unique_ptr<VehicleMatrices> mean_model(const std::vector<const VehicleMatrices*>& corners);
 
-// Status: those of modes() and transfer_function().
-Status qlpv_errors(const LinearModel<double>& exact, const LinearModel<double>& interpolated,
+// Status: those of vehicle_modes() and transfer_function().
+Status qlpv_errors(const VehicleMatrices& exact, const VehicleMatrices& interpolated, Analyses& work,
                    QlpvErrors& out);
 
 }  // namespace tiltrotor::cli

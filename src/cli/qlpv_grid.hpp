@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "cli/linear_options.hpp"
+#include "cli/shown_model.hpp"
 #include "cli/trimmed_flights.hpp"
 
 namespace tiltrotor::cli {
@@ -19,8 +20,8 @@ using SchedulingPoint = double[kSchedulingVariables];
 // A trimmed flight with its model; `status` is that of the trim or, where the model failed, the model's.
 struct QlpvPoint {
   std::unique_ptr<TrimmedFlight> flight;
-  std::unique_ptr<LinearModel<double>> model;
-  std::unique_ptr<OutputMatrices> outputs;  // of a model that is not reduced
+  std::unique_ptr<VehicleMatrices> model;  // of the airframe, governor and augmentation with it
+  ShownModel shown;                        // with its outputs
   bool valid;
   std::string status;
   std::string explanation;  // of what is not `ok`
@@ -40,15 +41,15 @@ class QlpvGrid {
   void place_cell(std::size_t number, SchedulingPoint& centre, std::vector<std::size_t>& corners) const;
 
   QlpvPoint find(const SchedulingPoint& at, Analyses& work) const;
-  // States, controls and, where it is not reduced, outputs of every model.
-  const ControlSet& controls() const { return controls_; }
-  bool reduced() const { return reduced_; }
-  const Options& switches() const { return setup_.switches(); }
+  // Names of rows and columns, whatever the flight.
+  ShownModel names() const;
   const char* reduce_word() const { return cli::reduce_word(reduced_, order_); }
+  const char* scas_word() const { return scas_ ? "on" : "off"; }
   std::string where(const SchedulingPoint& at) const;
 
  private:
   Status find_model(QlpvPoint& point, Analyses& work) const;
+  Status find_airframe_model(QlpvPoint& point, Analyses& work) const;
 
   std::string command_;
   SetupOptions setup_;
@@ -56,6 +57,7 @@ class QlpvGrid {
   bool reduced_;
   Reduction order_;
   ControlSet controls_;
+  bool scas_;
   std::vector<double> axis_[kSchedulingVariables];
 };
 

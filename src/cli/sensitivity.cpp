@@ -1,6 +1,7 @@
 #include "cli/sensitivity.hpp"
 
 #include "cli/governed.hpp"
+#include "cli/wind_trim.hpp"
 #include "tiltrotor/analysis/linear/model_motion.hpp"
 
 namespace tiltrotor::cli {
@@ -70,6 +71,11 @@ Numbers one_sided_slopes(At&& at, double h) {
   return out;
 }
 
+// The wind of a flight from its azimuth, at the speed, climb and turn of another.
+study::Track track_of(const TrimmedFlight& flight, const SteadyFlight<double>& other) {
+  return track_in_wind(other, *flight.azimuth_deg * kRadPerDeg<double>);
+}
+
 // A group of numbers times a factor.
 template <class Shape>
 void scale(double by, Shape& s) {
@@ -115,7 +121,10 @@ Status Sensitivity::begin(const TrimmedFlight& flight, Analyses& work) {
   const State<double>& x = flight.trim.state;
   const Controls<double>& u = flight.trim.controls;
   Status status = linearize(c, x, u, kInceptors, work, m.model);
-  if (status == Status::ok) status = prepare_trim_motion(c, flight.flight, x, m.model, m.trims);
+  if (status == Status::ok)
+    status = flight.azimuth_deg
+                 ? prepare_motion(c, study::TrackMotion{track_of(flight, flight.flight)}, x, m.model, m.trims)
+                 : prepare_trim_motion(c, flight.flight, x, m.model, m.trims);
   if (status == Status::ok && !systems_.any()) status = modes(m.model, m.modes, m.set);
   if (status == Status::ok && systems_.any()) {
     status = linearize_governed(c, x, u, ControlSet{}, work, m.matrices, systems_.scas);
@@ -195,7 +204,10 @@ State<double> Sensitivity::set_by_flight(const SensitivityParameter& p) const {
   SteadyFlight<double> unit = flight_->flight;
   unit.*p.held = 1;
   State<double> direct{};
-  if (p.held == &SteadyFlight<double>::speed) direct.velocity = steady_velocity(unit, x.roll, x.pitch);
+  if (p.held == &SteadyFlight<double>::speed)
+    direct.velocity = flight_->azimuth_deg
+                          ? study::TrackMotion{track_of(*flight_, unit)}.velocity(x.roll, x.pitch)
+                          : steady_velocity(unit, x.roll, x.pitch);
   if (p.held == &SteadyFlight<double>::turn_rate) direct.rates = steady_rates(unit, x.roll, x.pitch);
   return direct;
 }

@@ -34,6 +34,10 @@ void ShownModel::add_output(const NamedOutput& which, const VehicleOutputs& foun
   named_.push_back(which);
   add(found, row);
 }
+void ShownModel::add_output(const NamedOutput& which, const VehicleRows& found, int row) {
+  named_.push_back(which);
+  add(found, row);
+}
 
 template <class Outputs>
 void ShownModel::add(const Outputs& found, int row) {
@@ -43,7 +47,7 @@ void ShownModel::add(const Outputs& found, int row) {
   const auto control_size = [&](int j) { return control(j).facts().bend; };
   for (int j = 0; j < states; ++j) terms += std::abs(found.c(row, j)) * state_size(j);
   for (int j = 0; j < controls; ++j) terms += std::abs(found.d(row, j)) * control_size(j);
-  y.push_back(without_rounding(found.y[row], point_terms));
+  y.push_back(without_rounding(found.y[static_cast<std::size_t>(row)], point_terms));
   for (int j = 0; j < states; ++j) c_.push_back(without_rounding(found.c(row, j), terms / state_size(j)));
   for (int j = 0; j < controls; ++j) d_.push_back(without_rounding(found.d(row, j), terms / control_size(j)));
   ++outputs;

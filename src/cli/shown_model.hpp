@@ -23,6 +23,7 @@ class ShownModel {
   // One more, of a row there.
   void add_output(const NamedOutput& which, const OutputMatrices& found, int row);
   void add_output(const NamedOutput& which, const VehicleOutputs& found, int row);
+  void add_output(const NamedOutput& which, const VehicleRows& found, int row);
 
   int states = 0, controls = 0, outputs = 0;
   std::vector<double> x, u, y;

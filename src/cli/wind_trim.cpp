@@ -2,8 +2,6 @@
 
 #include <cmath>
 
-#include "study/sideward_flight.hpp"
-
 namespace tiltrotor::cli {
 
 namespace {
@@ -44,19 +42,22 @@ void describe(const Configuration<double>& c, const State<double>& x, const Cont
 
 }  // namespace
 
+study::Track track_in_wind(const SteadyFlight<double>& flight, double azimuth) {
+  return {flight.speed * std::cos(flight.climb), std::remainder(azimuth, 2 * kPi<double>),
+          -flight.speed * std::sin(flight.climb), flight.turn_rate};
+}
+
 void trim_in_wind(const Configuration<double>& c, const SteadyFlight<double>& flight, double azimuth,
                   Analyses& work, TrimResult<double>& result) {
   SteadyFlight<double> ahead = flight;
   ahead.sideslip = 0;
-  const double angle = std::remainder(azimuth, 2 * kPi<double>);
   const bool at_rest = flight.speed < kLeastSpeed<double>;
   // Also where the flight cannot be asked for.
   if (trim(c, ahead, work, result) == TrimStatus::out_of_range || at_rest || is_vertical(ahead)) return;
   const TrimResult<double> straight = result;
-  study::Track track{flight.speed * std::cos(flight.climb), angle, -flight.speed * std::sin(flight.climb),
-                     flight.turn_rate};
+  const study::Track track = track_in_wind(flight, azimuth);
   study::SidewardFlight found{};
-  const bool turns_aside = is_trimmed(straight.status) && std::fabs(angle) <= widest_sideslip;
+  const bool turns_aside = is_trimmed(straight.status) && std::fabs(track.azimuth) <= widest_sideslip;
   if (turns_aside) found = study::flight_aside(c, track, {true, straight.state, straight.controls});
   if (!found.found) found = study::flight_along(c, track);
   result = TrimResult<double>{};

@@ -2,8 +2,12 @@
 #pragma once
 
 #include "library/analyses.hpp"
+#include "study/sideward_flight.hpp"
 
 namespace tiltrotor::cli {
+
+// Level with the ground.
+study::Track track_in_wind(const SteadyFlight<double>& flight, double azimuth);
 
 // Level with the ground, the wind comes from `azimuth`, rad, + right of the nose; speed, climb and turn are those of
 // `flight`, its sideslip is not looked at. Newton's iteration on the exact linear model, in stages from hover, or from

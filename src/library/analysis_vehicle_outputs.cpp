@@ -1,5 +1,7 @@
 #include "library/vehicle_outputs.hpp"
 
+#include <memory>
+
 #include "tiltrotor/analysis/flight/vehicle_readings.hpp"
 
 namespace tiltrotor {
@@ -39,6 +41,22 @@ Status linearize_vehicle_outputs(const SystemFlight<double>& flight, const Confi
   set_zero(found.d);
   return linearize_vehicle_outputs(
       flight.vehicle, put, x, flight.state, u, shape, found.work,
+      [&found](int i, int j, double slope) { found.c(i, j) = slope; },
+      [&found](int i, int j, double slope) { found.d(i, j) = slope; }, azimuth);
+}
+
+Status linearize_vehicle_rows(const SystemFlight<double>& flight, const Configuration<double>& c,
+                              const State<double>& x, const Controls<double>& u, const VehicleShape& shape,
+                              int rows, const VehicleRead& read, VehicleRows& found, double azimuth) {
+  Configuration<double> put = in_its_air(flight, c, x, u);
+  const auto work = std::make_unique<VehicleDirectionWorkspace<double>>();
+  found.outputs = rows;
+  for (VehicleRows::Rows* matrix : {&found.c, &found.d})
+    matrix->entry.assign(static_cast<std::size_t>(rows) * static_cast<std::size_t>(matrix->width), 0);
+  std::vector<VehicleDirectionWorkspace<double>::T> y(static_cast<std::size_t>(rows));
+  return linearize_vehicle_rows(
+      flight.vehicle, put, x, flight.state, u, shape, *work, rows, y.data(),
+      [&](VehicleDirectionWorkspace<double>::T* to) { read(*work, to); },
       [&found](int i, int j, double slope) { found.c(i, j) = slope; },
       [&found](int i, int j, double slope) { found.d(i, j) = slope; }, azimuth);
 }

@@ -16,14 +16,7 @@ constexpr double kAzimuthStep = 10 * kRadPerDeg<double>;
 constexpr int kIterations = 12;  // of a stage
 constexpr double kAtRest = 1e-9;
 
-// A vector of axes level with the ground, in body axes.
-Vec3<double> in_body_axes(const Vec3<double>& v, double roll, double pitch) {
-  const double down = v.x * std::sin(pitch) + v.z * std::cos(pitch);
-  return {v.x * std::cos(pitch) - v.z * std::sin(pitch), down * std::sin(roll) + v.y * std::cos(roll),
-          down * std::cos(roll) - v.y * std::sin(roll)};
-}
-
-// Its derivatives by the angles.
+// Derivatives of a vector fixed to axes level with the ground by the angles.
 Vec3<double> by_roll(const Vec3<double>& in_body) { return {0, in_body.z, -in_body.y}; }
 Vec3<double> by_pitch(const Vec3<double>& in_body, double roll) {
   const double down = in_body.y * std::sin(roll) + in_body.z * std::cos(roll);
@@ -65,10 +58,9 @@ void each_unknown(const Linear& m, SidewardFlight& f, Visit&& visit) {
 // NaN when the equations are singular.
 double newton_step(const Configured& c, const Track& track, SidewardFlight& f) {
   const double roll = f.state.roll, pitch = f.state.pitch;
-  const Vec3<double> level{track.speed * std::cos(track.azimuth), track.speed * std::sin(track.azimuth),
-                           track.down};
-  f.state.velocity = in_body_axes(level, roll, pitch);
-  f.state.rates = in_body_axes({0, 0, track.turn_rate}, roll, pitch);
+  const TrackMotion motion{track};
+  f.state.velocity = motion.velocity(roll, pitch);
+  f.state.rates = motion.rates(roll, pitch);
   const Linear m = linear_model(c, f.state, f.controls, kInceptors);
   const Vec3<double> velocity_by_pitch = by_pitch(f.state.velocity, roll);
   const Vec3<double> rates_by_pitch = by_pitch(f.state.rates, roll);

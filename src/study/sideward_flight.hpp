@@ -2,6 +2,8 @@
 // (sideslip within 60 deg).
 #pragma once
 
+#include <cmath>
+
 #include "study/flights.hpp"
 
 namespace tiltrotor::study {
@@ -18,6 +20,30 @@ struct SidewardFlight {
 // m/s; rate of turn, rad/s, + right.
 struct Track {
   double speed, azimuth, down, turn_rate;
+};
+
+// A vector of axes level with the ground and turned with the heading, in body axes.
+template <class T>
+Vec3<T> in_body_axes(const Vec3<double>& v, const T& roll, const T& pitch) {
+  const T down = v.x * sin(pitch) + v.z * cos(pitch);
+  return {v.x * cos(pitch) - v.z * sin(pitch), down * sin(roll) + v.y * cos(roll),
+          down * cos(roll) - v.y * sin(roll)};
+}
+
+// Along a track, as SteadyMotion.
+struct TrackMotion {
+  Track track;
+
+  template <class T>
+  Vec3<T> velocity(const T& roll, const T& pitch) const {
+    const Vec3<double> level{track.speed * std::cos(track.azimuth), track.speed * std::sin(track.azimuth),
+                             track.down};
+    return in_body_axes(level, roll, pitch);
+  }
+  template <class T>
+  Vec3<T> rates(const T& roll, const T& pitch) const {
+    return in_body_axes({0, 0, track.turn_rate}, roll, pitch);
+  }
 };
 
 // From hover towards the track. Newton's iteration on the exact linear model.

@@ -207,18 +207,29 @@ TEST_OF_XV15(cli_feedback_is_in_bode_and_qualities) {
   }
 }
 
-// Of y = C x + D u one input that reads one output: u = (v - k C x) / (1 + k D).
+// Of y = C x + D u one input that reads one output: u = (v - k C x) / (1 + k D), throttles among the v that D sees: an ideal
+// governor answers them at once, and the torque of a mast speeds its rotor up.
 TEST_OF_XV15(cli_feedback_of_outputs_is_exact) {
   const check::ScratchFolder folder;
-  const ExportedModel open(kFlight);
-  const std::size_t n = open.n(), m = open.m(), stick = ExportedModel::place(open.controls, "long_stick");
-  for (const char* const name : {"load_factor", "specific_force_x", "airspeed", "elevator"}) {
-    const std::size_t y = ExportedModel::place(open.outputs, name);
-    const double k = std::string(name) == "load_factor" ? 3 : 0.4,
-                 share = 1 / (1 + k * open.d[y * m + stick]);
-    const std::string gain = std::to_string(k);
+  struct Loop {
+    const char *option, *reading, *gain;
+    bool sees_throttle;
+  };
+  for (const Loop& loop : {Loop{"", "load_factor", "3", false}, Loop{"", "specific_force_x", "0.4", false},
+                           Loop{"", "airspeed", "0.4", false}, Loop{"", "elevator", "0.4", false},
+                           Loop{"--option governor=ideal ", "load_factor", "3", true},
+                           Loop{"--option governor=ideal ", "specific_force_x", "0.4", true},
+                           Loop{"--option governor=pi ", "load_factor", "3", false},
+                           Loop{"--option governor=pi ", "torque_right", "1e-4", true}}) {
+    const std::string flight = kFlight + loop.option;
+    const ExportedModel open(flight);
+    const std::size_t n = open.n(), m = open.m(), stick = ExportedModel::place(open.controls, "long_stick");
+    const std::size_t y = ExportedModel::place(open.outputs, loop.reading);
+    const double k = std::atof(loop.gain), share = 1 / (1 + k * open.d[y * m + stick]);
+    CHECK_EQ(std::fabs(k * open.d[y * m + m - 1]) > 1e-3, loop.sees_throttle);
     const ExportedModel closed(
-        kFlight + law(folder, "law.csv", "input," + std::string(name) + "\nlong_stick," + gain + "\n"));
+        flight +
+        law(folder, "law.csv", std::string("input,") + loop.reading + "\nlong_stick," + loop.gain + "\n"));
     Numbers a = open.a, b = open.b, c = open.c, d = open.d;
     const auto close = [&](Numbers& rows, Numbers& columns) {
       for (std::size_t i = 0; i < rows.size() / n; ++i) {

@@ -21,8 +21,9 @@ using check::run_tiltrotor;
 
 namespace {
 
-// Pitching moment against vertical speed, rotors and wash following, at the trim of these tables.
-double moment_by_w(const Aircraft<double>& aircraft, Interpolation tables, double mast_deg, double speed) {
+// A stability derivative, "M_w", rotors and wash following, at the trim of these tables.
+double derivative_of(const std::string& name, const Aircraft<double>& aircraft, Interpolation tables,
+                     double mast_deg, double speed) {
   static const cli::AnalysesWorkspace work;
   FlightSetup<double> setup = flight_setup(aircraft, mast_deg);
   setup.options.tables = tables;
@@ -33,12 +34,18 @@ double moment_by_w(const Aircraft<double>& aircraft, Interpolation tables, doubl
   CHECK(is_trimmed(trim(*c, {speed, 0, 0, 0}, *work, *trimmed)));
   CHECK(linearize(*c, trimmed->state, trimmed->controls, kInceptors, *work, *model) == Status::ok);
   CHECK(cli::reduce_to_rigid(*model, Reduction::first_order) == Status::ok);
-  int q = 0, w = 0;
-  for (int i = 0; i < model->states; ++i) {
-    if (model->state[i] == kStateIndex.rates.y) q = i;
-    if (model->state[i] == kStateIndex.velocity.z) w = i;
-  }
-  return model->a(q, w);
+  const State<int>& at = kStateIndex;
+  const int places[] = {at.velocity.x, at.velocity.y, at.velocity.z, at.rates.x, at.rates.y, at.rates.z};
+  const int row = places[std::string("XYZLMN").find(name.front())];
+  const int column = places[std::string("uvwpqr").find(name.back())];
+  double found = NAN;
+  for (int i = 0; i < model->states; ++i)
+    for (int j = 0; j < model->states; ++j)
+      if (model->state[i] == row && model->state[j] == column) found = model->a(i, j);
+  return found;
+}
+double moment_by_w(const Aircraft<double>& aircraft, Interpolation tables, double mast_deg, double speed) {
+  return derivative_of("M_w", aircraft, tables, mast_deg, speed);
 }
 
 std::size_t row_of(const CsvText& rows, const std::string& derivative) {
@@ -92,6 +99,41 @@ TEST_OF_XV15(cli_interpolation_shows_the_models_of_linearize) {
   CHECK_REL(rows.number(i, "linear"), moment_by_w(aircraft_data<double>(), Interpolation::linear, 30, 46),
             1e-9);
   CHECK_REL(rows.number(i, "c2"), moment_by_w(c2_aircraft_data(), Interpolation::c1, 30, 46), 1e-9);
+}
+
+// Shares of data, band and print from models of five aircraft, each prepared, trimmed and linearised here: the three
+// kinds of tables, and the aircraft of two draws of the print.
+TEST_OF_XV15(cli_interpolation_shares_are_those_of_five_aircraft) {
+  constexpr double mast = 30, speed = 46;
+  const CsvText rows(run_tiltrotor("interpolation --mast 30 --speed 46 --draws 2 --format csv").out);
+  for (const std::string name : {"X_u", "Z_w", "M_w", "M_q", "L_v", "L_p", "N_v"}) {
+    const double c1 = derivative_of(name, aircraft_data<double>(), Interpolation::c1, mast, speed);
+    const double linear = derivative_of(name, aircraft_data<double>(), Interpolation::linear, mast, speed);
+    const double c2 = derivative_of(name, c2_aircraft_data(), Interpolation::c1, mast, speed);
+    double squares = 0;
+    for (const std::uint64_t number : {0, 1}) {
+      cli::PrintRounding rounding;
+      Aircraft<double> drawn = aircraft_data<double>();
+      rounding.draw(number, drawn);
+      squares += std::pow(derivative_of(name, drawn, Interpolation::c1, mast, speed) - c1, 2);
+    }
+    const double print = std::sqrt(squares / 2);
+    const double band = std::max(c1, std::max(linear, c2)) - std::min(c1, std::min(linear, c2));
+    const double whole = std::fabs(c1) + band + print;
+    CHECK(print > 1e-5 * whole && band > 1e-4 * whole);
+    const std::size_t i = row_of(rows, name);
+    const struct {
+      const char* column;
+      double expected;
+    } columns[] = {{"interpolation_band", band},
+                   {"rounding", print},
+                   {"data_percent", 100 * std::fabs(c1) / whole},
+                   {"interpolation_percent", 100 * band / whole},
+                   {"rounding_percent", 100 * print / whole}};
+    for (const auto& column : columns)
+      if (!CHECK_REL(rows.number(i, column.column), column.expected, 1e-6))
+        NOTE(name << " " << column.column);
+  }
 }
 
 TEST(cli_interpolation_refuses_a_kind_of_tables) {

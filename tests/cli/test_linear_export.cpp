@@ -68,7 +68,7 @@ TEST_OF_XV15(cli_linearize_json_tells_every_setting) {
        {"\"mast_deg\": 60,", "\"flap_deg\": 20,", "\"rotor_rpm\": 560,", "\"mass_kg\": 5500,",
         "\"cg_sl_in\": 300,", "\"altitude_m\": 1500,", "\"climb_deg\": 3,", "\"sideslip_deg\": 0,",
         "\"turn_rate_degps\": 0,", "\"tables\": \"c1\"", "\"grid\": \"realtime\"",
-        "\"wake\": \"gtrs_empirical\"", "\"governor\": \"off\"", "\"reduce\": \"none\"",
+        "\"wake\": \"gtrs_empirical\"", "\"governor\": \"off\"", "\"reduce\": \"none\"", "\"scas\": \"off\"",
         "\"version\": ", "\"commit\": \"", "\"derivatives\": \"automatic\""})
     if (!CHECK(contains(json, told))) NOTE(told);
   // As many switches as the help lists, those that stand for several others aside, and the reduction.

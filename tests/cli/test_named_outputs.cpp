@@ -1,5 +1,5 @@
 // Load factors at stations and loads of components as outputs by name.
-// Expected: complex steps of the model, the load factor from the motion of the station instead of the loads; the rows of
+// Expected: complex steps of the model with its governor, the load factor from the motion of the station instead of the loads; the rows of
 // `loads`; instruments that read the same.
 #include <algorithm>
 #include <cmath>
@@ -11,6 +11,8 @@
 #include "cli/airframe_outputs.hpp"
 #include "cli/csv_text.hpp"
 #include "cli/exported_model.hpp"
+#include "cli/feedback_law.hpp"
+#include "cli/governed.hpp"
 #include "cli/named_outputs.hpp"
 #include "cli/scratch_folder.hpp"
 #include "run_program.hpp"
@@ -29,9 +31,9 @@ using Complex = std::complex<double>;
 
 // From what the body does: v' + w x v less gravity, and the arm's part.
 template <class T>
-T load_factor_by_motion(const Configuration<double>& c, const State<T>& x, const State<T>& rates,
+T load_factor_by_motion(const Configuration<T>& c, const State<T>& x, const State<T>& rates,
                         const double (&station)[3], int axis) {
-  const double arm[3] = {c.mass.sl_cg - station[0], station[1], c.mass.wl_cg - station[2]};
+  const T arm[3] = {c.mass.sl_cg - station[0], T(station[1]), c.mass.wl_cg - station[2]};
   const T v[3] = {x.velocity.x, x.velocity.y, x.velocity.z};
   const T w[3] = {x.rates.x, x.rates.y, x.rates.z};
   const T dv[3] = {rates.velocity.x, rates.velocity.y, rates.velocity.z};
@@ -47,27 +49,64 @@ T load_factor_by_motion(const Configuration<double>& c, const State<T>& x, const
   return (axis == 2 ? -1.0 : 1.0) * (felt / kGravity<double> - down[axis]);
 }
 
-template <class T>
-T output_of(const Configuration<double>& c, const State<T>& x, const Controls<T>& u,
-            const AirframeOutput& o) {
-  const auto now = std::make_unique<Evaluation<T>>();
-  evaluate_aircraft(c, x, u, *now);
-  if (o.kind == AirframeOutput::Kind::load_factor)
-    return load_factor_by_motion(c, x, now->rates, o.station, o.axis);
-  Loads<T> sum{};
-  for (int k = 0; k < component_count; ++k)
-    if (o.component == k || o.component == component_count) sum = sum + now->loads.component[k];
-  const Vec3<T>& v = o.kind == AirframeOutput::Kind::force ? sum.force : sum.moment;
-  return o.axis == 0 ? v.x : o.axis == 1 ? v.y : v.z;
+// The aircraft with its governor at states and inputs of the shape's columns, changed by `step` in one of them.
+std::vector<Complex> outputs_of(const SystemFlight<double>& flight, const Configuration<double>& base,
+                                const State<double>& x, const Controls<double>& u, const VehicleShape& shape,
+                                int column, double step, const std::vector<AirframeOutput>& outputs) {
+  double flat[vehicle_state_count + vehicle_input_count];
+  Complex moved[vehicle_state_count + vehicle_input_count];
+  flatten(x, flat);
+  flatten(flight.state, flat + state_count);
+  flatten(u, flat + vehicle_state_count);
+  flatten(flight.vehicle.commands, flat + vehicle_state_count + control_count);
+  for (int i = 0; i < vehicle_state_count + vehicle_input_count; ++i) moved[i] = flat[i];
+  moved[column < shape.states ? shape.state[column]
+                              : vehicle_state_count + shape.input[column - shape.states]] += Complex(0, step);
+  struct Work {
+    State<Complex> x;
+    SystemState<Complex> s, rates;
+    Controls<Complex> u;
+    Commands<Complex> commands;
+    Configuration<Complex> c;
+    DerivativeSteps<Complex> steps;
+    AirframeDemand<Complex> demand;
+    AirframeAnswer<Complex> answer;
+    VehicleFlows<Complex> flows;
+    Evaluation<Complex> now;
+  };
+  const auto w = std::make_unique<Work>();
+  unflatten(moved, w->x);
+  unflatten(moved + state_count, w->s);
+  unflatten(moved + vehicle_state_count, w->u);
+  unflatten(moved + vehicle_state_count + control_count, w->commands);
+  moved_configuration<Complex>(base, nullptr, nullptr, 0, w->c);
+  vehicle_rates<Complex>(flight.vehicle, base, base.setup, w->c, w->x, w->s, w->commands, w->u,
+                         VehicleAirframe<Complex>{w->c, w->x, w->steps, 0.0}, w->demand, w->answer, w->flows,
+                         w->rates);
+  evaluate_aircraft(w->c, w->x, w->demand.controls, w->now);
+  std::vector<Complex> y;
+  for (const AirframeOutput& o : outputs) {
+    if (o.kind == AirframeOutput::Kind::load_factor) {
+      y.push_back(load_factor_by_motion(w->c, w->x, w->answer.rates, o.station, o.axis));
+      continue;
+    }
+    Loads<Complex> sum{};
+    for (int k = 0; k < component_count; ++k)
+      if (o.component == k || o.component == component_count) sum = sum + w->now.loads.component[k];
+    const Vec3<Complex>& v = o.kind == AirframeOutput::Kind::force ? sum.force : sum.moment;
+    y.push_back(o.axis == 0 ? v.x : o.axis == 1 ? v.y : v.z);
+  }
+  return y;
 }
 
-}  // namespace
-
-TEST(cli_linearize_airframe_outputs_equal_complex_steps) {
-  const char* const names[] = {"nx@100/20/90",        "ny@250/-40/60",       "nz@100/20/90",
-                               "htail_moment_y",      "wing_free_force_z",   "rotor_left_force_x",
-                               "total_aero_moment_x", "engine_jets_force_x", "fin_right_moment_z"};
+void compare_with_complex_steps(const Options& options, bool scas = false) {
+  std::vector<AirframeOutput> outputs;
+  for (const char* const name :
+       {"nx@100/20/90", "ny@250/-40/60", "nz@100/20/90", "htail_moment_y", "wing_free_force_z",
+        "rotor_left_force_x", "total_aero_moment_x", "engine_jets_force_x", "fin_right_moment_z"})
+    outputs.push_back(cli::output_named(name, "")->output);
   FlightSetup<double> setup = flight_setup(aircraft_data<double>(), 40.0);
+  setup.options = options;
   setup.options.grid = BladeGrid::realtime;
   setup.options.engine_jets = true;
   const auto c = std::make_unique<Configuration<double>>();
@@ -86,40 +125,80 @@ TEST(cli_linearize_airframe_outputs_equal_complex_steps) {
   Controls<double> u{};
   u.collective = 0.35;
   u.pedal = 0.4;
-  const auto found = std::make_unique<OutputMatrices>();
-  double worst = 0;
-  for (const char* name : names) {
-    const AirframeOutput output = cli::output_named(name, "")->output;
-    if (!CHECK(cli::linearize_airframe_output(*c, x, u, kAllControls, output, *found) == Status::ok)) return;
-    const double y = output_of(*c, x, u, output);
-    CHECK_REL(found->y[0], y, 1e-11);
-    const LinearPoint<double>& p = found->point;
-    double flat_x[state_count], flat_u[control_count];
-    flatten(x, flat_x);
-    flatten(u, flat_u);
-    double size = 0;
-    std::vector<double> exact, complex;
-    for (int j = 0; j < p.states + p.controls; j += 3) {
-      Complex cx[state_count], cu[control_count];
-      for (int i = 0; i < state_count; ++i) cx[i] = flat_x[i];
-      for (int i = 0; i < control_count; ++i) cu[i] = flat_u[i];
-      constexpr double step = 1e-30;
-      (j < p.states ? cx[p.state[j]] : cu[p.control[j - p.states]]) += Complex(0, step);
-      State<Complex> moved;
-      Controls<Complex> moved_u;
-      unflatten(cx, moved);
-      unflatten(cu, moved_u);
-      const double bend = j < p.states ? kStateVariables[p.state[j]].facts().bend
-                                       : kControlVariables[p.control[j - p.states]].facts().bend;
-      complex.push_back(output_of(*c, moved, moved_u, output).imag() / step * bend);
-      exact.push_back((j < p.states ? found->c(0, j) : found->d(0, j - p.states)) * bend);
-      size = std::max(size, std::fabs(complex.back()));
+  const SystemFlight<double> flight = governed(*c, x, u, scas);
+  CHECK(options.governor == Governor::off || flight.vehicle.commands.throttle[right] > 0.05);
+  const VehicleShape shape = cli::governed_shape(options, kAllControls, scas);
+  VehicleRows found;
+  if (!CHECK(cli::linearize_airframe_outputs(flight, *c, x, u, shape, outputs, found) == Status::ok)) return;
+  std::vector<double> size(outputs.size(), 0), error(outputs.size(), 0);
+  for (int j = 0; j < shape.states + shape.inputs; ++j) {
+    constexpr double step = 1e-30;
+    const std::vector<Complex> y = outputs_of(flight, *c, x, u, shape, j, step, outputs);
+    const bool is_state = j < shape.states;
+    const double bend = is_state ? vehicle_variable(shape.state[j]).facts().bend
+                                 : vehicle_input(shape.input[j - shape.states]).facts().bend;
+    for (std::size_t k = 0; k < outputs.size(); ++k) {
+      const int row = static_cast<int>(k);
+      CHECK_NEAR(found.y[k], y[k].real(), 1e-11 * std::fabs(y[k].real()));
+      const double slope = is_state ? found.c(row, j) : found.d(row, j - shape.states);
+      size[k] = std::max(size[k], std::fabs(y[k].imag() / step * bend));
+      error[k] = std::max(error[k], std::fabs((y[k].imag() / step - slope) * bend));
     }
-    for (std::size_t k = 0; k < exact.size(); ++k)
-      worst = std::max(worst, std::fabs(exact[k] - complex[k]) / size);
   }
+  double worst = 0;
+  for (std::size_t k = 0; k < outputs.size(); ++k) worst = std::max(worst, error[k] / size[k]);
   NOTE("largest difference " << worst << " of the row");
-  CHECK_LE(worst, 1e-11);
+  CHECK_LE(worst, 1e-10);
+}
+
+}  // namespace
+
+TEST(cli_linearize_airframe_outputs_equal_complex_steps) { compare_with_complex_steps(Options{}); }
+TEST(cli_linearize_governed_airframe_outputs_equal_complex_steps) {
+  Options options;
+  for (const Governor governor : {Governor::ideal, Governor::pi}) {
+    options.governor = governor;
+    compare_with_complex_steps(options);
+  }
+  options.interconnect = Interconnect::twists;
+  compare_with_complex_steps(options, true);
+  compare_with_complex_steps(Options{}, true);
+}
+
+// Of y = C x + D u one stick that reads one output: u = (v - k C x) / (1 + k D), with columns for the throttles behind it.
+// A load factor at the CG, which the law reads as well, closes as the instrument does.
+TEST(cli_linearize_closed_airframe_outputs_are_exact) {
+  const check::ScratchFolder folder;
+  const std::string chosen =
+      " --outputs specific_force_x,ny@250/-40/60,nz@100/20/90,htail_moment_y,"
+      "load_factor,rotor_left_force_x";
+  for (const char* const option :
+       {"", " --option governor=ideal", " --option governor=pi --scas on", " --scas on"}) {
+    const std::string flight = this_aircraft::flown("--mast 60 --speed 60 --grid realtime") + option + chosen;
+    const ExportedModel open(flight);
+    const std::size_t n = open.n(), m = open.m(), k = open.outputs.size();
+    const std::size_t stick = ExportedModel::place(open.controls, "long_stick"), y = 4;
+    const double gain = 3, share = 1 / (1 + gain * open.d[y * m + stick]);
+    const ExportedModel closed(flight + " " +
+                               check::law(folder, "law.csv", "input,load_factor,q\nlong_stick,3,-0.7\n"));
+    CHECK(closed.outputs == open.outputs && closed.y0 == open.y0 && closed.controls == open.controls);
+    CHECK(std::fabs(gain * open.d[y * m + stick]) > 1e-4);
+    const std::size_t q = ExportedModel::place(open.states, "q");
+    for (std::size_t i = 0; i < k; ++i) {
+      const double by_stick = open.d[i * m + stick];
+      double row = 0, wide = 0;
+      for (std::size_t j = 0; j < n; ++j) row = std::max(row, std::fabs(open.c[i * n + j]));
+      for (std::size_t v = 0; v < m; ++v) wide = std::max(wide, std::fabs(open.d[i * m + v]));
+      for (std::size_t j = 0; j < n; ++j) {
+        const double reads = gain * open.c[y * n + j] + (j == q ? -0.7 : 0);
+        CHECK_NEAR(closed.c[i * n + j], open.c[i * n + j] - by_stick * share * reads, 1e-11 * row);
+      }
+      for (std::size_t v = 0; v < m; ++v) {
+        const double by_other = v == stick ? share - 1 : -share * gain * open.d[y * m + v];
+        CHECK_NEAR(closed.d[i * m + v], open.d[i * m + v] + by_stick * by_other, 1e-11 * wide);
+      }
+    }
+  }
 }
 
 TEST(cli_linearize_airframe_outputs_are_those_of_loads_and_instruments) {
@@ -147,7 +226,10 @@ TEST(cli_linearize_airframe_outputs_are_reduced) {
   char at_cg[80];
   const auto& m = this_aircraft::numbers().mass;
   std::snprintf(at_cg, sizeof at_cg, "nz@%.17g/0/%.17g", m.sl_cg / 0.0254, m.wl_cg / 0.0254);
-  for (const char* order : {"none", "rigid", "quasi_steady"}) {
+  const check::ScratchFolder folder;
+  const std::string loop = " " + check::law(folder, "law.csv", "input,load_factor,q\nlong_stick,3,-0.7\n");
+  for (const std::string& order : {std::string("none"), std::string("rigid"), std::string("quasi_steady"),
+                                   "none" + loop, "rigid" + loop}) {
     const ExportedModel model(flight + " --reduce " + order + " --outputs specific_force_z," + at_cg);
     for (std::size_t j = 0; j < model.n(); ++j)
       CHECK_NEAR(model.c[model.n() + j], -model.c[j] / 9.80665, 1e-11 * (std::fabs(model.c[j]) + 1));
@@ -223,7 +305,6 @@ TEST(cli_bad_outputs_are_refused) {
   refused("linearize --outputs nz@1/2/99999", "-10000..10000");
   refused("linearize --outputs nq@1/2/3", "no output 'nq@1/2/3'");
   refused("linearize --outputs airspeed,airspeed", "airspeed stands there twice");
-  refused("linearize --outputs nz@1/2/3 --option governor=pi", "nz@1/2/3 is of the airframe alone");
   refused("trim --columns nz@1/2", "a station is SL/BL/WL in inches");
   refused("trim --columns pitch_deg,htail_force_w",
           "no column 'htail_force_w' (did you mean htail_force_x?)");

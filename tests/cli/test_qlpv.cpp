@@ -2,14 +2,18 @@
 // interpolation, which fall with the square of the distance.
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
 #include "check.hpp"
 #include "cli/csv_text.hpp"
+#include "cli/exported_model.hpp"
 #include "cli/json_grammar.hpp"
 #include "run_program.hpp"
 #include "this_aircraft.hpp"
+#include "tiltrotor/math/algebra/eigen.hpp"
 
 using check::CsvText;
+using check::ExportedModel;
 using this_aircraft::flown;
 
 namespace {
@@ -33,9 +37,10 @@ double error_of(const CsvText& rows, const std::string& name) {
 }  // namespace
 
 TEST(cli_qlpv_holds_the_models_of_linearize) {
-  for (const std::string reduce : {"none", "rigid"}) {
+  for (const std::string kind : {"--reduce none", "--reduce rigid", "--option governor=pi",
+                                 "--option governor=ideal --control-set all", "--scas on"}) {
     const std::string axes =
-        "--mast 80,90 --speed " + speed(85) + "," + speed(100) + " --altitude 0,300 --reduce " + reduce;
+        "--mast 80,90 --speed " + speed(85) + "," + speed(100) + " --altitude 0,300 " + kind;
     const std::string all = run_tiltrotor(grid + axes).out;
     CHECK(check::JsonGrammar::accepts(all));
     for (const char* mast : {"80", "90"})
@@ -43,13 +48,13 @@ TEST(cli_qlpv_holds_the_models_of_linearize) {
         for (const char* altitude : {"0", "300"}) {
           const std::string one =
               run_tiltrotor("linearize --grid realtime --flap 0 --format json --mast " + std::string(mast) +
-                            " --speed " + speed(mps) + " --altitude " + altitude + " --reduce " + reduce)
+                            " --speed " + speed(mps) + " --altitude " + altitude + " " + kind)
                   .out;
           const std::size_t matrices = one.find("\"x0\""), names = one.find("\"states\": [");
           CHECK(matrices != std::string::npos && names < matrices);
           const std::string model = one.substr(matrices, one.rfind("\n}") - matrices);
           CHECK(all.find(model) != std::string::npos);
-          if (reduce == "rigid") CHECK(all.find(one.substr(names, matrices - names)) != std::string::npos);
+          CHECK(all.find(one.substr(names, matrices - names - 2)) != std::string::npos);
         }
     const auto count = [&all](const std::string& word) {
       std::size_t found = 0;
@@ -78,9 +83,11 @@ TEST(cli_qlpv_says_which_points_have_no_trim) {
 }
 
 TEST(cli_qlpv_shards_join_to_the_whole) {
-  for (const std::string& show : {std::string("model"), std::string("check --format csv")}) {
-    const std::string axes = grid + "--show " + show + " --reduce rigid --mast 80,85,90 --speed " +
-                             speed(90) + "," + speed(100) + " --altitude 0,300";
+  for (const std::string& show :
+       {std::string("model --reduce rigid"), std::string("check --format csv --reduce rigid"),
+        std::string("check --format csv --option governor=pi")}) {
+    const std::string axes = grid + "--show " + show + " --mast 80,85,90 --speed " + speed(90) + "," +
+                             speed(100) + " --altitude 0,300";
     const std::string whole = run_tiltrotor(axes).out;
     std::string joined;
     for (const char* shard : {"1/5", "2/5", "3/5", "4/5", "5/5"})
@@ -90,29 +97,70 @@ TEST(cli_qlpv_shards_join_to_the_whole) {
 }
 
 TEST_OF_XV15(cli_qlpv_check_compares_with_the_modes_at_the_centre) {
-  const CsvText found = check_of("--mast 90 --speed " + speed(90) + "," + speed(110));
-  const CsvText modes = CsvText(
-      run_tiltrotor("modes --grid realtime --flap 0 --format csv --mast 90 --speed " + speed(100)).out);
-  CHECK_EQ(found.rows.size(), modes.rows.size() + 4);
-  for (std::size_t i = 0; i < modes.rows.size(); ++i) {
-    CHECK_EQ(found.text(i, "name"), modes.text(i, "mode"));
-    CHECK_REL(found.number(i, "real"), modes.number(i, "real"), 1e-9);
-    CHECK_NEAR(found.number(i, "imag"), modes.number(i, "imag"), 1e-9 * modes.number(i, "frequency_rad_s"));
-    const double error = std::hypot(found.number(i, "interpolated_real") - found.number(i, "real"),
-                                    found.number(i, "interpolated_imag") - found.number(i, "imag"));
-    CHECK_NEAR(found.number(i, "error"), error / modes.number(i, "frequency_rad_s"), 1e-9);
+  struct Kind {
+    std::string options;
+    std::size_t responses;  // with a rotor speed that the throttle moves
+  };
+  for (const Kind& kind :
+       {Kind{"", 4}, Kind{"--option governor=pi ", 5}, Kind{"--option governor=ideal ", 4}}) {
+    const CsvText found = check_of(kind.options + "--mast 90 --speed " + speed(90) + "," + speed(110));
+    const CsvText modes = CsvText(run_tiltrotor("modes --grid realtime --flap 0 --format csv --mast 90 " +
+                                                kind.options + "--speed " + speed(100))
+                                      .out);
+    CHECK_EQ(found.rows.size(), modes.rows.size() + kind.responses);
+    for (std::size_t i = 0; i < modes.rows.size(); ++i) {
+      CHECK_EQ(found.text(i, "name"), modes.text(i, "mode"));
+      const double size = modes.number(i, "frequency_rad_s");
+      CHECK_NEAR(found.number(i, "real"), modes.number(i, "real"), 1e-9 * size);
+      CHECK_NEAR(found.number(i, "imag"), modes.number(i, "imag"), 1e-9 * size);
+      const double error = std::hypot(found.number(i, "interpolated_real") - found.number(i, "real"),
+                                      found.number(i, "interpolated_imag") - found.number(i, "imag"));
+      CHECK_NEAR(found.number(i, "error"), error / size, 1e-9);
+    }
   }
+}
+
+// The mean of the matrices at both ends has the roots that are shown: eigenvalues of what `linearize` writes, put together
+// here.
+TEST_OF_XV15(cli_qlpv_check_interpolates_the_governed_matrices) {
+  const std::string common = "--grid realtime --flap 0 --option governor=pi --mast 90 --speed ";
+  const ExportedModel low(common + "90"), high(common + "110");
+  const std::size_t n = low.n();
+  CHECK(low.states == high.states && n > 24);
+  constexpr int most = 40;
+  const auto work = std::make_unique<tiltrotor::EigenWorkspace<double, most>>();
+  const auto mean = std::make_unique<tiltrotor::Matrix<double, most, most>>();
+  tiltrotor::set_zero(*mean);
+  for (std::size_t i = 0; i < n * n; ++i)
+    (*mean)(static_cast<int>(i / n), static_cast<int>(i % n)) = (low.a[i] + high.a[i]) / 2;
+  tiltrotor::Eigenvalues<double, most> values{};
+  CHECK(eigenvalues(*mean, static_cast<int>(n), *work, values) == tiltrotor::Status::ok);
+  const CsvText found = check_of("--option governor=pi --mast 90 --speed 90,110");
+  std::size_t roots = 0;
+  for (std::size_t i = 0; i < found.rows.size() && found.text(i, "kind") == "root"; ++i, ++roots) {
+    const double real = found.number(i, "interpolated_real"), imag = found.number(i, "interpolated_imag");
+    double nearest = 1e9;
+    for (int k = 0; k < values.size; ++k)
+      nearest = std::min(nearest, std::hypot(values.real[k] - real, values.imag[k] - imag));
+    CHECK_LE(nearest, 1e-7 * (1 + std::hypot(real, imag)));
+  }
+  CHECK_LT(10u, roots);
 }
 
 // To second order: a sixteenth of the cell leaves a 256th of the error, were it not for the knots of the tables.
 TEST_OF_XV15(cli_qlpv_errors_fall_with_the_square_of_the_cell) {
-  const auto around = [](double half) {
-    return check_of("--mast 90 --speed " + speed(100 - half) + "," + speed(100 + half));
-  };
-  const CsvText wide = around(8), narrow = around(0.5);
-  for (const char* name : {"short_period", "dutch_roll", "roll", "long_stick>q", "lat_stick>p"}) {
-    CHECK_LT(error_of(wide, name), 0.2);
-    CHECK_LT(error_of(narrow, name), 0.03 * error_of(wide, name));
+  for (const std::string governor : {"off", "pi"}) {
+    const auto around = [&governor](double half) {
+      return check_of("--option governor=" + governor + " --mast 90 --speed " + speed(100 - half) + "," +
+                      speed(100 + half));
+    };
+    const CsvText wide = around(8), narrow = around(0.5);
+    for (const std::string name :
+         {"short_period", "dutch_roll", "roll", "long_stick>q", "lat_stick>p", "throttle_R>rotor_speed"}) {
+      if (governor == "off" && name.find("rotor_speed") != std::string::npos) continue;
+      CHECK_LT(error_of(wide, name), 0.2);
+      if (!CHECK_LT(error_of(narrow, name), 0.03 * error_of(wide, name))) NOTE(governor << " " << name);
+    }
   }
 }
 
@@ -131,5 +179,6 @@ TEST(cli_bad_qlpv_is_refused_in_one_line) {
   refused("--show check", "needs two values");
   refused("--show other", "model or check");
   refused("--format csv", "json");
-  refused("--option governor=pi", "goes with governor=off alone");
+  refused("--option governor=pi --reduce rigid", "goes with governor=off alone");
+  refused("--scas on --reduce rigid", "goes with --scas off alone");
 }

@@ -142,6 +142,78 @@ TEST_OF_XV15(cli_sensitivity_of_trim_is_that_of_new_trims) {
   }
 }
 
+// Wind from any side, backwards too: speed, climb and turn rate beside what the aircraft is.
+TEST_OF_XV15(cli_sensitivity_in_wind_from_any_side_is_that_of_new_runs) {
+  const Setting slow[] = {
+      {"speed", "--speed", 11, 0.002}, {"turn_rate", "--turn-rate", 3, 0.002}, {"mass", "--mass", 5700, 0.1}};
+  for (const char* const azimuth : {"90", "180", "-130"}) {
+    const auto slow_flight = [&](const std::string& changed, double value) {
+      std::string options = std::string(" --mast 4 --climb 10 --azimuth ") + azimuth;
+      for (const Setting& s : slow)
+        options += std::string(" ") + s.option + " " + exactly(changed == s.option ? value : s.value);
+      return options;
+    };
+    for (const Setting& s : slow) {
+      const double by[4] = {s.step, -s.step, s.step / 2, -s.step / 2};
+      const auto compare = [&](const std::string& of, const CsvText& found, const std::string& what,
+                               std::initializer_list<const char*> numbers) {
+        CsvText run[4] = {CsvText(""), CsvText(""), CsvText(""), CsvText("")};
+        for (int k = 0; k < 4; ++k) run[k] = rows_of(of + slow_flight(s.option, s.value + by[k]));
+        for (const char* number : numbers) {
+          double at[4];
+          for (int k = 0; k < 4; ++k)
+            at[k] = run[k].number(what.empty() ? 0 : row_of(run[k], "mode", what), number);
+          const std::size_t row = what.empty() ? 0 : row_of(found, "mode", what);
+          const double scale = found.number(row, "change") / s.step;
+          const double expected = scale * extrapolated(at[0], at[1], at[2], at[3]);
+          if (!CHECK_NEAR(found.number(row, std::string("d_") + number), expected,
+                          1e-11 * scale * (1 + std::abs(at[0])) + 1e-7))
+            NOTE(azimuth << " " << s.parameter << " " << what << " " << number);
+        }
+      };
+      const std::string to = " --to " + std::string(s.parameter) + slow_flight("", 0);
+      compare("trim", rows_of("sensitivity --of trim" + to), "",
+              {"pitch_deg", "roll_deg", "collective75_deg", "long_stick_in", "lat_stick_in", "pedal_in",
+               "power_kw"});
+      const CsvText modes = rows_of("sensitivity" + to);
+      CHECK_EQ(modes.text(0, "method"), std::string("exact"));
+      for (const char* const mode : {"phugoid", "roll"})
+        if (azimuth == std::string("180")) compare("modes", modes, mode, {"real"});
+    }
+  }
+}
+
+// A hover that the wind begins to blow at from the right, against winds from both sides.
+TEST(cli_sensitivity_of_a_hover_to_wind_from_the_side) {
+  const double step = 0.004 * this_aircraft::speed();
+  const auto trim = [](double speed, const char* from) {
+    return rows_of("trim --mast 0 --speed " + exactly(speed) + " --azimuth " + from);
+  };
+  const CsvText found = rows_of("sensitivity --of trim --to speed --mast 0 --speed 0 --azimuth 90");
+  const CsvText run[4] = {trim(step, "90"), trim(step, "-90"), trim(step / 2, "90"), trim(step / 2, "-90")};
+  for (const char* number : {"roll_deg", "lat_stick_in", "pedal_in"}) {
+    double at[4];
+    for (int k = 0; k < 4; ++k) at[k] = run[k].number(0, number);
+    const double expected = found.number(0, "change") / step * extrapolated(at[0], at[1], at[2], at[3]);
+    CHECK_NEAR(found.number(0, std::string("d_") + number), expected, 1e-6 * (std::fabs(expected) + 0.1));
+    CHECK(std::fabs(expected) > 1e-4);
+  }
+}
+
+// Wind from ahead is the flight without sideslip, as long as it is symmetric.
+TEST(cli_sensitivity_by_azimuth_and_by_sideslip_agree_ahead) {
+  const std::string flight = " --of trim --mast 20 --speed 25";
+  const CsvText one = rows_of("sensitivity" + flight + " --azimuth 0"),
+                other = rows_of("sensitivity" + flight);
+  CHECK_EQ(one.rows.size(), other.rows.size());
+  for (const char* const parameter : {"speed", "mass", "tail_area", "fin_area", "blade_lift_factor"})
+    for (const char* const number : {"d_pitch_deg", "d_collective75_deg", "d_long_stick_in", "d_power_kw"}) {
+      const double expected = other.number(row_of(other, "parameter", parameter), number);
+      CHECK_NEAR(one.number(row_of(one, "parameter", parameter), number), expected,
+                 1e-8 * (1 + std::fabs(expected)));
+    }
+}
+
 namespace {
 
 cli::TrimmedFlight trimmed_flight(double mast_deg, double speed, Analyses& work, Governor governor) {
@@ -306,7 +378,6 @@ TEST(cli_bad_sensitivity_is_refused_in_one_line) {
   refused("--scas on --to governor_integral_gain", "goes with --of modes --option governor=pi");
   refused("--of trim --scas on", "goes with --of modes");
   refused("--of trim --mode roll", "goes with --of modes");
-  refused("--azimuth 90 --speed 5", "give --sideslip");
   const auto none = run_tiltrotor(
       this_aircraft::flown("sensitivity --grid realtime --mode no_mode --to mass --format csv"));
   CHECK_EQ(none.exit_status, 1);

@@ -7,11 +7,11 @@
 namespace tiltrotor {
 
 // Of what vehicle_rates() found; `put`: as it left the configuration. Shafts that a governor speeds up carry that as well.
-template <class R>
-void read_vehicle(const Vehicle<R>& v, Configuration<R>& put, const State<R>& x,
-                  const DerivativeSteps<R>& found, const State<R>& rates, const SystemState<R>& system_rates,
-                  Instruments<R>& out) {
-  const R before[] = {put.rotor[right].spin_up, put.rotor[left].spin_up};
+template <class T>
+void read_vehicle(const Vehicle<Real<T>>& v, Configuration<T>& put, const State<T>& x,
+                  const DerivativeSteps<T>& found, const State<T>& rates, const SystemState<T>& system_rates,
+                  Instruments<T>& out) {
+  const T before[] = {put.rotor[right].spin_up, put.rotor[left].spin_up};
   put_spin_up(v, system_rates, put);
   read_instruments(put, x, found, rates, out);
   for (const Side side : {right, left}) put.rotor[side].spin_up = before[side];

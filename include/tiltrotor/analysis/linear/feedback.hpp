@@ -126,11 +126,12 @@ GainShares<R> gain_shares(const FeedbackLaw<R>& law, R mast_deg, R speed) {
   return shares;
 }
 
-// Small changes of every control: u = pilot v - gain x, by the order of kControlVariables.
+// Small changes of every control: u = pilot v - gain x, by the order of kControlVariables; behind what the pilot adds to
+// them, v holds the inputs that no law moves, which a reading may see: throttles and other commands.
 template <class R>
 struct ClosedControls {
-  static constexpr int kColumns = kMaxVehicleStates + control_count;
-  int states;
+  static constexpr int kColumns = kMaxVehicleStates + vehicle_input_count;
+  int states, inputs;
   Matrix<R, control_count, kColumns> solved;
 
   R gain(int control, int state) const { return solved(control, state); }
@@ -143,13 +144,14 @@ struct ClosedControlsWorkspace {
   Matrix<R, control_count, ClosedControls<R>::kColumns> right;
 };
 
-// `shape.state` says which states the model has; c(i, j), d(i, j): C and D of instrument i, by state of the model and
-// by place in kControlVariables, asked for where the law reads instruments. Away from y_0 the gains' change with
+// `shape` says which states and inputs the model has, the first inputs those of kAllControls (with none of them no others
+// follow); c(i, j), d(i, j): C and D of instrument i, by their columns, asked for where the law reads instruments. Away from y_0 the gains' change with
 // airspeed and mast angle counts. Status: ok; singular (the law answers a control with itself: 1 + K D has no inverse); not_finite.
 template <class R, class C, class D>
 Status close_controls(const FeedbackLaw<R>& law, const FeedbackPoint<R>& at, const VehicleShape& shape, C&& c,
                       D&& d, ClosedControlsWorkspace<R>& work, ClosedControls<R>& closed) {
   const int n = closed.states = shape.states;
+  const int inputs = closed.inputs = shape.inputs > control_count ? shape.inputs : control_count;
   const R speed = length(at.air);
   const GainShares<R> shares = gain_shares(law, at.mast_deg, speed);
   work.loop = identity<R, control_count>();
@@ -171,6 +173,8 @@ Status close_controls(const FeedbackLaw<R>& law, const FeedbackPoint<R>& at, con
         if (shape.state[j] == law.reading[k]) work.right(row, j) += gain;
       }
       for (int j = 0; output >= 0 && j < control_count; ++j) work.loop(row, j) += gain * d(output, j);
+      for (int j = control_count; output >= 0 && j < inputs; ++j)
+        work.right(row, n + j) -= gain * d(output, j);
     }
     for (int j = 0; j < n; ++j)
       if (shape.state[j] == state_count + kSystemIndex.mast) work.right(row, j) += by_mast;
@@ -181,11 +185,11 @@ Status close_controls(const FeedbackLaw<R>& law, const FeedbackPoint<R>& at, con
     }
   }
   const Status status = lu_factor(work.loop, control_count, work.lu);
-  return status == Status::ok ? lu_solve(work.lu, work.right, n + control_count, closed.solved) : status;
+  return status == Status::ok ? lu_solve(work.lu, work.right, n + inputs, closed.solved) : status;
 }
 
-// Rows of xdot = A x + B u, or of y = C x + D u, become those of the closed loop, with v in the place of u. The first
-// columns of `b` are those of kAllControls; what follows stays.
+// Rows of xdot = A x + B u, or of y = C x + D u, become those of the closed loop, with v in the place of u. Columns of `b`
+// are those of the shape.
 template <class R, class A, class B>
 void close_rows(const ClosedControls<R>& closed, int rows, int states, A& a, B& b) {
   for (int i = 0; i < rows; ++i) {
@@ -193,8 +197,8 @@ void close_rows(const ClosedControls<R>& closed, int rows, int states, A& a, B& 
     for (int l = 0; l < control_count; ++l) by_control[l] = b(i, l);
     for (int j = 0; j < states; ++j)
       for (int l = 0; l < control_count; ++l) a(i, j) -= by_control[l] * closed.gain(l, j);
-    for (int v = 0; v < control_count; ++v) {
-      R sum = R(0);
+    for (int v = 0; v < closed.inputs; ++v) {
+      R sum = v < control_count ? R(0) : b(i, v);
       for (int l = 0; l < control_count; ++l) sum += by_control[l] * closed.pilot(l, v);
       b(i, v) = sum;
     }

@@ -6,7 +6,7 @@
 
 #include <type_traits>
 
-#include "tiltrotor/analysis/flight/instruments.hpp"
+#include "tiltrotor/analysis/flight/vehicle_readings.hpp"
 #include "tiltrotor/analysis/linear/vehicle_model.hpp"
 
 namespace tiltrotor {
@@ -81,8 +81,7 @@ void evaluate_seeded(const Vehicle<R>& v, const Configuration<R>& c, const Confi
                    Airframe{{work.configuration, work.x, work.steps, azimuth}, work.ideal ? &added : nullptr},
                    work.demand, work.answer, work.flows, work.rates);
   const Aircraft<R>& aircraft = *c.aircraft;
-  put_spin_up(v, work.rates, work.configuration);
-  read_instruments(work.configuration, work.x, work.steps, work.answer.rates, work.readings);
+  read_vehicle(v, work.configuration, work.x, work.steps, work.answer.rates, work.rates, work.readings);
   const T excess = (work.answer.torque[right] + work.answer.torque[left]) * work.demand.setting.rotor_speed -
                    aircraft.controls.transmission_efficiency * work.flows.power;
   for (int k = 0; k < kVehicleSlopes; ++k) work.follows[k] = -excess.d.get(k) / excess.d.get(kVehicleSlopes);
@@ -123,14 +122,15 @@ Status vehicle_direction(const Vehicle<R>& v, Configuration<R>& c, const State<R
   return finite ? Status::ok : Status::not_finite;
 }
 
-// put_c(i, j, dy_i/dx_j) and put_d(i, j, dy_i/du_j), columns as `shape` says, rows in the order of Instruments. Arguments
-// and status as vehicle_direction(). Cost: some 4 derivatives for every 7 columns.
-template <class R, class PutC, class PutD>
-Status linearize_vehicle_outputs(const Vehicle<R>& v, Configuration<R>& c, const State<R>& x,
-                                 const SystemState<R>& s, const Controls<R>& u, const VehicleShape& shape,
-                                 VehicleDirectionWorkspace<R>& work, PutC&& put_c, PutD&& put_d,
-                                 R azimuth = R(0)) {
-  using T = typename VehicleDirectionWorkspace<R>::T;
+// put_c(i, j, dy_i/dx_j) and put_d(i, j, dy_i/du_j), columns as `shape` says, of `rows` outputs that read(y) takes from
+// what `work` holds of an evaluation: its configuration, x, steps, answer and readings. y: `rows` numbers of the caller.
+// Arguments and status as vehicle_direction(). Cost: some 4 derivatives for every 7 columns.
+template <class R, class Read, class PutC, class PutD>
+Status linearize_vehicle_rows(const Vehicle<R>& v, Configuration<R>& c, const State<R>& x,
+                              const SystemState<R>& s, const Controls<R>& u, const VehicleShape& shape,
+                              VehicleDirectionWorkspace<R>& work, int rows,
+                              typename VehicleDirectionWorkspace<R>::T* y, Read&& read, PutC&& put_c,
+                              PutD&& put_d, R azimuth = R(0)) {
   if (c.aircraft == nullptr) return Status::bad_argument;
   const ConfigurationSetting<R> base = c.setup;
   if (!vehicle_direction_detail::find_governed(v, c, x, s, u, azimuth, work)) return Status::not_converged;
@@ -140,9 +140,8 @@ Status linearize_vehicle_outputs(const Vehicle<R>& v, Configuration<R>& c, const
     const int last = first + kVehicleSlopes < all ? first + kVehicleSlopes : all;
     vehicle_linearization::seed(x, s, v.commands, u, shape, first, last, work);
     vehicle_direction_detail::evaluate_seeded(v, c, base, azimuth, work);
-    T y[Instruments<T>::kCount];
-    flatten(work.readings, y);
-    for (int i = 0; i < Instruments<T>::kCount; ++i) {
+    read(y);
+    for (int i = 0; i < rows; ++i) {
       for (int j = first; j < last; ++j) {
         const R slope = work.slope(y[i], j - first);
         finite = finite && is_finite(slope) && is_finite(y[i].v);
@@ -155,6 +154,19 @@ Status linearize_vehicle_outputs(const Vehicle<R>& v, Configuration<R>& c, const
     }
   }
   return finite ? Status::ok : Status::not_finite;
+}
+
+// Of the readings, in the order of Instruments.
+template <class R, class PutC, class PutD>
+Status linearize_vehicle_outputs(const Vehicle<R>& v, Configuration<R>& c, const State<R>& x,
+                                 const SystemState<R>& s, const Controls<R>& u, const VehicleShape& shape,
+                                 VehicleDirectionWorkspace<R>& work, PutC&& put_c, PutD&& put_d,
+                                 R azimuth = R(0)) {
+  using T = typename VehicleDirectionWorkspace<R>::T;
+  T y[Instruments<T>::kCount];
+  return linearize_vehicle_rows(
+      v, c, x, s, u, shape, work, Instruments<T>::kCount, y, [&work](T* to) { flatten(work.readings, to); },
+      put_c, put_d, azimuth);
 }
 
 }  // namespace tiltrotor

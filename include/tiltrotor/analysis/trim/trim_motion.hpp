@@ -26,11 +26,26 @@ struct TrimMotionWorkspace {
   R state[kMaxTrimUnknowns][state_count];  // d state / d unknown
 };
 
+// How velocity relative to the air, m/s, and body rates, rad/s, follow the attitude, rad; templates on the scalar.
+template <class R>
+struct SteadyMotion {
+  const SteadyFlight<R>& flight;
+
+  template <class T>
+  Vec3<T> velocity(const T& roll, const T& pitch) const {
+    return steady_velocity(flight, roll, pitch);
+  }
+  template <class T>
+  Vec3<T> rates(const T& roll, const T& pitch) const {
+    return steady_rates(flight, roll, pitch);
+  }
+};
+
 namespace trim_motion_detail {
 
 // The unknown itself, and what follows from roll and pitch.
-template <class R>
-void state_slopes(const SteadyFlight<R>& flight, const State<R>& x, int unknown, R* slope) {
+template <class R, class Motion>
+void state_slopes(const Motion& motion, const State<R>& x, int unknown, R* slope) {
   for (int i = 0; i < state_count; ++i) slope[i] = R(0);
   if (unknown < 0) return;
   slope[unknown] = R(1);
@@ -38,8 +53,8 @@ void state_slopes(const SteadyFlight<R>& flight, const State<R>& x, int unknown,
   using D = Dual<R, 1>;
   D roll(x.roll), pitch(x.pitch);
   (unknown == kStateIndex.roll ? roll : pitch).d.set(0, R(1));
-  const Vec3<D> velocity = steady_velocity(flight, roll, pitch);
-  const Vec3<D> rates = steady_rates(flight, roll, pitch);
+  const Vec3<D> velocity = motion.velocity(roll, pitch);
+  const Vec3<D> rates = motion.rates(roll, pitch);
   slope[kStateIndex.velocity.x] = velocity.x.d.get(0);
   slope[kStateIndex.velocity.y] = velocity.y.d.get(0);
   slope[kStateIndex.velocity.z] = velocity.z.d.get(0);
@@ -50,11 +65,12 @@ void state_slopes(const SteadyFlight<R>& flight, const State<R>& x, int unknown,
 
 }  // namespace trim_motion_detail
 
-// Of the flight that was trimmed to x; `model`: A and B there, with the columns of the inceptors at least.
+// Of the flight that was trimmed to x, whose `motion` is as that of SteadyMotion; `model`: A and B there, with the columns
+// of the inceptors at least.
 // Status: ok; bad_argument (c is not prepared, or a column or row is missing); singular; not_finite.
-template <class R>
-Status prepare_trim_motion(const Configuration<R>& c, const SteadyFlight<R>& flight, const State<R>& x,
-                           const LinearModel<R>& model, TrimMotionWorkspace<R>& work) {
+template <class R, class Motion>
+Status prepare_motion(const Configuration<R>& c, const Motion& motion, const State<R>& x,
+                      const LinearModel<R>& model, TrimMotionWorkspace<R>& work) {
   if (c.aircraft == nullptr) return Status::bad_argument;
   trim_equations(c, work.equations);
   const int n = work.equations.count;
@@ -65,7 +81,7 @@ Status prepare_trim_motion(const Configuration<R>& c, const SteadyFlight<R>& fli
   };
   for (int j = 0; j < n; ++j) {
     const TrimEquation<R>& unknown = work.equations.row[j];
-    trim_motion_detail::state_slopes(flight, x, unknown.state, work.state[j]);
+    trim_motion_detail::state_slopes(motion, x, unknown.state, work.state[j]);
     const int column = place_of(model.control, model.controls, unknown.control);
     if (unknown.state < 0 && column < 0) return Status::bad_argument;
     for (int i = 0; i < n; ++i) {
@@ -77,6 +93,13 @@ Status prepare_trim_motion(const Configuration<R>& c, const SteadyFlight<R>& fli
     }
   }
   return lu_factor(work.by_unknown, n, work.lu);
+}
+
+// The same of a flight of trim().
+template <class R>
+Status prepare_trim_motion(const Configuration<R>& c, const SteadyFlight<R>& flight, const State<R>& x,
+                           const LinearModel<R>& model, TrimMotionWorkspace<R>& work) {
+  return prepare_motion(c, SteadyMotion<R>{flight}, x, model, work);
 }
 
 // rates[state_count]: d xdot / dp with state and controls held.
