@@ -59,17 +59,6 @@ struct ScriptCommander : ScriptFlightState {
     s.rotor_speed = v.commands.rotor_speed = c.setup.rotor_speed;
     c.setup.rotor_acceleration = 0;
     v.on.governor = to;
-    balance_shaft();
-  }
-
-  // A shaft that twists begins at the twist with which neither rotor gains on the other.
-  void balance_shaft() {
-    const Vehicle<double>& v = flight.vehicle;
-    SystemState<double>& s = flight.state;
-    s.twist_rate = 0;
-    s.shaft_twist =
-        twists(v.on) ? balanced_twist(aircraft, v.engine_failed, s.power, answer.torque, c.setup.rotor_speed)
-                     : 0;
   }
 
   // From the flight as it is, unless it is still on its way out.
@@ -202,9 +191,7 @@ struct ScriptCommander : ScriptFlightState {
         change_governor(static_cast<Governor>(e.word));
         return;
       case C::interconnect:
-        if (v.on.interconnect == (e.word == 1)) return;
         v.on.interconnect = e.word == 1;
-        balance_shaft();
         return;
       case C::gear:
         move_gear(e.word == 1);

@@ -234,6 +234,22 @@ struct ScriptFlight::Parts : ScriptCommander {
     m.height_settles = holds && std::fabs(memory.height - aims.height) < arrived;
   }
 
+  // A shaft that twists begins at the twist with which neither rotor gains on the other, with their torques as they are now.
+  // Rotors that turn alike again keep the speed of their inflow.
+  void balance_shaft() {
+    SystemState<double>& s = flight.state;
+    for (const Side side : {right, left}) {
+      const double faster = 1 + 0.5 * side_sign<double>(side) * s.twist_rate / c.setup.rotor_speed;
+      RotorState<double>& rotor = simulation.state.rotor[side];
+      for (double* const inflow : {&rotor.lambda_0, &rotor.lambda_c, &rotor.lambda_s}) *inflow *= faster;
+    }
+    s.shaft_twist = s.twist_rate = 0;
+    if (!twists(flight.vehicle.on)) return;
+    observe();
+    s.shaft_twist =
+        balanced_twist(aircraft, flight.vehicle.engine_failed, s.power, answer.torque, c.setup.rotor_speed);
+  }
+
   void meet() {
     constexpr double rounding = 1e-9;
     const auto is_due = [&] {
@@ -241,7 +257,9 @@ struct ScriptFlight::Parts : ScriptCommander {
     };
     for (; is_due(); ++next) {
       if (script.events[next].command == ScriptCommand::gear) observe();  // weight on wheels, now
+      const bool twisted = twists(flight.vehicle.on);
       obey(script.events[next]);
+      if (twists(flight.vehicle.on) != twisted) balance_shaft();
     }
     act();
     observe();

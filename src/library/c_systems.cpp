@@ -22,6 +22,22 @@ constexpr R kMostTurbulence = R(50);  // m/s
 
 bool is_switch(std::int32_t value) { return value == 0 || value == 1; }
 
+// The twist of the shaft with which neither rotor gains on the other, of the aircraft with its systems as it flies.
+void balance_shaft(Sim& s) {
+  Configuration<R> c;
+  Found found;
+  evaluate(s, c, found);
+  const Vehicle<R>& v = s.systems.vehicle;
+  R power[2];
+  for (const Side side : {right, left})
+    power[side] = v.on.engines            ? s.systems.state.power[side]
+                  : v.engine_failed[side] ? R(0)
+                                          : demanded_power(*c.aircraft, c.air, v.commands.throttle[side]);
+  s.systems.state.shaft_twist = balanced_twist(
+      *c.aircraft, v.engine_failed, power,
+      {found.steps.rotor[right].loads.torque, found.steps.rotor[left].loads.torque}, c.setup.rotor_speed);
+}
+
 // States of the systems that are on, from the aircraft as it is: the others are zero.
 void begin_systems(const SystemSwitches& before, Sim& s) {
   Configuration<R> c;
@@ -44,19 +60,6 @@ void begin_systems(const SystemSwitches& before, Sim& s) {
           v.engine_failed[side] ? R(0) : demanded_power(*c.aircraft, c.air, v.commands.throttle[side]);
   }
   if (on.gear && !before.gear) x.gear = v.gear_down ? R(1) : R(0);
-  if (twists(on) && !twists(before)) {
-    DerivativeSteps<R> steps;
-    State<R> rates;
-    derivative(c, evaluated_state(s), s.u, steps, rates);
-    R power[2];
-    for (const Side side : {right, left})
-      power[side] = on.engines              ? x.power[side]
-                    : v.engine_failed[side] ? R(0)
-                                            : demanded_power(*c.aircraft, c.air, v.commands.throttle[side]);
-    x.shaft_twist =
-        balanced_twist(*c.aircraft, v.engine_failed, power,
-                       {steps.rotor[right].loads.torque, steps.rotor[left].loads.torque}, setup.rotor_speed);
-  }
   if (on.augmentation && !before.augmentation) {
     const State<R> now = evaluated_state(s);
     const R airspeed = total_speed(now.velocity - s.u.gust, c.aircraft->smooth.airspeed);
@@ -347,6 +350,7 @@ tr_status tr_set_systems(tr_sim* sim, const tr_systems* systems) {
     return TR_OUT_OF_RANGE;
   }
   begin_systems(all_before.vehicle.on, s);
+  if (twists(s.systems.vehicle.on) && !twists(all_before.vehicle.on)) balance_shaft(s);
   clear_unused(s);
   // A drive that is switched off holds the masts.
   if (all_before.vehicle.on.conversion && !s.systems.vehicle.on.conversion) hold_masts(s);

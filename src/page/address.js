@@ -1,4 +1,4 @@
-// The address of the page holds what is chosen: #mast=30&speed=60.
+// The address of the page holds what is chosen and how it is looked at: #mast=30&speed=60&mode=phugoid&fly.
 
 // What is chosen, with the range of its slider; `usual` says what stands when nothing was chosen.
 const kChoices = {
@@ -10,11 +10,13 @@ const kChoices = {
   flap: {low: -1, high: 75, usual: -1, unit: 'deg', digits: 0},
   governor: {low: 0, high: 2, usual: 0, unit: '', isWhole: true},
   scas: {low: 0, high: 1, usual: 0, unit: '', isWhole: true},
+  interconnect: {low: 0, high: 1, usual: 0, unit: '', isWhole: true},
+  forces: {low: 0, high: 1, usual: 1, unit: '', isWhole: true},
 };
 // What an address may hold beside them, without a value.
 const kWords = ['fly', 'still', 'self_test'];
 
-// The point of an address, and in `faults` a sentence for everything there that is none of its own.
+// The point of an address, with the name of the mode that is looked at ('': the usual one), and in `faults` a sentence for everything there that is none of its own.
 function understood(address) {
   const point = {}, faults = [];
   const given = new URLSearchParams(address.replace(/^#/, ''));
@@ -29,16 +31,22 @@ function understood(address) {
     faults.push(`${name}=${text} is ${!isNumber ? 'no number' : choice.isWhole && !Number.isInteger(number) ? 'no whole number'
       : 'out of range'}: ${range(choice, name)}; shown with ${point[name]}.`);
   }
+  if (point.interconnect === 1 && point.governor !== 2)
+    faults.push(`interconnect=1 goes with governor=2 alone, the PI governor; the shaft is rigid with governor=${point.governor}.`);
+  point.mode = (given.get('mode') || '').replace(/_/g, ' ');
   for (const name of new Set(given.keys()))
-    if (kChoices[name] === undefined && !kWords.includes(name))
-      faults.push(`${name} is not known: there are ${Object.keys(kChoices).join(', ')}.`);
+    if (kChoices[name] === undefined && name !== 'mode' && !kWords.includes(name))
+      faults.push(`${name} is not known: there are ${Object.keys(kChoices).join(', ')}, mode.`);
   return {point, faults};
 }
 const readAddress = (address) => understood(address).point;
 
-function writeAddress(point) {
+function writeAddress(point, isFlying = false) {
   const changed = Object.keys(kChoices).filter((name) => point[name] !== kChoices[name].usual || name === 'mast' || name === 'speed');
-  return `#${changed.map((name) => `${name}=${point[name]}`).join('&')}`;
+  const words = changed.map((name) => `${name}=${point[name]}`);
+  if (point.mode) words.push(`mode=${point.mode.replace(/ /g, '_')}`);
+  if (isFlying) words.push('fly');
+  return `#${words.join('&')}`;
 }
 
 function sayFaults(faults) {

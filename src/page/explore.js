@@ -17,10 +17,14 @@ class Explore {
     this.bars = new TrimBars(byId('bars'));
     this.view = new SideView(byId('side'));
     this.front = new FrontView(byId('front'));
-    this.phasors = new Phasors(byId('phasors'), byId('phasor_mode'), () => this.showMode());
+    this.phasors = new Phasors(byId('phasors'), byId('phasor_mode'), (name) => this.showMode(name));
     this.sensitivities = new Sensitivities(byId('by_choices'), byId('by_elements'), byId('moved_mode'), (other) => this.solve(other));
     for (const plane of [this.near, this.all]) plane.onChoose = (mode) => this.phasors.choose(mode);
-    byId('show_forces').addEventListener('change', () => this.showAircraft());
+    byId('show_forces').addEventListener('change', (event) => {
+      this.point.forces = Number(event.target.checked);
+      this.showAircraft();
+      this.write();
+    });
     for (const input of document.querySelectorAll('#choices [name]'))
       input.addEventListener('input', () => this.change({[input.name]: input.type === 'checkbox' ? Number(input.checked)
         : Number(input.value)}));
@@ -50,6 +54,8 @@ class Explore {
   }
 
   fill() {
+    byId('show_forces').checked = this.point.forces !== 0;
+    document.querySelector('#choices [name=interconnect]').disabled = this.point.governor !== 2;
     for (const input of document.querySelectorAll('#choices [name]')) {
       const value = this.point[input.name], choice = kChoices[input.name];
       if (input.type === 'checkbox') input.checked = value !== 0;
@@ -60,14 +66,16 @@ class Explore {
     }
   }
 
-  // What belongs to the mode that is looked at.
-  showMode() {
+  // What belongs to the mode that is looked at; with a name it was chosen by hand.
+  showMode(name) {
+    if (name !== undefined) this.point.mode = name;
+    if (name !== undefined) this.write();
     const mode = this.phasors.mode();
     for (const plane of [this.near, this.all]) plane.rule(mode);
     this.sensitivities.show(mode);
   }
   showAircraft() {
-    const {seen = null, forces = null} = this.found, shown = byId('show_forces').checked ? forces : null;
+    const {seen = null, forces = null} = this.found, shown = this.point.forces !== 0 ? forces : null;
     for (const id of ['side', 'front']) byId(id).toggleAttribute('hidden', seen === null);
     byId('no_picture').hidden = seen !== null;
     this.view.show(seen, shown);
@@ -90,13 +98,16 @@ class Explore {
     this.near.show(modes);
     this.all.show(modes);
     this.sensitivities.begin(this.point, found.linear || null, found.seen ? found.seen.conf[kConf.flap] : 0);
-    this.phasors.show(found.linear || null);
+    this.phasors.show(found.linear || null, this.point.mode);
     listModes(byId('modes'), modes);
     byId('where').textContent = `Mast ${fixed(this.point.mast, 1)} deg, ${fixed(this.point.speed, 1)} m/s ` +
       `(${fixed(this.point.speed / kKnot, 0)} kt)`;
     byId('sentence').textContent = found.text;
     byId('sentence').className = found.isClean ? 'good' : 'limit';
     byId('cost').textContent = `${fixed(performance.now() - start, 0)} ms`;
+    this.write();
+  }
+  write() {
     if (!document.body.classList.contains('flying')) history.replaceState(null, '', writeAddress(this.point));
   }
 
@@ -105,7 +116,8 @@ class Explore {
     const {aircraft} = this, {tiltrotor: library} = aircraft;
     if (aircraft.begin(loading(point)) !== 0) return {text: `No such aircraft: ${library.lastText()}.`};
     if (point.governor || point.scas) {
-      const status = aircraft.setSystems({governor: point.governor, engines: point.governor ? 1 : 0, scas: point.scas});
+      const status = aircraft.setSystems({governor: point.governor, engines: point.governor ? 1 : 0, scas: point.scas,
+        interconnect: point.interconnect});
       if (status !== 0) return {text: `The systems refuse: ${library.statusText(status)}.`};
     }
     const status = aircraft.trim(point.speed);
@@ -119,6 +131,16 @@ class Explore {
     return {seen, forces, linear, isClean: status === 0,
       text: (status === 0 ? 'Trimmed: ' : 'Trimmed beyond a limit: ') + text +
         (linear ? '' : ' No linear model there.')};
+  }
+
+  // A sentence where the flight has no mode of the name that was asked for; the usual one is shown then.
+  modeFaults() {
+    const {linear} = this.found, {mode} = this.point;
+    if (!mode || !linear || linear.modes.some(({name}) => name === mode)) return [];
+    this.point.mode = '';
+    this.write();
+    const names = [...new Set(linear.modes.map(({name}) => name.replace(/ /g, '_')))];
+    return [`mode=${mode.replace(/ /g, '_')} is none of this flight: there are ${names.join(', ')}.`];
   }
 
   // Sensitivities, then the map, while nothing else is asked.

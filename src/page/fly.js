@@ -19,6 +19,11 @@ class Fly {
     this.sticks = new Sticks();
     this.cockpit = new Cockpit(byId('cockpit'));
     this.roots = new Roots(byId('fly_near'), true);
+    this.roots.onChoose = (mode) => {
+      this.roots.rule(mode);
+      this.point.mode = mode.name;
+      this.write();
+    };
     this.matrices = new Matrices(byId('matrices'));
     this.isRunning = false;
     this.levers = byId('levers');
@@ -54,29 +59,32 @@ class Fly {
     aircraft.look();
     const {u, sys} = aircraft.seen();
     this.throttle = this.throttleOfTrim = clamp(sys[kSys.throttle], 0, 1);
-    const begun = aircraft.setSystems({governor, groundEffect: 1, throttle: this.throttle}) || aircraft.setControls(u.slice(0, 4)) ||
-      aircraft.look();
+    const {interconnect} = point, begun = aircraft.setSystems({governor, interconnect, groundEffect: 1, throttle: this.throttle}) ||
+      aircraft.setControls(u.slice(0, 4)) || aircraft.look();
     if (begun !== 0) return refuses(begun);
     this.seen = aircraft.seen();
     this.collective = this.seen.u[kU.collective];
     this.rotor = this.rotorOfTrim = this.seen.conf[kConf.rotor];
     this.sticks.reset({long: u[kU.longStick], lat: u[kU.latStick], pedal: u[kU.pedal]});
-    this.recorder = new Recorder({...loading(point), speed: point.speed, height: kHeight, governor}, kStep);
+    this.recorder = new Recorder({...loading(point), speed: point.speed, height: kHeight, governor, interconnect}, kStep);
     this.recorder.inputs(0, this.seen.u, this.throttle);
     this.lever('mast').value = point.mast;
     this.lever('flap').value = Math.round(sys[kSys.flap]);
     this.lever('wind').value = this.lever('w20').value = 0;
     this.lever('governor').value = governor;
+    this.lever('interconnect').checked = point.interconnect !== 0;
     this.lever('scas').checked = true;
     this.lever('gear').checked = false;
     this.nameLevers();
     this.roots.clear();
+    this.roots.wanted = point.mode || kUsualMode;
     this.isOver = false;
     this.model();
     this.draw();
     return this.say(`In trim at ${fixed(point.speed, 0)} m/s, mast ${fixed(point.mast, 0)} deg, ${kHeight} m. ` +
       'Start, or the space bar.', true);
   }
+  write() { history.replaceState(null, '', writeAddress(this.point, true)); }
   say(sentence, isGood = false) {
     const place = byId('flight_sentence');
     place.textContent = sentence;
@@ -109,6 +117,7 @@ class Fly {
 
   lever(name) { return this.levers.elements[name]; }
   nameLevers() {
+    this.lever('interconnect').disabled = this.lever('governor').value !== '2';
     byId('mast_lever').textContent = `${this.lever('mast').value} deg`;
     byId('flap_lever').textContent = `${this.lever('flap').value} deg`;
     byId('wind_lever').textContent = `${this.lever('wind').value} m/s`;
@@ -121,6 +130,7 @@ class Fly {
       input.checked = true;
       return this.say('The gear stays down near the ground.');
     }
+    const shaft = input.checked ? 1 : 0;
     const commands = {
       mast: () => [aircraft.setSystems({mast: value}), `mast ${value}`],
       flap: () => [aircraft.setSystems({flap: value}), `flap ${value}`],
@@ -129,6 +139,7 @@ class Fly {
       scas: () => [aircraft.setSystems({scas: input.checked ? 1 : 0}), `scas ${input.checked ? 'on' : 'off'}`],
       gear: () => [aircraft.setSystems({gearDown: input.checked ? 1 : 0}), `gear ${input.checked ? 'down' : 'up'}`],
       governor: () => this.moveGovernor(value),
+      interconnect: () => [aircraft.setSystems({interconnect: shaft}), `interconnect ${kShafts[shaft]}`],
     };
     const [status, words] = commands[input.name]();
     if (status !== 0) return this.say(`Not obeyed: ${aircraft.tiltrotor.statusText(status)}.`);

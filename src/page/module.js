@@ -3,13 +3,13 @@
 const kArrays = ['setup', 'systems', 'environment', 'x', 'u', 'outputs', 'configuration', 'a', 'b', 'modes',
   'statePlaces', 'controlPlaces', 'forces'];
 const kX = {u: 0, v: 1, w: 2, p: 3, q: 4, r: 5, roll: 6, pitch: 7, yaw: 8, north: 28, east: 29, down: 30,
-  governor: 39, gear: 58};
+  shaft_twist: 35, governor: 39, gear: 58};
 const kU = {collective: 0, longStick: 1, latStick: 2, pedal: 3};
 const kOut = {airspeed: 1, alpha: 2, beta: 3, force: 4, loadFactor: 7, climb: 8, thrust: 9, torque: 11,
   power: 13, collective: 15, longCyclic: 17, tilt: 19, elevator: 21, aileron: 22, rudder: 23};
 const kConf = {mast: 0, flap: 3, rotor: 4, mass: 6, cg: 7};
 const kSys = {governor: 0, conversion: 1, engines: 2, actuators: 3, scas: 4, gear: 5, groundEffect: 6,
-  turbulence: 7, mast: 8, flap: 9, rotor: 10, throttle: 11, gearDown: 13, seed: 14, w20: 15};
+  turbulence: 7, mast: 8, flap: 9, rotor: 10, throttle: 11, gearDown: 13, seed: 14, w20: 15, interconnect: 16};
 const kInceptors = 1;      // tr_columns
 const kTrimmed = new Set([0, 9, 10, 11, 15, 16, 17]);  // tr_status of a trim that fulfils the equations
 
@@ -92,7 +92,7 @@ class Aircraft {
   seen() {
     const copy = (name, length) => Array.from(this.array[name].subarray(0, length));
     return {x: copy('x', 75), u: copy('u', 14), out: copy('outputs', 24), conf: copy('configuration', 9),
-      sys: copy('systems', 16)};
+      sys: copy('systems', 17)};
   }
   // A, B, their names and the modes; null where there is no linear model.
   linearize() {

@@ -6,7 +6,7 @@
 static tr_sim sims[PAGE_AIRCRAFT];
 static tr_work work;
 
-static tr_real setup_numbers[6], system_numbers[16], environment_numbers[4];
+static tr_real setup_numbers[6], system_numbers[17], environment_numbers[4];
 static tr_state state;
 static tr_outputs outputs;
 static tr_configuration configuration;
@@ -98,6 +98,7 @@ int32_t page_set_systems(int32_t aircraft) {
   systems.gear_down = (int32_t)n[13];
   systems.turbulence_seed = (uint64_t)n[14];
   systems.turbulence_w20_mps = n[15];
+  systems.interconnect = (int32_t)n[16];
   return tr_set_systems(&sims[aircraft], &systems);
 }
 
@@ -119,6 +120,7 @@ static void look_at_systems(const tr_systems* systems) {
   n[13] = systems->gear_down;
   n[14] = (tr_real)systems->turbulence_seed;
   n[15] = systems->turbulence_w20_mps;
+  n[16] = systems->interconnect;
 }
 
 int32_t page_set_environment(int32_t aircraft) {

@@ -12,7 +12,7 @@ enum { PAGE_EXPLORE, PAGE_FLY, PAGE_AIRCRAFT };
 enum {
   PAGE_SETUP, /* mast deg, flap deg, altitude m, mass kg, cg station m, rotor rad/s; < 0: the default */
   PAGE_SYSTEMS, /* governor, conversion, engines, actuators, scas, gear, ground effect, turbulence, mast deg, flap
-                         deg, rotor rad/s, throttle right, left, gear down, seed, w20 m/s */
+                         deg, rotor rad/s, throttle right, left, gear down, seed, w20 m/s, interconnect */
   PAGE_ENVIRONMENT,   /* wind north, east, down m/s, altitude of the origin m */
   PAGE_X,             /* tr_state.x */
   PAGE_U,             /* tr_state.u */

@@ -2,6 +2,7 @@
 
 const kRigid = {u: 'speed', v: 'speed', w: 'speed', p: 'rate', q: 'rate', r: 'rate', phi: 'angle', theta: 'angle'};
 const kOffRoot = 1e-7;     // of the size of the root: the matrix of the iteration is not singular
+const kUsualMode = 'dutch roll';
 const kLeastPhasor = 0.05;  // of the longest of its kind: shorter ones are not drawn
 
 // The eigenvector of a (n rows) at a root by inverse iteration, [real, imaginary] of every state.
@@ -63,31 +64,31 @@ function bodyPhasors(linear, mode) {
 }
 
 class Phasors {
+  // onChoose(name): what belongs to the mode is to be shown; a name where it was chosen by hand
   constructor(element, choice, onChoose) {
     this.element = element;
     this.choice = choice;
     this.linear = null;
     element.setAttribute('viewBox', '-150 -125 300 250');
     this.onChoose = onChoose;
-    choice.addEventListener('change', () => this.draw());
+    choice.addEventListener('change', () => this.choose(this.mode()));
   }
-  // Named modes of the body first; the one that was looked at stays, by its name.
-  show(linear) {
+  // The mode of that name, '': the usual one; where there is none, the first.
+  show(linear, wanted) {
     this.linear = linear;
-    const wanted = this.choice.value, modes = linear === null ? [] : linear.modes;
+    const modes = linear === null ? [] : linear.modes;
     this.choice.replaceChildren(...modes.map((mode, k) => html('option', {value: `${mode.name} ${k}`}, mode.name)));
-    const name = wanted.replace(/ \d+$/, '');
-    const place = Math.max(0, modes.findIndex((mode) => mode.name === (name || 'dutch roll')));
+    const place = Math.max(0, modes.findIndex((mode) => mode.name === (wanted || kUsualMode)));
     this.choice.selectedIndex = modes.length > 0 ? place : -1;
     this.draw();
   }
   mode() { return this.linear === null ? null : this.linear.modes[this.choice.selectedIndex] || null; }
   choose(mode) {
     this.choice.selectedIndex = this.linear.modes.indexOf(mode);
-    this.draw();
+    this.draw(mode.name);
   }
-  draw() {
-    this.onChoose();
+  draw(chosen) {
+    this.onChoose(chosen);
     this.element.replaceChildren(svg('circle', {r: 100, class: 'phasor_circle'}),
       svg('line', {x1: -112, x2: 112, y1: 0, y2: 0, class: 'zero'}), svg('line', {y1: -112, y2: 112, x1: 0, x2: 0, class: 'zero'}));
     const mode = this.mode();

@@ -2,10 +2,10 @@
 // all their digits.
 
 const kSeriesColumns = ['time_s', 'th75_rad', 'lon_in', 'lat_in', 'ped_in', 'throttle_1', 'throttle_2'];
-const kGovernors = ['off', 'ideal', 'pi'];
+const kGovernors = ['off', 'ideal', 'pi'], kShafts = ['rigid', 'twists'];
 
 class Recorder {
-  // start: {mast, speed, height, flap, altitude, mass, cg, governor}; SCAS on, gear up, as the command line begins
+  // start: {mast, speed, height, flap, altitude, mass, cg, governor, interconnect}; SCAS on, gear up, as the command line begins
   constructor(start, dt) {
     this.start = start;
     this.dt = dt;
@@ -37,6 +37,7 @@ class Recorder {
         ` --mass ${s.mass} --cg-sl ${cg} --dt ${this.dt} --script flight.txt`,
       '0 release all',
       `0 governor ${kGovernors[s.governor]}`,
+      `0 interconnect ${kShafts[s.interconnect]}`,
       '0 series flight.csv held',
       ...this.events,
       `${Math.max(steps * this.dt, this.dt).toFixed(4)} end`,

@@ -39,8 +39,21 @@ function selfTest(library) {
       `${letters('side')} and ${letters('front')}, ${byId('forces').textContent}`);
     byId('show_forces').click();
     check('forces off', letters('side') + letters('front') + byId('forces').children.length === 0 &&
-      byId('front').querySelectorAll('.thrust').length === 2, 'thrusts stay');
+      byId('front').querySelectorAll('.thrust').length === 2 && location.hash.includes('forces=0'), location.hash);
     byId('show_forces').click();
+    check('forces on', letters('side') >= 5 && !location.hash.includes('forces'), location.hash);
+    // What an address asks for is what is seen.
+    explore.change(readAddress('#mast=30&speed=60&forces=0&mode=phugoid'));
+    shown();
+    check('views of an address', !byId('show_forces').checked && letters('side') === 0 && explore.phasors.mode().name === 'phugoid' &&
+      explore.near.chosen.name === 'phugoid' && byId('moved_mode').textContent === 'phugoid', location.hash);
+    explore.change(readAddress('#mast=30&speed=60&mode=no_such'));
+    shown();
+    const [fault] = explore.modeFaults();
+    check('a mode that is none', /^mode=no_such is none of this flight: there are .*short_period/.test(fault) &&
+      explore.modeFaults().length === 0, fault);
+    explore.change(readAddress('#mast=30&speed=60'));
+    shown();
   }
   {
     // A root moved by a small change of an element, against the Rayleigh quotient of the changed matrix.
@@ -63,8 +76,12 @@ function selfTest(library) {
     const mark = [...byId('near').querySelectorAll('.stable')].find((m) => m.getAttribute('aria-label').startsWith('short period'));
     mark.dispatchEvent(new KeyboardEvent('keydown', {key: 'Enter', bubbles: true}));
     const tips = [...byId('near').querySelectorAll('.level_grip')].map((line) => line.dataset.tip);
-    check('levels of a mode', explore.phasors.mode().name === 'short period' && tips.length === 3 && /at least 0.3 /.test(`${tips[0]} `),
-      tips.join(' | '));
+    check('levels of a mode', explore.phasors.mode().name === 'short period' && tips.length === 3 && /at least 0.3 /.test(`${tips[0]} `) &&
+      location.hash.endsWith('mode=short_period'), tips.join(' | '));
+    const list = byId('phasor_mode');
+    list.selectedIndex = [...list.options].findIndex(({text}) => text === 'phugoid');
+    list.dispatchEvent(new Event('change', {bubbles: true}));
+    check('mode of the list', explore.near.chosen.name === 'phugoid' && location.hash.endsWith('mode=phugoid'), location.hash);
     // The frequency of the edge and its damping are those that are asked for.
     const edge = levelEdge({zeta: 0.08, zetaOmega: 0.15, omega: 0.4}, 5);
     check('edge of a level', edge.every(([re, im]) => { const w = Math.hypot(re, im); return w > 0.4 - 1e-12 &&
@@ -85,6 +102,16 @@ function selfTest(library) {
   place('#choices [name=governor]', 2);
   place('#choices [name=scas]', true);
   check('systems', shown().isClean && explore.found.linear.n > unaugmented, `${explore.found.linear.n} states`);
+  {
+    const states = explore.found.linear.n, shaft = document.querySelector('#choices [name=interconnect]'), isFree = !shaft.disabled;
+    place('#choices [name=interconnect]', true);
+    check('interconnect', isFree && shown().linear.n === states + 2 && explore.found.linear.states.includes('shaft_twist') &&
+      location.hash.includes('interconnect=1'), `${explore.found.linear.n} states`);
+    place('#choices [name=governor]', 1);
+    check('interconnect without its governor', shaft.disabled && !shown().linear.states.includes('shaft_twist') &&
+      understood(location.hash).faults.length === 1, understood(location.hash).faults.join(' '));
+    place('#choices [name=governor]', 2);
+  }
   place('#choices [name=mass]', 5000);
   check('mass', shown().seen.conf[kConf.mass] === 5000, explore.found.text);
   const again = readAddress(writeAddress(explore.point));
@@ -102,7 +129,12 @@ function selfTest(library) {
 
   const fly = new Fly(library);
   byId('fly').hidden = false;
-  check('begin', fly.begin(readAddress('#mast=0&speed=40')), byId('flight_sentence').textContent);
+  check('begin', fly.begin(readAddress('#mast=0&speed=40&mode=phugoid')), byId('flight_sentence').textContent);
+  const {name} = fly.roots.chosen, other = [...byId('fly_near').querySelectorAll('[role=button]')]
+    .find((mark) => !mark.getAttribute('aria-label').startsWith(name));
+  other.dispatchEvent(new MouseEvent('click', {bubbles: true}));
+  check('address in flight', name === 'phugoid' && other.getAttribute('aria-label').startsWith(`${fly.roots.chosen.name}:`) &&
+    location.hash === `#mast=0&speed=40&mode=${fly.roots.chosen.name.replace(/ /g, '_')}&fly`, location.hash);
   let flies = true;
   for (let k = 0; k < 100 && flies; ++k) flies = fly.advance(2);
   check('stays in trim', flies && Math.abs(fly.seen.out[kOut.airspeed] - 40) < 0.5 && fly.steps === 200,
@@ -112,12 +144,16 @@ function selfTest(library) {
   check('stick to the right', flies && fly.seen.x[kX.roll] > 0.05, `bank ${fixed(degrees(fly.seen.x[kX.roll]), 1)} deg`);
   document.dispatchEvent(new KeyboardEvent('keyup', {key: 'ArrowRight', bubbles: true}));
   press(document.body, 'e');
+  const isRigid = !fly.matrices.linear.states.includes('shaft_twist');
+  place('#levers [name=interconnect]', true);
   place('#levers [name=w20]', '15.4');
   place('#levers [name=wind]', 5);
   place('#levers [name=flap]', 20);
   place('#levers [name=scas]', false);
   for (let k = 0; k < 100 && flies; ++k) flies = fly.advance(2);
   check('masts', flies && fly.seen.conf[kConf.mast] > 4, `${fixed(fly.seen.conf[kConf.mast], 2)} deg`);
+  check('interconnect in flight', isRigid && fly.matrices.linear.states.includes('shaft_twist') && fly.seen.x[kX.shaft_twist] !== 0,
+    `twisted by ${degrees(fly.seen.x[kX.shaft_twist])} deg`);
   fly.draw();
   lines.push(`state ${Array.from(fly.seen.x.slice(0, 31)).join(' ')}`);
   lines.push('script', fly.recorder.script(fly.steps), 'series', fly.recorder.series(), 'end of series');

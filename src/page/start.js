@@ -23,26 +23,35 @@ function begin(instance) {
     return;
   }
   const asked = understood(location.hash);
-  sayFaults(asked.faults);
   const explore = new Explore(library, asked.point);
+  sayFaults([...asked.faults, ...explore.modeFaults()]);
   let fly = null;
   const takeOff = (point) => {
     openRoom(true);
     if (fly === null) fly = new Fly(library);
     fly.begin(point);
+    fly.write();
     byId('cockpit').focus({preventScroll: true});
   };
-  byId('tab_explore').addEventListener('click', () => {
+  const land = () => {
     if (fly !== null) fly.run(false);
     openRoom(false);
     explore.compute();
+  };
+  byId('tab_explore').addEventListener('click', land);
+  byId('tab_fly').addEventListener('click', () => {
+    if (fly === null) return takeOff(explore.point);
+    openRoom(true);
+    return fly.write();
   });
-  byId('tab_fly').addEventListener('click', () => (fly === null ? takeOff(explore.point) : openRoom(true)));
   byId('fly_here').addEventListener('click', () => takeOff(explore.point));
   window.addEventListener('hashchange', () => {
-    const {point, faults} = understood(location.hash);
-    sayFaults(faults);
+    const {point, faults} = understood(location.hash), isFlight = new URLSearchParams(location.hash.slice(1)).has('fly');
     explore.change(point);
+    explore.compute();
+    sayFaults([...faults, ...explore.modeFaults()]);
+    if (isFlight) takeOff(explore.point);
+    else land();
   });
   if (kAsked.has('fly')) takeOff(explore.point);
   if (isStill) {

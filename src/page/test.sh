@@ -8,6 +8,7 @@ reference=$3
 folder=$4
 program=$5
 mkdir -p "$folder"
+folder=$(cd "$folder" && pwd)
 profile=$(mktemp -d)
 trap 'rm -rf "$profile"' EXIT
 

@@ -57,6 +57,27 @@ TEST(capi_interconnect_begins_in_balance) {
   CHECK_EQ(systems_of(sim).interconnect, 1);
 }
 
+// So do rotors that turn as actuators, augmentation and governor have put them: in a roll the torques differ.
+TEST(capi_interconnect_begins_in_balance_amid_a_manoeuvre) {
+  tr_sim sim = trimmed_sim(30, 50);
+  tr_systems systems = systems_of(sim);
+  systems.governor = TR_GOVERNOR_PI;
+  systems.engines = systems.actuators = systems.scas = systems.turbulence = 1;
+  systems.turbulence_w20_mps = 15;
+  set_systems(sim, systems);
+  tr_state state = state_of(sim);
+  state.u[TR_LAT_STICK] = 1;
+  CHECK_EQ(tr_set_state(&sim, &state), TR_OK);
+  const auto work = new_work();
+  for (int k = 0; k < 50; ++k) CHECK_EQ(tr_step(&sim, work.get(), dt), TR_OK);
+  const double before = rate_of(sim, TR_ROTOR_SPEED);
+  systems.interconnect = 1;
+  set_systems(sim, systems);
+  CHECK_LT(1e-4, std::fabs(static_cast<double>(state_of(sim).x[TR_SHAFT_TWIST])));
+  CHECK_NEAR(rate_of(sim, TR_TWIST_RATE), 0, 1e-3);
+  CHECK_NEAR(rate_of(sim, TR_ROTOR_SPEED), before, 1e-3);
+}
+
 TEST(capi_interconnect_swings_and_is_saved) {
   tr_sim sim = swinging(tr_real(0.7), 20);
   tr_systems systems = systems_of(sim);

@@ -37,7 +37,7 @@ enum Switch {
   flap,
   rotor
 };
-enum { throttle = 11, gear_down = 13, seed = 14, w20 = 15 };
+enum { throttle = 11, gear_down = 13, seed = 14, w20 = 15, interconnect = 16 };
 
 // All digits, as JavaScript has.
 std::string digits(double value) {
@@ -233,6 +233,23 @@ TEST(fly_repeats_governors_of_the_page) {
   check_flown_again(f, 1e-9);
 }
 
+// The shaft between the rotors twists in flight and becomes rigid again, with a governor beside that does not know it.
+TEST(fly_repeats_the_interconnect_of_the_page) {
+  PageFlight f({15, 30, 0, 5897, 7.65, -1});
+  f.fly({0.01, 0, 0, 0}, 0.05, 40);
+  f.command({{interconnect, 1}}, "interconnect twists");
+  f.fly({0.005, 0, 0.3, 0}, 0, 60);
+  CHECK_LT(1e-6, std::fabs(f.x(TR_SHAFT_TWIST)));
+  f.switch_governor(1);
+  f.fly({0.005, 0, 0, 0}, 0, 30);
+  CHECK_EQ(f.x(TR_SHAFT_TWIST), 0.0);
+  f.switch_governor(2);
+  f.fly({0, 0, -0.2, 0}, 0, 30);
+  f.command({{interconnect, 0}}, "interconnect rigid");
+  f.fly({0, 0, 0, 0}, 0, 50);
+  check_flown_again(f, 1e-9);
+}
+
 // What the page draws as arrows. Expected: `loads` of the command line at its own trim.
 TEST(cli_loads_are_those_of_the_page) {
   const double setup[] = {30, -1, 0, 5897, 7.65, -1};
@@ -276,7 +293,7 @@ TEST(cli_page_knows_the_places_of_the_state) {
                                                                   : name;
     CHECK_EQ(std::string(tr_state_name(std::stoi((*at)[2]))), wanted);
   }
-  CHECK_LE(13, counted);
+  CHECK_LE(14, counted);
   CHECK(script.find("copy('x', " + std::to_string(int{TR_STATES}) + ")") != std::string::npos);
   CHECK(script.find("copy('u', " + std::to_string(int{TR_CONTROLS}) + ")") != std::string::npos);
 }
