@@ -66,8 +66,8 @@ $(FUZZ_TARGETS:%=$(BUILD)/fuzz_%): $(BUILD)/fuzz_%: $(BUILD)/tests/fuzz/test_%.o
 COVERAGE_CXX ?= $(shell command -v clang++-19 || echo clang++)
 coverage: ## statement, branch and condition/decision coverage of include/ and src/ by all tests, with what is not covered
 	+$(Q)if tools=$$(tests/coverage/tools.sh '$(COVERAGE_CXX)' '$(mapped)'); then \
-	  LLVM_PROFILE_FILE='$(abspath $(BUILD))/coverage/profiles/%2m.profraw' \
-	  $(MAKE) BUILD=$(BUILD)/coverage CXX='$(COVERAGE_CXX)' HOST_CXX='$(COVERAGE_CXX)' ARCH= COVERAGE_TOOLS="$$(echo $$tools)" \
+	  LLVM_PROFILE_FILE='$(abspath $(BUILD))/coverage/profiles/%2m.profraw' COVERAGE_TOOLS="$$(echo $$tools)" \
+	  $(MAKE) BUILD=$(BUILD)/coverage CXX='$(COVERAGE_CXX)' HOST_CXX='$(COVERAGE_CXX)' ARCH= \
 	    CXXFLAGS='$(mapped)' HOST_CXXFLAGS='$(mapped)' coverage-measured; fi
 mapped = -O1 -fprofile-instr-generate -fcoverage-mapping $(call if_accepted,-fcoverage-mcdc)
 if_accepted = $(shell $(COVERAGE_CXX) -fprofile-instr-generate -fcoverage-mapping $(1) -E -x c++ /dev/null >/dev/null 2>&1 && echo $(1))

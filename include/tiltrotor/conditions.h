@@ -55,7 +55,7 @@ typedef struct tr_environment {
   tr_real temperature_offset_k; /* from the standard atmosphere at that altitude, within 60 */
   tr_real pressure_ratio;       /* to it, 0.8..1.2 */
   tr_real
-      ground_down_m; /* x[TR_DOWN] of the level ground that gear and ground effect of systems.h feel; infinity:
+      ground_down_m; /* x[TR_DOWN] of the level ground of gear, ground effect and wind shear of systems.h; infinity:
                                      none */
 } tr_environment;
 
@@ -63,7 +63,7 @@ typedef struct tr_environment {
 tr_status tr_default_environment(tr_environment* environment);
 
 /* Until the first call the air is at rest and that of tr_setup.altitude_m wherever the aircraft flies. When the wind
- * changes the aircraft keeps its velocity over the ground: velocities of the state change. TR_NOT_FINITE,
+ * changes, or in a wind shear the ground, the aircraft keeps its velocity over the ground: velocities of the state change. TR_NOT_FINITE,
  * TR_OUT_OF_RANGE (also of the altitude or velocity that follows), TR_BAD_ARGUMENT: nothing is changed. Afterwards
  * tr_set_state refuses positions outside the atmosphere, and a step does that leads there. Cost: as
  * tr_set_configuration. */

@@ -71,7 +71,7 @@ tr_status tr_get_mass(const tr_sim* sim, tr_mass* mass);
 /* Of a point fixed to the airframe, by its station. */
 typedef struct tr_motion {
   tr_real position_m[3];          /* north east down, as TR_NORTH..TR_DOWN */
-  tr_real velocity_ned_mps[3];    /* north east down, over the ground: with the wind of tr_environment */
+  tr_real velocity_ned_mps[3];    /* north east down, over the ground: with the wind at the aircraft */
   tr_real velocity_air_mps[3];    /* relative to the air at the aircraft, gust included; body axes */
   tr_real specific_force_mps2[3]; /* what an accelerometer there reads, body axes: 1 g up is -9.8 in z */
   tr_real rates_radps[3];         /* p q r */

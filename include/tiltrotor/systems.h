@@ -1,5 +1,5 @@
 /* tiltrotor: the systems around the airframe: conversion drive and flaps, engines, drive train and governor, hydraulic
- * actuators, stability augmentation; gear and ground; turbulence. Part of tiltrotor.h, which includes it; the same rules hold. Laws and numbers,
+ * actuators, stability augmentation; gear and ground; turbulence and wind shear. Part of tiltrotor.h, which includes it; the same rules hold. Laws and numbers,
  * and which of them are substitutes: include/tiltrotor/systems/README.md. */
 #ifndef TILTROTOR_SYSTEMS_H
 #define TILTROTOR_SYSTEMS_H
@@ -77,8 +77,9 @@ enum {
   TR_HOLDS_PITCH,
   TR_HOLDS_ROLL, /* 1: the attitude is held */
   TR_REST_LONG,
-  TR_REST_LAT,    /* where the stick rests, in */
-  TR_GEAR,        /* extension, 0 retracted .. 1 locked down */
+  TR_REST_LAT, /* where the stick rests, in */
+  TR_GEAR, /* extension, 0 retracted .. 1 locked down, where wheels carry. Steps move it, not tr_derivative: for an
+                     integrator of your own place it by tr_set_state */
   TR_GUST_FILTERS /* 16 of the turbulence */
 };
 
@@ -92,9 +93,11 @@ tr_status tr_get_systems(const tr_sim* sim, tr_systems* systems);
  * as set, actuators at what is asked of them, engines at the power that is demanded, augmentation at neutral with the
  * sticks where they are. While the conversion drive is on, rates of tr_configuration are its own; while the rotor speed
  * is a state, its acceleration is. tr_trim sets states, commands of masts, flaps and rotor speed, and throttles so that
- * all stand still where the flight does; engines share the power. Drag of the gear and ground effect belong to a trim,
+ * all stand still where the flight does, in a wind that does not grow with height; engines share the power. Drag of the gear and ground effect belong to a trim,
  * wheels on the ground do not.
- * TR_NOT_FINITE, TR_OUT_OF_RANGE, TR_BAD_ARGUMENT (an unknown choice): nothing is changed. Cost: 1 derivative.
+ * When wind_shear changes the aircraft keeps its velocity over the ground, as with tr_set_environment. A gear that is
+ * switched on is where it is told to be.
+ * TR_NOT_FINITE, TR_OUT_OF_RANGE (also of that velocity), TR_BAD_ARGUMENT (an unknown choice): nothing is changed. Cost: 1 derivative.
  *
  * With systems on: a step takes 3 or 4 derivatives a part as before and a twentieth of one more for each, with an ideal
  * governor some five times as many. tr_linearize covers their states; where masts, rotor speed, air or ground move it

@@ -54,7 +54,7 @@ constexpr SettingFacts kSettingFacts[] = {
     {"wind_down", "m/s", F, 0, -100, 100, "wind; needs the environment"},
     {"brake_R", "", F, 0, 0, 1, "brake of the right main wheel"},
     {"brake_L", "", F, 0, 0, 1, "brake of the left main wheel"},
-    {"gear_down", "", B, 1, 0, 1, "landing gear extended"},
+    {"gear_down", "", B, 1, 0, 1, "landing gear down; in Co-Simulation it takes its time"},
     {"engine_failed_R", "", B, 0, 0, 1, "right engine gives no power"},
     {"engine_failed_L", "", B, 0, 0, 1, "left engine gives no power"},
 };
@@ -181,7 +181,7 @@ bool depends(Place unknown, Place known) {
   if (unknown.role == Role::state) return state && index == unknown.index;
   if (unknown.role == Role::rate) {
     if (unknown.index >= TR_NORTH && unknown.index <= TR_DOWN)
-      return state && among(index, kSpeeds | kBank | bit(TR_YAW));
+      return state && among(index, kSpeeds | kBank | bit(TR_YAW) | bit(TR_DOWN));  // down: along a wind shear
     const std::uint64_t states = states_of_rate(unknown.index);
     return states == kEverything || (state && among(index, states));
   }

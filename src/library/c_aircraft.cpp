@@ -126,6 +126,7 @@ StateCheck check_state(const tr_state& state) {
     return {TR_NOT_FINITE, bad_state, bad_control};
   for (int i = 0; i < TR_STATES; ++i)
     if (!in_bound(i, state.x[i])) return {TR_OUT_OF_RANGE, i, kNone};
+  if (state.x[TR_GEAR] < R(0)) return {TR_OUT_OF_RANGE, TR_GEAR, kNone};
   for (int j = 0; j < TR_CONTROLS; ++j)
     if (!(std::fabs(state.u[j]) <= kLargestControl<R>)) return {TR_OUT_OF_RANGE, kNone, j};
   const bool in_time = state.time_s >= 0 && state.time_s <= kLongestFlight && state.steps <= kMostSteps;

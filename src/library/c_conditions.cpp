@@ -197,17 +197,15 @@ tr_status tr_set_environment(tr_sim* sim, const tr_environment* environment) {
   if (environment == nullptr) return TR_BAD_ARGUMENT;
   Sim& s = *opened(sim);
   // The velocity over the ground stays, that relative to the air that drifts changes.
+  const tr_status acceptable = check_environment(*environment);
+  if (acceptable != TR_OK) return acceptable;
   const Vehicle<R>& before = s.systems.vehicle;
   Vehicle<R> after = before;
   after.ground = {environment->ground_down_m, R(0), R(0)};
   Vec3<R> velocity;
-  const bool possible = keep_over_ground(s,
-                                         wind_there(s, after, vector(environment->wind_mps)) -
-                                             wind_there(s, before, s.configuration.around.wind_n),
-                                         velocity);
-  const bool finite =
-      all_finite(environment->wind_mps, 3) && environment->ground_down_m == environment->ground_down_m;
-  if (!possible && finite) return TR_OUT_OF_RANGE;
+  const Vec3<R> change_n = wind_there(s, after, vector(environment->wind_mps)) -
+                           wind_there(s, before, s.configuration.around.wind_n);
+  if (!keep_over_ground(s, change_n, velocity)) return TR_OUT_OF_RANGE;
   const tr_status status = put_environment(*environment, true, s);
   if (status == TR_OK) s.x.velocity = velocity;
   return status;

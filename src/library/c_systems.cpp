@@ -1,6 +1,8 @@
 // The C interface: systems around the airframe.
 #include "library/c_systems.hpp"
 
+#include <utility>
+
 #include "library/c_state.hpp"
 #include "library/c_words.hpp"
 #include "tiltrotor/analysis/flight/attitude.hpp"
@@ -349,6 +351,7 @@ tr_status tr_set_systems(tr_sim* sim, const tr_systems* systems) {
     s.systems = all_before;
     return TR_OUT_OF_RANGE;
   }
+  std::swap(s.x.velocity, velocity);  // the systems begin in the new wind; on failure it is put back
   begin_systems(all_before.vehicle.on, s);
   if (twists(s.systems.vehicle.on) && !twists(all_before.vehicle.on)) balance_shaft(s);
   clear_unused(s);
@@ -365,11 +368,11 @@ tr_status tr_set_systems(tr_sim* sim, const tr_systems* systems) {
     for (R* inflow : {&rotor.lambda_0, &rotor.lambda_c, &rotor.lambda_s}) *inflow *= faster;
   }
   // Loads of a gear belong to the moment.
-  if (status == TR_OK) {
+  if (status == TR_OK) leave_ground(s);
+  if (status != TR_OK) {
+    s.systems = all_before;
     s.x.velocity = velocity;
-    leave_ground(s);
   }
-  if (status != TR_OK) s.systems = all_before;
   return status;
 }
 

@@ -215,7 +215,8 @@ class Fly {
   strike() {
     this.isOver = true;
     this.run(false);
-    return this.say(`The flight ended at ${fixed(this.steps * kStep, 2)} s: the aircraft met the ground, sinking at ` +
+    const out = this.seen.x[kX.gear], gear = !this.seen.sys[kSys.gearDown] ? ' with the gear up' : out < 1 ? ' before the gear was down' : '';
+    return this.say(`The flight ended at ${fixed(this.steps * kStep, 2)} s: the aircraft met the ground${gear}, sinking at ` +
       `${fixed(-this.seen.out[kOut.climb], 1)} m/s. Begin again.`);
   }
   model() {

@@ -31,7 +31,7 @@ except ImportError:
     numpy = None
 
 # ---- the library ----
-_INTERFACE = 5
+_INTERFACE = 6
 _NAMES = (f"libtiltrotor.so.{_INTERFACE}", "libtiltrotor.so", "libtiltrotor.dylib", "libtiltrotor.dll")
 
 def _load():

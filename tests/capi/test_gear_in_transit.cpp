@@ -47,6 +47,18 @@ TEST_OF_XV15(capi_gear_is_eight_seconds_on_its_way) {
   CHECK_NEAR(out(sim), 0.75, 1e-3);
 }
 
+// No state has less of it out than none.
+TEST(capi_gear_is_not_less_than_retracted) {
+  tr_sim sim = sim_at(60);
+  tell_gear(sim, 1, 0);
+  tr_state state = state_of(sim);
+  state.x[TR_GEAR] = tr_real(-0.1);
+  CHECK_EQ(tr_set_state(&sim, &state), TR_OUT_OF_RANGE);
+  state.x[TR_GEAR] = tr_real(0.4);
+  CHECK_EQ(tr_set_state(&sim, &state), TR_OK);
+  CHECK_NEAR(out(sim), 0.4, 1e-7);
+}
+
 // On it begins where it is told to be; off there is none; a trim has it at rest.
 TEST(capi_gear_begins_and_is_trimmed_at_rest) {
   tr_sim sim = sim_at(60);

@@ -1,6 +1,7 @@
 // The C interface in air that moves: instruments read the air, and a trim keeps wind, heading and position.
 // Expected: velocity triangles, and the same flight in still air.
 #include <cmath>
+#include <limits>
 #include <vector>
 
 #include "capi/flying.hpp"
@@ -184,4 +185,76 @@ TEST(capi_wind_shear_keeps_the_velocity_over_the_ground) {
   systems.wind_shear = TR_SHEAR_NONE;
   CHECK_EQ(tr_set_systems(&sim, &systems), TR_OK);
   check(1);
+}
+
+// Refused, an environment and systems leave the aircraft as it is, bit for bit; any ground that is finite gives rates.
+TEST(capi_wind_shear_refuses_without_a_trace) {
+  tr_sim sim = trimmed_sim(30, 50);
+  tr_environment air;
+  CHECK_EQ(tr_default_environment(&air), TR_OK);
+  air.wind_mps[0] = air.wind_mps[1] = -100;
+  air.ground_down_m = 1000;
+  CHECK_EQ(tr_set_environment(&sim, &air), TR_OK);
+  tr_systems systems;
+  CHECK_EQ(tr_get_systems(&sim, &systems), TR_OK);
+  const auto without_a_trace = [&sim](const char* what, tr_status expected, auto&& call) {
+    const tr_sim before = sim;
+    if (!(CHECK_EQ(call(), expected) & CHECK(same_bits(sim, before)))) NOTE(what);
+  };
+  tr_systems all = systems;
+  all.wind_shear = TR_SHEAR_OTHER;  // 270 m/s at that height, and the aircraft against it
+  tr_state state = state_of(sim);
+  state.x[TR_U] = tr_real(290);
+  CHECK_EQ(tr_set_state(&sim, &state), TR_OK);
+  without_a_trace("velocity", TR_OUT_OF_RANGE, [&] { return tr_set_systems(&sim, &all); });
+  state.x[TR_U] = tr_real(50);
+  CHECK_EQ(tr_set_state(&sim, &state), TR_OK);
+  air.wind_mps[0] = -5;
+  air.wind_mps[1] = 0;
+  CHECK_EQ(tr_set_environment(&sim, &air), TR_OK);
+  CHECK_EQ(tr_set_systems(&sim, &all), TR_OK);
+  for (const tr_real ground : {-kInfinity, kNan}) {
+    air.ground_down_m = ground;
+    without_a_trace("ground", TR_NOT_FINITE, [&] { return tr_set_environment(&sim, &air); });
+  }
+  const tr_real largest = std::numeric_limits<tr_real>::max();
+  for (const tr_real ground : {largest, -largest, tr_real(1e6), kInfinity}) {
+    air.ground_down_m = ground;
+    tr_real rates[TR_STATES];
+    CHECK_EQ(tr_set_environment(&sim, &air), TR_OK);
+    CHECK_EQ(tr_derivative(&sim, rates, TR_STATES), TR_OK);
+  }
+}
+
+// On its wheels in a wind that grows with height the aircraft stands, and its air is the wind of its height.
+TEST(capi_wind_shear_blows_past_an_aircraft_on_its_wheels) {
+  tr_setup setup = setup_at(0);
+  setup.rotor_radps = 30;
+  tr_sim sim;
+  CHECK_EQ(tr_init(&sim, TR_API_VERSION, &setup), TR_OK);
+  tr_environment air;
+  CHECK_EQ(tr_default_environment(&air), TR_OK);
+  air.wind_mps[0] = -8;
+  air.ground_down_m = 0;
+  CHECK_EQ(tr_set_environment(&sim, &air), TR_OK);
+  tr_systems systems;
+  CHECK_EQ(tr_get_systems(&sim, &systems), TR_OK);
+  systems.gear = 1;
+  systems.wind_shear = TR_SHEAR_OTHER;
+  systems.brake[0] = systems.brake[1] = 1;
+  CHECK_EQ(tr_set_systems(&sim, &systems), TR_OK);
+  tr_state state = state_of(sim);
+  state.x[TR_DOWN] = tr_real(-1.85);
+  state.x[TR_U] = 4;
+  CHECK_EQ(tr_set_state(&sim, &state), TR_OK);
+  const tr_real collective = tr_real(-0.03);
+  CHECK_EQ(tr_set_controls(&sim, &collective, 1), TR_OK);
+  const auto work = new_work();
+  for (int k = 0; k < 3000; ++k) CHECK_EQ(tr_step(&sim, work.get(), dt), TR_OK);
+  const tr_state rests = state_of(sim);
+  const double height_ft = -static_cast<double>(rests.x[TR_DOWN]) / 0.3048;
+  const double pitch = static_cast<double>(rests.x[TR_PITCH]);
+  const double ahead = static_cast<double>(rests.x[TR_U]) * std::cos(pitch) +
+                       static_cast<double>(rests.x[TR_W]) * std::sin(pitch);
+  CHECK_NEAR(ahead, 8 * std::log(height_ft / 2) / std::log(10.0), 0.02);
 }

@@ -82,8 +82,8 @@ constexpr std::size_t kConditions =
     kSums + 5 * 8;  // 4 settings, 22 numbers of the environment, a flag, 6 of loads
 constexpr std::size_t kFlag = kConditions + 26 * sizeof(tr_real);
 constexpr std::size_t kSystems = kFlag + 4 + 6 * sizeof(tr_real);
-// 8 switches, 5 commands, 3 of gear and engines, 2 brakes, seed and strength, what fades, loaded mass
-constexpr std::size_t kEnd = kSystems + 13 * 4 + 8 + 9 * sizeof(tr_real) + 8;
+// 10 switches, 5 commands, 3 of gear and engines, 2 brakes, seed and strength, what fades, loaded mass
+constexpr std::size_t kEnd = kSystems + 14 * 4 + 8 + 9 * sizeof(tr_real) + 8;
 
 void write_file(const std::string& path, const void* bytes, std::size_t length) {
   std::ofstream(path, std::ios::binary).write(static_cast<const char*>(bytes), std::streamsize(length));
@@ -246,7 +246,7 @@ TEST(capi_saved_bytes_have_a_fixed_order) {
     return Bytes(bytes.begin() + std::ptrdiff_t(from), bytes.begin() + std::ptrdiff_t(from + count));
   };
   CHECK(at(0, 7) == Bytes({'t', 'r', 's', 'a', 'v', 'e', 'd'}));
-  CHECK(at(12, 4) == Bytes({sizeof(tr_real), 0, 5, 0}));
+  CHECK(at(12, 4) == Bytes({sizeof(tr_real), 0, 6, 0}));
   CHECK(at(kHeader, 4) == Bytes({static_cast<unsigned char>(tr_aircraft_at(0)), 0, 0, 0}));
   // 30 is 0x403e000000000000, in single precision 0x41f00000.
   const Bytes thirty = sizeof(tr_real) == 8 ? Bytes{0, 0, 0, 0, 0, 0, 0x3e, 0x40} : Bytes{0, 0, 0xf0, 0x41};

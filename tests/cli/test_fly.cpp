@@ -322,6 +322,7 @@ TEST_OF_XV15(fly_gear_takes_its_time) {
   const Flown f = fly("0 hold speed 20\n1 gear down\n10 end\n", "--speed 20 --height 50 --every 1");
   CHECK_EQ(f.result.exit_status, 0);
   const double expected[] = {0, 0, 0.125, 0.25, 0.375, 0.5, 0.625, 0.75, 0.875, 1, 1};
+  CHECK_EQ(f.count(), std::size_t{11});
   for (std::size_t k = 0; k < f.count(); ++k) CHECK_NEAR(f(k, "gear"), expected[k], 2e-3);
   const Flown early = fly("0 gear down\n0 hold climb -3\n20 end\n", "--speed 20 --height 10 --every 0");
   CHECK_EQ(early.result.exit_status, 1);

@@ -236,6 +236,12 @@ TEST(fmu_dependencies_cover_every_slope) {
     CHECK_EQ(m.set_switch(k, true), fmi3OK);
   CHECK_EQ(m.set_switch(kConing, true), fmi3OK);
   CHECK_EQ(m.set(setting(kTrimSideslip), 0.05), fmi3OK);
+  // A wind that grows with height, 20 m above the ground.
+  const Reference shear = setting(kWindShear);
+  const fmi3Int64 terminal = 1;
+  CHECK_EQ(FMI(fmi3SetInt64)(m.instance, &shear, 1, &terminal, 1), fmi3OK);
+  CHECK_EQ(m.set(setting(kGroundDown), 20), fmi3OK);
+  CHECK_EQ(m.set(setting(kWindNorth), -8), fmi3OK);
   CHECK_LE(m.start(30, 60), fmi3Warning);
   std::vector<Reference> unknown;
   for (int k = 0; k < kContinuousStates; ++k) unknown.push_back(rate(k));

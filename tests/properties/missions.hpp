@@ -79,6 +79,7 @@ class Mission {
                                   &systems.turbulence, &systems.interconnect};
       for (std::int32_t* const one : on) *one = random_.chance(0.8) ? 1 : 0;
       systems.governor = random_.below(3);
+      systems.wind_shear = random_.below(3);
       systems.turbulence_seed = static_cast<std::uint64_t>(random_.between(0, 1e9));
       systems.turbulence_w20_mps = random_.between(0, 23);
       expect(tr_set_systems(&sim_, &systems) == TR_OK, "no systems");

@@ -118,7 +118,7 @@ inline Somewhere somewhere(Dice& dice, Governor governor) {
   v.commands.mast = tilt + dice.between(-0.2, 0.2);
   v.commands.flap = s.flap + dice.between(-0.1, 0.1);
   v.commands.rotor_speed = at.c.setup.rotor_speed;
-  s.gear = v.gear_down && dice.flip() ? 1 : dice.between(0, 0.99);
+  s.gear = v.gear_down && dice.between(0, 1) < 0.9 ? 1 : dice.between(0, 0.99);
   v.on.wind_shear = static_cast<WindShear>(static_cast<int>(dice.between(0, 3)));
   at.c.around.wind_n = {dice.between(-10, 10) * size, dice.between(-10, 10) * size, 0};
   // The search for its collective begins where it will end.

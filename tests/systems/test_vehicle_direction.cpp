@@ -13,6 +13,10 @@ struct Worst {
   const char* row = "";
 };
 
+double size_of(const Variable& variable) {
+  return variable.kind == VariableKind::power ? variable.facts().bend : 1.0;
+}
+
 // Along every state and input at once, those included that a linear model leaves out, each by some of the distance over
 // which the model bends.
 void compare_direction(const Somewhere& at, Dice& dice, VehicleDirectionWorkspace<double>& work,
@@ -30,13 +34,13 @@ void compare_direction(const Somewhere& at, Dice& dice, VehicleDirectionWorkspac
              Status::ok))
     return;
   const Change expected = complex_step(at, dx, du);
-  // Of a row whose limit is met the rest of two large numbers is left: no smaller than over the bend of its kind.
+  // Of the power of an engine at a limit the rest of two large numbers is left: over the size of a power, then.
   const auto compare = [&worst](double a, double b, double bend, const char* row) {
     const double error = std::fabs(a - b) / std::max({1.0, bend, std::fabs(b)});
     if (error > worst.error) worst = {error, row};
   };
   for (int i = 0; i < vehicle_state_count; ++i)
-    compare(found.of[i], expected.of[i], vehicle_variable(i).facts().bend, vehicle_variable(i).name);
+    compare(found.of[i], expected.of[i], size_of(vehicle_variable(i)), vehicle_variable(i).name);
   for (int i = 0; i < Instruments<double>::kCount; ++i)
     compare(found.readings[i], expected.readings[i], 1, "reading");
 }

@@ -32,8 +32,8 @@ Vec3<double> wind_of(const Flight& f, double down) {
 }  // namespace
 
 TEST(wind_shear_logarithm_is_that_of_the_library) {
-  for (double x = 1e-12; x < 1e12; x *= 1.37)
-    CHECK_NEAR(logarithm(x), std::log(x), 5e-16 * std::max(1.0, std::fabs(std::log(x))));
+  for (double x = 1.1e-30; x < 1e30; x *= 1.37)
+    CHECK_NEAR(logarithm(x), std::log(x), 4e-16 * std::max(1.0, std::fabs(std::log(x))));
   CHECK_EQ(logarithm(1.0), 0.0);
   CHECK_NEAR(logarithm(3.0f), std::log(3.0f), 2e-7f);
   using D = Dual<double, 2>;

@@ -160,7 +160,7 @@ TEST(build_precision_is_in_the_names) {
   int counted = 0;
   for (std::string name; std::getline(names, name); ++counted) {
     const bool marked = (name.size() > 7 && name.substr(name.size() - 7) == "_single") ||
-                        name.find("0x00050004u") != std::string::npos;
+                        name.find("0x00060004u") != std::string::npos;
     if (!CHECK(marked)) NOTE("no name of its own in single precision: " << name);
   }
   CHECK(counted >= 23);
@@ -180,7 +180,7 @@ TEST(build_precision_is_in_the_names) {
         std::string("printf '#include \"older.h\"\\nint main() { const volatile auto f = &") + name +
         "; return f == nullptr; }' | ";
     const ProgramResult wrong = room.run(
-        "sed s/0x00050/0x00020/ " + quoted(source_path("include/tiltrotor/tiltrotor.h")) + " >older.h && " +
+        "sed s/0x00060/0x00020/ " + quoted(source_path("include/tiltrotor/tiltrotor.h")) + " >older.h && " +
         program + kCxx + kThis + "-I. -x c++ - -x none " + kLibrary + " -o program");
     CHECK(wrong.exit_status != 0 && wrong.err.find("undefined reference") != std::string::npos);
   }

@@ -56,7 +56,8 @@ bool begin_step(const Aircraft<R>& aircraft, const State<R>& x, const Controls<R
 template <class R>
 R moved_gear(const GearTables<R>& gear, const Vehicle<R>& v, R extension, R dt) {
   const R way = dt / gear.transit;
-  return v.gear_down ? smaller_of(extension + way, R(1)) : larger_of(extension - way, R(0));
+  const R moved = v.gear_down ? extension + way : extension - way;
+  return larger_of(smaller_of(moved, R(1)), R(0));
 }
 
 // The systems in a steady flight at (x, u) of the airframe, `torque` of each rotor (N m): every rate that the flight

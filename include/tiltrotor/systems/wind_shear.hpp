@@ -20,13 +20,16 @@ struct WindProfile {
   T share, slope;  // -, 1/m
 };
 
-// `height`: above the ground, m. Not of WindShear::none.
+// `height`: above the ground, m, any. Not of WindShear::none.
 template <class T>
 WindProfile<T> wind_profile(const GustTables<Real<T>>& g, WindShear shear, const T& height) {
   using R = Real<T>;
   const R roughness = shear == WindShear::terminal ? g.roughness_terminal : g.roughness_other;
   const R per_log = R(1) / logarithm(R(g.shear_height / roughness)), per_width = R(1) / g.shear_width;
-  const T above = height - g.shear_lowest, beyond = height - g.shear_highest;
+  // Beyond its ends, where nothing changes, no large numbers.
+  const R low = g.shear_lowest - g.shear_width, high = g.shear_highest + g.shear_width;
+  const T h = value(height) < low ? T(low) : value(height) > high ? T(high) : height;
+  const T above = h - g.shear_lowest, beyond = h - g.shear_highest;
   const T held = g.shear_lowest + smooth_ramp(above, g.shear_width) - smooth_ramp(beyond, g.shear_width);
   const T rises = smooth_step(T(per_width * above + R(0.5))) - smooth_step(T(per_width * beyond + R(0.5)));
   return {per_log * logarithm(T(held * (R(1) / roughness))), per_log * rises / held};

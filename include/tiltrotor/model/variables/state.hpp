@@ -34,7 +34,7 @@ struct State {
   RotorState<T> rotor[2];    // right, left
   T downwash;                // wing downwash at the tail, lagged, rad
   ConingState<T> coning[2];  // only with Options::coning_states
-  // North, east, down over the ground, m: carried along by Surroundings::wind_n; only with
+  // North, east, down over the ground, m: carried along by the wind (Surroundings::wind_n); only with
   // Options::position_states.
   Vec3<T> position;
 

@@ -8,7 +8,8 @@ namespace tiltrotor {
 
 template <class R>
 struct Surroundings {
-  // Of the undisturbed air over the ground, north east down, m/s: what carries the aircraft along.
+  // Of the undisturbed air over the ground, north east down, m/s: what carries the aircraft along; 20 ft above the ground
+  // where it grows with height (systems/wind_shear.hpp).
   Vec3<R> wind_n;
   // Of the air at a place, relative to the undisturbed air and to Controls::gust, which is felt everywhere: body axes,
   // m/s. Wing: and pylons, fuselage, and wakes of the rotors on it; tail: horizontal tail and fins.
