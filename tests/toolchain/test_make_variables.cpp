@@ -195,3 +195,11 @@ TEST(build_test_cross_is_deaf_to_variables_of_this_machine) {
     if (!CHECK(other.find(mine) == std::string::npos)) NOTE(mine);
   run_program("rm -r " + tools);
 }
+
+// A goal that calls make again with variables of its own is not refused for them.
+TEST(build_make_goals_are_not_refused_by_themselves) {
+  if (!has_make()) return;
+  const std::string folder = new_temporary_folder();
+  check_accepted("BUILD=" + folder + "/b", "coverage");
+  run_program("rm -r " + folder);
+}
