@@ -81,7 +81,9 @@ void evaluate_seeded(const Vehicle<R>& v, const Configuration<R>& c, const Confi
                    Airframe{{work.configuration, work.x, work.steps, azimuth}, work.ideal ? &added : nullptr},
                    work.demand, work.answer, work.flows, work.rates);
   const Aircraft<R>& aircraft = *c.aircraft;
-  read_vehicle(v, work.configuration, work.x, work.steps, work.answer.rates, work.rates, work.readings);
+  out_of_line([&] {
+    read_vehicle(v, work.configuration, work.x, work.steps, work.answer.rates, work.rates, work.readings);
+  });
   const T excess = (work.answer.torque[right] + work.answer.torque[left]) * work.demand.setting.rotor_speed -
                    aircraft.controls.transmission_efficiency * work.flows.power;
   for (int k = 0; k < kVehicleSlopes; ++k) work.follows[k] = -excess.d.get(k) / excess.d.get(kVehicleSlopes);
