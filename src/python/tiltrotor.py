@@ -302,11 +302,11 @@ class Aircraft:
 
     def call(self, function, *arguments):
         """function(sim, ...), any of those that take the aircraft first; Error says which state or control is to blame."""
-        status, fault = function(self.sim, *arguments), tr_fault()
+        status, fault, called = function(self.sim, *arguments), tr_fault(), function.__name__.replace("_single", "")
         if status != TR_OK and tr_last_fault(self.sim, fault) == TR_OK:
             name = (tr_state_name(fault.state) if fault.state >= 0 else tr_control_name(fault.control)).decode()
-            raise Error(status, function.__name__ + (f", {name}" if fault.status == status and name != "unknown" else ""))
-        check(status, function.__name__)
+            raise Error(status, called + (f", {name}" if fault.status == status and name != "unknown" else ""))
+        check(status, called)
 
     def get(self, function, structure):
         """What a function writes into a structure: get(tr_get_outputs, tr_outputs)."""
