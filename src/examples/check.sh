@@ -46,6 +46,11 @@ else
     ./trim_and_fly >by_hand.txt
     cmake/built/trim_and_fly | cmp - by_hand.txt
     cmake/built/trim_curve >/dev/null
+    mkdir refused
+    printf '%s\n' 'cmake_minimum_required(VERSION 3.13)' 'project(refused NONE)' \
+        'find_package(tiltrotor 0.2 REQUIRED COMPONENTS static nonsense)' >refused/CMakeLists.txt
+    ! cmake -S refused -B refused/built -DCMAKE_PREFIX_PATH="$prefix" >cmake.txt 2>&1 || { cat cmake.txt; exit 1; }
+    grep -q "no component 'nonsense': there are .*static" cmake.txt || { cat cmake.txt; exit 1; }
     echo "cmake: find_package(tiltrotor), shared and static"
 fi
 if [ -z "${RUNNER:-}" ] && [ -e "$prefix/lib/python" ]; then

@@ -27,8 +27,9 @@ fmi3Instance instantiate(bool co_simulation, fmi3String name, fmi3String token, 
   Instance& i = *static_cast<Instance*>(block);
   i.mark = kMark;
   i.co_simulation = co_simulation;
-  i.logging = logging;
-  i.categories = ~0u;
+  // Errors are told to importers that do not ask for a log, too.
+  i.logging = true;
+  i.categories = logging ? ~0u : 1u << fmi3Error | 1u << fmi3Fatal;
   i.log_message = log_message;
   i.environment = environment;
   i.stop_time = HUGE_VAL;

@@ -46,8 +46,9 @@ $(BUILD)/run_tests: | $(FMU_BINARY) $(FMU_FOLDER)/modelDescription.xml $(FMU_FOL
 # A copy of one date, in one order: two builds give the same bytes.
 fmu-archive: $(FMU_BINARY) $(FMU_FOLDER)/modelDescription.xml $(FMU_FOLDER)/sources/buildDescription.xml
 	$(Q)set -e; to="$$(pwd)/$(FMU)"; case '$(FMU)' in /*) to='$(FMU)' ;; esac; \
-	packed=$(FMU_FOLDER)/packed; rm -rf "$$to" "$$packed"; mkdir -p "$$packed/documentation/licenses"; \
+	packed=$(FMU_FOLDER)/packed; rm -rf "$$to" "$$packed"; mkdir -p "$$packed/documentation/licenses" "$$packed/terminalsAndIcons"; \
 	cp -R $(FMU_FOLDER)/modelDescription.xml $(FMU_FOLDER)/binaries $(FMU_FOLDER)/sources "$$packed"; \
+	cp src/fmu/terminalsAndIcons.xml src/fmu/icon.svg src/fmu/icon.png "$$packed/terminalsAndIcons"; \
 	cp src/fmu/README.md "$$packed/documentation"; cp LICENSE "$$packed/documentation/licenses/license.txt"; \
 	find "$$packed" -exec touch -t 198001010000 {} +; cd "$$packed"; \
 	if command -v zip >/dev/null; then find . -type f | LC_ALL=C sort | zip -q -X -@ "$$to"; \

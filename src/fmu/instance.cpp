@@ -58,6 +58,8 @@ fmi3Status put_environment(Instance& i) {
 // Switches and commands as they are in the flight.
 fmi3Status put_systems(Instance& i, bool with_commands) {
   const Flight& f = i.flight;
+  if (is_on(f, kInterconnect) && f.setting[kGovernor] != TR_GOVERNOR_PI)
+    return say(i, fmi3Error, "interconnect needs governor = %d, pi", static_cast<int>(TR_GOVERNOR_PI));
   if (!has_systems(f)) return fmi3OK;
   if (!i.co_simulation && (is_on(f, kScas) || is_on(f, kTurbulence)))
     return say(i, fmi3Error, "scas and turbulence move on between steps: Co-Simulation has them");
@@ -272,7 +274,8 @@ fmi3Status put_setting(Instance& i, int index, double value) {
   if (index < kFirstInputSetting && (f.mode & kBeforeFlight) == 0)
     return say(i, fmi3Error, "%s is a fixed parameter: set before the end of initialization", facts.name);
   if (value < facts.least || value > facts.most)
-    return say(i, fmi3Error, "%s = %g lies outside %g..%g", facts.name, value, facts.least, facts.most);
+    return say(i, fmi3Error, "%s = %.10g lies outside %.10g..%.10g", facts.name, value, facts.least,
+               facts.most);
   const double before = f.setting[index];
   f.setting[index] = value;
   if ((f.mode & kBeforeFlight) != 0) {

@@ -145,9 +145,8 @@ def _structure(name, doc, fields):
 
 tr_sim = _structure("tr_sim", "The aircraft, opaque: a copy of it is a snapshot.", "uint64_t reserved[TR_SIM_SIZE / 8]")
 tr_work = _structure("tr_work", "Scratch of the calls that name it.", "uint64_t reserved[TR_WORK_SIZE / 8]")
-tr_setup = _structure("tr_setup", "What a flight begins with; tr_default_setup fills it, tr_check_setup says the ranges.",
-    "int32_t aircraft, grid, tables, coning_states; tr_real mast_deg, flap_deg, altitude_m, mass_kg, rotor_radps, "
-    "cg_station_m")
+tr_setup = _structure("tr_setup", "What a flight begins with: grid 1..2 (tr_grid), tables 1..2 (tr_tables), coning_states 0..1; tr_check_setup says the ranges.",
+    "int32_t aircraft, grid, tables, coning_states; tr_real mast_deg, flap_deg, altitude_m, mass_kg, rotor_radps, cg_station_m")
 tr_state = _structure("tr_state", "The state of a flight: x and u in the order of the constants TR_U..., TR_COLLECTIVE...; SI, inceptors in inches.",
     "double time_s; uint64_t steps; tr_real x[TR_STATES], u[TR_CONTROLS]; double roll_rad, yaw_rad, position_m[3]")
 tr_outputs = _structure("tr_outputs", "What instruments read; airspeed and angles relative to the air, specific force what an accelerometer reads.",
@@ -161,9 +160,8 @@ tr_trim_result = _structure("tr_trim_result", "How a trim ended, in a sentence; 
 tr_linear_shape = _structure("tr_linear_shape", "Rows and columns of A and B: places in tr_state.x and tr_state.u, from TR_CONTROLS on commands of systems.",
     "int32_t states, controls, state[TR_MAX_LINEAR_STATES], control[TR_INPUTS]")
 tr_mode = _structure("tr_mode", "Eigenvalue in 1/s, imag >= 0; time_to_half_s is negative where it is one to double.", "tr_real real, imag, frequency_radps, damping_ratio, time_to_half_s; char name[32]")
-tr_configuration = _structure("tr_configuration", "Masts, flaps, rotor speed and loading, as they are now.",
-    "tr_real mast_deg, mast_rate_radps, mast_acceleration_radps2, flap_deg, rotor_radps, rotor_acceleration_radps2, "
-    "mass_kg, cg_station_m, cg_waterline_m")
+tr_configuration = _structure("tr_configuration", "Now: mast_deg 0..90, rate within 1 rad/s, acceleration 10; flap_deg 0..75; rotor_radps 20..80, acceleration within 50; mass_kg 3000..10000; cg_station_m 7..8, cg_waterline_m 1.5..2.5.",
+    "tr_real mast_deg, mast_rate_radps, mast_acceleration_radps2, flap_deg, rotor_radps, rotor_acceleration_radps2, mass_kg, cg_station_m, cg_waterline_m")
 tr_environment = _structure("tr_environment", "Air and ground: wind north east down, gusts in body axes by place.",
     "tr_real wind_mps[3], gust_mps[TR_PLACES][3], gust_rates_radps[3], altitude_origin_m, temperature_offset_k, "
     "pressure_ratio, ground_down_m")
@@ -171,11 +169,10 @@ tr_load = _structure("tr_load", "A load from outside, at a station aft, right, u
 tr_fault = _structure("tr_fault", "What the last failing call found; state and control are places, -1: none.", "int32_t status, state, control; double time_s")
 tr_mass = _structure("tr_mass", "At the present mast angle; inertia xx yy zz xz about the centre of gravity.", "tr_real mass_kg, cg_m[3], inertia_kgm2[4]")
 tr_motion = _structure("tr_motion", "Of a point of the airframe: what an inertial unit there has; quaternion scalar first, earth to body.",
-    "tr_real position_m[3], velocity_ned_mps[3], velocity_air_mps[3], specific_force_mps2[3], rates_radps[3], "
-    "acceleration_radps2[3], quaternion[4]")
+    "tr_real position_m[3], velocity_ned_mps[3], velocity_air_mps[3], specific_force_mps2[3], rates_radps[3], acceleration_radps2[3], quaternion[4]")
 tr_air_data = _structure("tr_air_data", "What an air data probe without errors reads.",
     "tr_real static_pa, impact_pa, tas_mps, cas_mps, mach, alpha_rad, beta_rad")
-tr_systems = _structure("tr_systems", "Switches (0 or 1; governor a tr_governor) and commands of the systems around the airframe.",
+tr_systems = _structure("tr_systems", "Systems around the airframe: switches 0 or 1, governor 0..2 (tr_governor), wind_shear 0..2 (tr_wind_shear); mast_command_deg 0..90, flap_command_deg 0..75, rotor_command_radps 20..80, throttle 0..1.2, turbulence_w20_mps 0..50, brake 0..1.",
     "int32_t governor, conversion, engines, actuators, scas, gear, ground_effect, turbulence, interconnect, wind_shear; "
     "tr_real mast_command_deg, flap_command_deg, rotor_command_radps, throttle[2]; int32_t gear_down, engine_failed[2]; uint64_t turbulence_seed; "
     "tr_real turbulence_w20_mps, brake[2]")
@@ -298,18 +295,18 @@ class Aircraft:
         status = tr_default_setup(self.setup, TR_API_VERSION, aircraft, self.setup.set(mast_deg=mast_deg).mast_deg)
         if status == TR_OUT_OF_RANGE:  # tr_check_setup tells the range
             status = tr_default_setup(self.setup, TR_API_VERSION, aircraft, 0)
-        check(status, f"aircraft={aircraft}")
+        check(status, f"aircraft={aircraft}", f"there is {tr_aircraft_at(0)} alone")
         status = tr_check_setup(self.setup.set(mast_deg=mast_deg, **setup), TR_API_VERSION, text, len(text))
-        check(status, "setup", text.value.decode())
+        check(status, "setup", text.value.decode() or tr_setup.__doc__.split("\n")[0])
         check(tr_init(self.sim, TR_API_VERSION, self.setup))
 
     def call(self, function, *arguments):
         """function(sim, ...), any of those that take the aircraft first; Error says which state or control is to blame."""
-        status, fault = function(self.sim, *arguments), tr_fault()
+        status, fault, called = function(self.sim, *arguments), tr_fault(), function.__name__.replace("_single", "")
         if status != TR_OK and tr_last_fault(self.sim, fault) == TR_OK:
             name = (tr_state_name(fault.state) if fault.state >= 0 else tr_control_name(fault.control)).decode()
-            raise Error(status, function.__name__ + (f", {name}" if fault.status == status and name != "unknown" else ""))
-        check(status, function.__name__)
+            raise Error(status, called + (f", {name}" if fault.status == status and name != "unknown" else ""))
+        check(status, called)
 
     def get(self, function, structure):
         """What a function writes into a structure: get(tr_get_outputs, tr_outputs)."""
@@ -319,8 +316,8 @@ class Aircraft:
 
     def trim(self, speed_mps=0.0, climb_rad=0.0, turn_rate_radps=0.0, sideslip_rad=0.0):
         """Steady flight; a limit may be exceeded, which the Trim says. Error with the reason where there is none."""
-        flight, r = tr_flight(), tr_trim_result()
-        flight.set(speed_mps=speed_mps, climb_rad=climb_rad, turn_rate_radps=turn_rate_radps, sideslip_rad=sideslip_rad)
+        flight = tr_flight().set(speed_mps=speed_mps, climb_rad=climb_rad, turn_rate_radps=turn_rate_radps, sideslip_rad=sideslip_rad)
+        r = tr_trim_result()
         status = tr_trim(self.sim, self.work, flight, r)
         check(TR_OK if status in _TRIMMED else status, f"trim at {speed_mps} m/s", r.text.decode())
         return Trim(status, tr_status_word(status).decode(), r.text.decode(), r.iterations, r.residual)
@@ -328,11 +325,13 @@ class Aircraft:
     def step(self, dt=0.005, count=1):
         """So many steps of dt, 0..0.02 s, controls held."""
         check(TR_OK if isinstance(dt, numbers.Real) and 0 < dt <= 0.02 else TR_OUT_OF_RANGE, "step", f"dt = {dt} s lies outside 0..0.02 s")
+        check(TR_OK if isinstance(count, int) and count >= 0 else TR_BAD_ARGUMENT, "step", f"count = {count} is no whole number of 0 or more")
         for _ in range(count):
             self.call(tr_step, self.work, dt)
 
     def linearize(self, columns=TR_INCEPTORS, outputs=False):
         """Exact A and B here; with `outputs` also C and D. Columns: a tr_columns."""
+        check(TR_OK if columns in (1, 2, 3, 4) else TR_BAD_ARGUMENT, "linearize", f"columns={columns!r} is none of 1..4 (tr_columns)")
         shape, state, y, c, d = tr_linear_shape(), self.state, None, None, None
         tr_linearize(self.sim, self.work, columns, shape, None, 0, None, 0)
         n, m = shape.states, shape.controls
@@ -372,15 +371,13 @@ class Aircraft:
         s, c = self.systems, self.configuration
         of_systems = {name: value for name, value in fields.items() if hasattr(s, name)}
         c.set(**{name: value for name, value in fields.items() if name not in of_systems})
-        before = tr_sim.from_buffer_copy(self.sim)
+        before, _ = tr_sim.from_buffer_copy(self.sim), s.set(**of_systems)
         try:
-            if of_systems:
-                self.call(tr_set_systems, s.set(**of_systems))
-            if len(of_systems) < len(fields):
-                self.call(tr_set_configuration, c)
+            for changed in [s] * bool(of_systems) + [c] * (len(of_systems) < len(fields)):
+                self.call(tr_set_systems if changed is s else tr_set_configuration, changed)
         except Error as error:
-            self.sim = before
-            raise Error(error.status, f"change({', '.join(f'{name}={value}' for name, value in fields.items())})") from None
+            self.sim, why = before, f"{tr_status_text(error.status).decode()}; {changed.__doc__.splitlines()[0]}"
+            raise Error(error.status, f"change({', '.join(f'{name}={value}' for name, value in fields.items())})", why) from None
 
     def save(self):
         """The whole aircraft as bytes, for files and other machines."""
@@ -390,7 +387,7 @@ class Aircraft:
 
     def load(self, saved):
         """Becomes the aircraft that was saved, and flies on bit for bit."""
-        check(tr_load_saved(self.sim, TR_API_VERSION, bytes(saved), len(saved)), "load")
+        check(tr_load_saved(self.sim, TR_API_VERSION, bytes(memoryview(saved)), len(saved)), f"load of {len(saved)} bytes")
         return self
 
     state = property(lambda self: self.get(tr_get_state, tr_state), lambda self, value: self.call(tr_set_state, value),

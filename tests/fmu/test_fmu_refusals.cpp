@@ -144,6 +144,7 @@ TEST(fmu_parameters_that_do_not_fit_are_refused_in_words) {
   refusal(Master::co_simulation, setting(kWindEast), 5, "environment");
   refusal(Master::model_exchange, setting(kScas), 1, "Co-Simulation");
   refusal(Master::model_exchange, setting(kTurbulence), 1, "Co-Simulation");
+  refusal(Master::model_exchange, setting(kInterconnect), 1, "governor");
   refusal(Master::co_simulation, state(TR_U), 5000, "start states");
 }
 
@@ -163,6 +164,14 @@ TEST(fmu_instances_are_refused_in_words) {
   CHECK(silent != nullptr);
   CHECK_EQ(FMI(fmi3EnterEventMode)(silent), fmi3Error);
   FMI(fmi3FreeInstance)(silent);
+  // Without a log that was asked for errors are told all the same, until they are switched off.
+  const fmi3Instance terse = begin("one", token.c_str(), nullptr, false, false, &log, keep_message);
+  CHECK_EQ(FMI(fmi3EnterEventMode)(terse), fmi3Error);
+  CHECK_EQ(log.size(), 5u);
+  CHECK_EQ(FMI(fmi3SetDebugLogging)(terse, false, 0, nullptr), fmi3OK);
+  CHECK_EQ(FMI(fmi3EnterEventMode)(terse), fmi3Error);
+  CHECK_EQ(log.size(), 5u);
+  FMI(fmi3FreeInstance)(terse);
 }
 
 // Two instances at once are as each alone, and a flight begun by hand stays as it was set.

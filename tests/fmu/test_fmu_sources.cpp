@@ -4,10 +4,13 @@
 #ifndef TR_SINGLE_PRECISION
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <regex>
 #include <string>
 
 #include "check.hpp"
+#include "plot/xml_check.hpp"
+#include "run_program.hpp"
 
 namespace fs = std::filesystem;
 
@@ -40,6 +43,22 @@ TEST(fmu_sources_that_are_to_be_compiled_are_there) {
     if (!CHECK(fs::exists(root / part[1].str()))) NOTE(part[1]);
   }
   CHECK_LE(20, count);
+}
+
+// The standard wants a PNG beside the SVG. Its size stands behind signature, length and name of the first chunk.
+TEST(fmu_icon_is_there_in_both_formats) {
+  const auto content = [](const char* name) {
+    std::ifstream in(check::source_path(std::string("src/fmu/") + name), std::ios::binary);
+    return std::string(std::istreambuf_iterator<char>(in), {});
+  };
+  for (const char* const name : {"icon.svg", "terminalsAndIcons.xml"}) {
+    CHECK(!content(name).empty());
+    CHECK_EQ(check::XmlChecker::fault(content(name)), "");
+  }
+  const std::string png = content("icon.png"), side("\0\0\0\x80", 4);
+  CHECK_EQ(png.substr(0, 8), "\x89PNG\r\n\x1a\n");
+  CHECK_EQ(png.substr(16, 8), side + side);
+  CHECK(content("icon.svg").find("width=\"128\" height=\"128\"") != std::string::npos);
 }
 
 #endif
