@@ -95,10 +95,16 @@ inline void load(const Matrix<R, N, N>& a, int n, PaddedSquare<R, N>& h) {
 enum class Part { active, others };
 template <class R, int N, class Visit>
 inline void each_entry(PaddedSquare<R, N>& h, int n, const Balance<R, N>& b, Part part, Visit&& visit) {
-  const auto active = [&b](int i) { return i >= b.low && i <= b.high; };
-  for (int i = 0; i < n; ++i)
-    for (int j = 0; j < n; ++j)
-      if ((active(i) && active(j)) == (part == Part::active)) visit(h(i, j));
+  for (int i = 0; i < n; ++i) {
+    const bool within = i >= b.low && i <= b.high;
+    const int begin = within ? b.low : n, end = within ? b.high + 1 : n;  // columns of the block in this row
+    if (part == Part::active)
+      for (int j = begin; j < end; ++j) visit(h(i, j));
+    else {
+      for (int j = 0; j < begin; ++j) visit(h(i, j));
+      for (int j = end; j < n; ++j) visit(h(i, j));
+    }
+  }
 }
 
 // Binary exponent of the largest of them; the smallest exponent there is when all are zero.
