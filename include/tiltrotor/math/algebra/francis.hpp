@@ -242,11 +242,13 @@ inline void split_pair(PaddedSquare<R, N>& h, int n, int k, PaddedSquare<R, N>& 
     const R length = tiltrotor::sqrt(x * x + y * y);
     if (length > R(0)) {
       const R cosine = x / length, sine = y / length;
+      // Two sums: a sum beside a difference g++ 12 makes a fused operation, in spite of -ffp-contract=off.
+      const R minus = -sine;
       const auto rotate_rows = [&](R* p, R* q, int begin, int end) {
         for (int l = begin; l < end; ++l) {
           const R u = p[l], v = q[l];
           p[l] = cosine * u + sine * v;
-          q[l] = cosine * v - sine * u;
+          q[l] = cosine * v + minus * u;
         }
       };
       rotate_rows(h.row(k), h.row(k + 1), lane_floor<R>(k), lane_ceil<R>(n));
@@ -254,7 +256,7 @@ inline void split_pair(PaddedSquare<R, N>& h, int n, int k, PaddedSquare<R, N>& 
       for (int i = 0; i <= k + 1; ++i) {
         const R u = h(i, k), v = h(i, k + 1);
         h(i, k) = cosine * u + sine * v;
-        h(i, k + 1) = cosine * v - sine * u;
+        h(i, k + 1) = cosine * v + minus * u;
       }
     }
     h(k, k) = real[k];
