@@ -77,7 +77,7 @@ struct DirectionalCallWorkspace {
   DirectionalWorkspace<R> workspace;
 };
 struct EigenCallWorkspace {
-  EigenWorkspace<R, TR_MAX_LINEAR_STATES> workspace;
+  EigenvalueWorkspace<R, TR_MAX_LINEAR_STATES> workspace;
   Matrix<R, TR_MAX_LINEAR_STATES, TR_MAX_LINEAR_STATES> a;
   Eigenvalues<R, TR_MAX_LINEAR_STATES> values;
 };

@@ -153,6 +153,18 @@ TEST(build_other_arithmetic_is_found_at_run_time) {
   }
 }
 
+// A fused operation rounds once where the formula rounds twice: other bits than on a machine without. Some compilers form
+// them against -ffp-contract=off, so the instructions themselves are looked at, on x86-64 and AArch64.
+TEST(build_has_no_fused_operations) {
+  if (!is_native() || !has("objdump")) return;
+  for (const std::string& library : {kLibrary, quoted(TILTROTOR_BINARY_DIR "/libanalyses.a")}) {
+    const std::string lines = "objdump -d --no-show-raw-insn " + library + " | grep -c ";
+    CHECK(std::stoi("0" + run_program(lines + "'[[:space:]]v\\?f\\?mulp\\?[sd]\\?'").out) > 1000);
+    const ProgramResult fused = run_program(lines + "'[[:space:]]v\\?fn\\?m\\(add\\|sub\\|la\\|ls\\)'");
+    if (!CHECK_EQ(fused.out, "0\n")) NOTE(library);
+  }
+}
+
 TEST(build_precision_is_in_the_names) {
   if (!is_native()) return;
   const Room room;

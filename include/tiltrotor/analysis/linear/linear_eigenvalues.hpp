@@ -13,7 +13,7 @@ namespace tiltrotor {
 
 template <class R>
 struct LinearEigenvaluesWorkspace {
-  EigenWorkspace<R, kMaxLinearStates> eigen;
+  EigenvalueWorkspace<R, kMaxLinearStates> eigen;
   SplitModel<R> split;
   Matrix<R, kMaxLinearStates, kMaxLinearStates> lateral;
   Eigenvalues<R, kMaxLinearStates> lateral_values;

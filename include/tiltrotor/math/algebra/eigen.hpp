@@ -53,15 +53,20 @@ struct Eigensystem {
   R condition[N];            // 1 / |w^H v|: shift of the eigenvalue per |dA|; huge at a defective eigenvalue
 };
 
-// Work area, placed by the caller; its contents mean nothing between calls.
+// Work areas, placed by the caller; their contents mean nothing between calls. Of eigenvalues alone:
 template <class R, int N>
-struct EigenWorkspace {
+struct EigenvalueWorkspace {
   PaddedSquare<R, N> schur;           // A, then its Hessenberg form, then its Schur form
-  PaddedSquare<R, N> basis;           // transposed Schur basis
-  PaddedSquare<R, N> reverse;         // Schur form mirrored at its antidiagonal
-  PaddedSquare<R, N> solution;        // eigenvectors of the Schur form
   Balance<R, N> balance;              // how A was balanced
   HessenbergWorkspace<R, N> scratch;  // vectors of the reduction
+};
+
+// Of eigenvectors too.
+template <class R, int N>
+struct EigenWorkspace : EigenvalueWorkspace<R, N> {
+  PaddedSquare<R, N> basis;     // transposed Schur basis
+  PaddedSquare<R, N> reverse;   // Schur form mirrored at its antidiagonal
+  PaddedSquare<R, N> solution;  // eigenvectors of the Schur form
 };
 
 namespace eigen_detail {
@@ -95,10 +100,16 @@ inline void load(const Matrix<R, N, N>& a, int n, PaddedSquare<R, N>& h) {
 enum class Part { active, others };
 template <class R, int N, class Visit>
 inline void each_entry(PaddedSquare<R, N>& h, int n, const Balance<R, N>& b, Part part, Visit&& visit) {
-  const auto active = [&b](int i) { return i >= b.low && i <= b.high; };
-  for (int i = 0; i < n; ++i)
-    for (int j = 0; j < n; ++j)
-      if ((active(i) && active(j)) == (part == Part::active)) visit(h(i, j));
+  for (int i = 0; i < n; ++i) {
+    const bool within = i >= b.low && i <= b.high;
+    const int begin = within ? b.low : n, end = within ? b.high + 1 : n;  // columns of the block in this row
+    if (part == Part::active)
+      for (int j = begin; j < end; ++j) visit(h(i, j));
+    else {
+      for (int j = 0; j < begin; ++j) visit(h(i, j));
+      for (int j = end; j < n; ++j) visit(h(i, j));
+    }
+  }
 }
 
 // Binary exponent of the largest of them; the smallest exponent there is when all are zero.
@@ -138,11 +149,13 @@ inline void scale_for_vectors(PaddedSquare<R, N>& h, int n, const Balance<R, N>&
   times_power_of_2<R, N>(h, n, b, Part::others, shift);
 }
 
-// Balanced Schur form in workspace.schur, eigenvalues of A in `values`. The active block goes through the
+// Balanced Schur form in work.schur, its transposed basis in `basis` where that is wanted (another matrix is then not
+// touched), eigenvalues of A in `values`. The active block goes through the
 // sweeps times a power of two where its size is not safe; what the permutation isolates are entries of A. The
 // Schur form is that of A, again times a power of two where its size is not safe.
 template <bool kWithBasis, class R, int N>
-inline Status schur(const Matrix<R, N, N>& a, int n, EigenWorkspace<R, N>& work, Eigenvalues<R, N>& values) {
+inline Status schur(const Matrix<R, N, N>& a, int n, EigenvalueWorkspace<R, N>& work,
+                    PaddedSquare<R, N>& basis, Eigenvalues<R, N>& values) {
   values.size = n;
   set_nan(values);
   if (n < 1 || n > N) return Status::bad_argument;
@@ -155,9 +168,9 @@ inline Status schur(const Matrix<R, N, N>& a, int n, EigenWorkspace<R, N>& work,
   const int exponent = size > kSweepExponent<R> || size < kSmallestExponent<R> ? size : 0;
   times_power_of_2<R, N>(work.schur, n, b, Part::active, -exponent);
   equalise(work.schur, n, work.balance);
-  hessenberg<kWithBasis>(work.schur, n, b.low, b.high, work.basis, work.scratch);
+  hessenberg<kWithBasis>(work.schur, n, b.low, b.high, basis, work.scratch);
   const FrancisResult outcome =
-      francis<kWithBasis>(work.schur, n, b.low, b.high, work.basis, values.real, values.imag);
+      francis<kWithBasis>(work.schur, n, b.low, b.high, basis, values.real, values.imag);
   values.converged = outcome.converged;
   values.sweeps = outcome.sweeps;
   bool finite = true;
@@ -178,9 +191,9 @@ inline Status schur(const Matrix<R, N, N>& a, int n, EigenWorkspace<R, N>& work,
 // first, all outputs NaN; or an eigenvalue exceeds the range of numbers); not_converged (the eigenvalues not
 // found are NaN); bad_argument (n outside 1..N). Cost: about 8 n^3 multiplications, at most 30 n QR sweeps.
 template <class R, int N>
-inline Status eigenvalues(const Matrix<R, N, N>& a, int n, EigenWorkspace<R, N>& work,
+inline Status eigenvalues(const Matrix<R, N, N>& a, int n, EigenvalueWorkspace<R, N>& work,
                           Eigenvalues<R, N>& values) {
-  return eigen_detail::schur<false>(a, n, work, values);
+  return eigen_detail::schur<false, R, N>(a, n, work, work.schur, values);
 }
 
 // The same with right and left eigenvectors and condition numbers; unless ok, vectors and conditions are NaN.
@@ -189,7 +202,7 @@ inline Status eigenvalues(const Matrix<R, N, N>& a, int n, EigenWorkspace<R, N>&
 template <class R, int N>
 inline Status eigensystem(const Matrix<R, N, N>& a, int n, EigenWorkspace<R, N>& work,
                           Eigensystem<R, N>& system) {
-  const Status status = eigen_detail::schur<true>(a, n, work, system.values);
+  const Status status = eigen_detail::schur<true, R, N>(a, n, work, work.basis, system.values);
   if (status != Status::ok) {
     eigen_detail::set_nan(system);
     return status;

@@ -260,7 +260,7 @@ inline void eigenvalue_conditions(const Matrix<R, N, lane_ceil<R>(N)>& right,
       for (int i = 0; i < n; ++i) {
         const R a = right(i, e), b = right(i, e + 1), c = left(i, e), d = left(i, e + 1);
         real_part += a * c + b * d;
-        imag_part += b * c - a * d;
+        imag_part += b * c + a * -d;  // a sum as above: no fused operation
       }
     } else {
       for (int i = 0; i < n; ++i) real_part += right(i, e) * left(i, e);

@@ -9,6 +9,7 @@
 #include <limits>
 
 #include "tiltrotor/math/algebra/matrix.hpp"
+#include "tiltrotor/math/algebra/reflection.hpp"
 #include "tiltrotor/math/scalar.hpp"
 
 namespace tiltrotor {
@@ -36,12 +37,6 @@ constexpr R negligible_size() {
   return size;
 }
 
-// I - g v v^T with v = (v0, v1, v2), and where it takes the first entry.
-template <class R>
-struct Reflection {
-  R v0, v1, v2, g, head;
-};
-
 // Reflection that takes (x, y, z) to (head, 0, 0).
 template <class R>
 inline Reflection<R> reflection(R x, R y, R z) {
@@ -65,53 +60,6 @@ inline Reflection<R> reflection(R x, R y, R z) {
   if (whole < std::numeric_limits<R>::min()) return {R(0), R(0), R(0), R(0), x};
   const R g = R(1) / (whole + size * norm);
   return {x < R(0) ? x - norm : x + norm, y, z, g, (x < R(0) ? norm : -norm) * scale};
-}
-
-// Three (two) neighbouring rows from the left, whole groups of columns.
-template <class R>
-inline void reflect_rows(const Reflection<R>& p, R* __restrict a, R* __restrict b, R* __restrict c, int begin,
-                         int end) {
-  const R g0 = p.g * p.v0, g1 = p.g * p.v1, g2 = p.g * p.v2;
-  for (int q = begin; q < end; q += kLane<R>)
-    for (int l = q; l < q + kLane<R>; ++l) {
-      const R s = p.v0 * a[l] + p.v1 * b[l] + p.v2 * c[l];
-      a[l] -= g0 * s;
-      b[l] -= g1 * s;
-      c[l] -= g2 * s;
-    }
-}
-template <class R>
-inline void reflect_rows(const Reflection<R>& p, R* __restrict a, R* __restrict b, int begin, int end) {
-  const R g0 = p.g * p.v0, g1 = p.g * p.v1;
-  for (int q = begin; q < end; q += kLane<R>)
-    for (int l = q; l < q + kLane<R>; ++l) {
-      const R s = p.v0 * a[l] + p.v1 * b[l];
-      a[l] -= g0 * s;
-      b[l] -= g1 * s;
-    }
-}
-
-// Three (two) neighbouring columns k.. from the right, rows begin..last.
-template <class R, int N>
-inline void reflect_three_columns(const Reflection<R>& p, PaddedSquare<R, N>& h, int k, int begin, int last) {
-  const R g0 = p.g * p.v0, g1 = p.g * p.v1, g2 = p.g * p.v2;
-  for (int i = begin; i <= last; ++i) {
-    R* x = h.row(i) + k;
-    const R s = p.v0 * x[0] + p.v1 * x[1] + p.v2 * x[2];
-    x[0] -= g0 * s;
-    x[1] -= g1 * s;
-    x[2] -= g2 * s;
-  }
-}
-template <class R, int N>
-inline void reflect_two_columns(const Reflection<R>& p, PaddedSquare<R, N>& h, int k, int begin, int last) {
-  const R g0 = p.g * p.v0, g1 = p.g * p.v1;
-  for (int i = begin; i <= last; ++i) {
-    R* x = h.row(i) + k;
-    const R s = p.v0 * x[0] + p.v1 * x[1];
-    x[0] -= g0 * s;
-    x[1] -= g1 * s;
-  }
 }
 
 // Whether h(k, k-1) may be set to zero: small against the diagonal, and (Ahues and Tisseur) its effect on the
@@ -231,30 +179,33 @@ inline Start<R> start(const PaddedSquare<R, N>& block, int low, int high, const 
 template <bool kWithBasis, class R, int N>
 inline void sweep(PaddedSquare<R, N>& h, int n, int low, int high, int since_split, R unit,
                   PaddedSquare<R, N>& basis) {
+  using namespace reflection_detail;
   const Shifts<R> s = shifts<R, N>(h, low, high, since_split, unit);  // and the start in units of the block
   auto [first, x, y, z] = start<R, N>(h, low, high, s, unit, since_split >= kSweepsOfPatience);
-  const int row_end = lane_ceil<R>(kWithBasis ? n : high + 1);
+  const int row_end = group_ceil<R>(kWithBasis ? n : high + 1);
   const int column_begin = kWithBasis ? 0 : low;
   const int basis_end = lane_ceil<R>(n);
   for (int k = first; k <= high - 2; ++k) {
     const Reflection<R> p = reflection(x, y, z);
-    // Columns left of the bulge are zero in these rows, so beginning with a whole group is harmless.
-    const R before = k > low ? h(k, k - 1) : R(0);
-    reflect_rows(p, h.row(k), h.row(k + 1), h.row(k + 2), lane_floor<R>(k), row_end);
-    if (k > low) {  // at a start below the top the rest of the column was found negligible
-      h(k, k - 1) = k > first ? p.head : before - p.g * p.v0 * p.v0 * before;
-      h(k + 1, k - 1) = R(0);
-      h(k + 2, k - 1) = R(0);
+    // At a start below the top the rest of the column was found negligible.
+    const R left = k > first || k == low ? p.head : h(k, k - 1) - p.g * p.v0 * p.v0 * h(k, k - 1);
+    const R* const at_left = k > low ? &left : nullptr;
+    if (k + 3 <= high) {
+      const Bulge<R> next = reflect_both<R, N>(p, h, k, at_left, row_end, column_begin);
+      x = next.x;
+      y = next.y;
+      z = next.z;
+    } else {
+      reflect_rows_with_left<R, N>(p, h, k, at_left, row_end);
+      reflect_three_columns<R, N>(p, h, k, column_begin, high);
+      x = h(k + 1, k);
+      y = h(k + 2, k);
     }
-    reflect_three_columns<R, N>(p, h, k, column_begin, k + 3 < high ? k + 3 : high);
     if constexpr (kWithBasis) reflect_rows(p, basis.row(k), basis.row(k + 1), basis.row(k + 2), 0, basis_end);
-    x = h(k + 1, k);
-    y = h(k + 2, k);
-    if (k + 3 <= high) z = h(k + 3, k);
   }
   const int k = high - 1;
   const Reflection<R> p = reflection(x, y, R(0));
-  reflect_rows(p, h.row(k), h.row(k + 1), lane_floor<R>(k), row_end);
+  reflect_rows(p, h.row(k), h.row(k + 1), group_floor<R>(k), row_end);
   h(k, k - 1) = p.head;
   h(k + 1, k - 1) = R(0);
   reflect_two_columns<R, N>(p, h, k, column_begin, high);
@@ -291,11 +242,13 @@ inline void split_pair(PaddedSquare<R, N>& h, int n, int k, PaddedSquare<R, N>& 
     const R length = tiltrotor::sqrt(x * x + y * y);
     if (length > R(0)) {
       const R cosine = x / length, sine = y / length;
+      // Two sums: a sum beside a difference g++ 12 makes a fused operation, in spite of -ffp-contract=off.
+      const R minus = -sine;
       const auto rotate_rows = [&](R* p, R* q, int begin, int end) {
         for (int l = begin; l < end; ++l) {
           const R u = p[l], v = q[l];
           p[l] = cosine * u + sine * v;
-          q[l] = cosine * v - sine * u;
+          q[l] = cosine * v + minus * u;
         }
       };
       rotate_rows(h.row(k), h.row(k + 1), lane_floor<R>(k), lane_ceil<R>(n));
@@ -303,7 +256,7 @@ inline void split_pair(PaddedSquare<R, N>& h, int n, int k, PaddedSquare<R, N>& 
       for (int i = 0; i <= k + 1; ++i) {
         const R u = h(i, k), v = h(i, k + 1);
         h(i, k) = cosine * u + sine * v;
-        h(i, k + 1) = cosine * v - sine * u;
+        h(i, k + 1) = cosine * v + minus * u;
       }
     }
     h(k, k) = real[k];

@@ -28,7 +28,7 @@ struct TransferFunctionWorkspace {
   PaddedSquare<R, N> basis;
   Balance<R, N> balance;
   HessenbergWorkspace<R, N> reflections;
-  EigenWorkspace<R, N> eigen;
+  EigenvalueWorkspace<R, N> eigen;
   ZerosWorkspace<R, N> zeros;
   Eigenvalues<R, N> closed;  // poles of a closed loop
 };
