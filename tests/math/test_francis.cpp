@@ -88,7 +88,7 @@ TEST(eigen_reflection_of_a_tiny_column) {
   const auto q = francis_detail::reflection(3e-200, 4e-200, 0.0);  // length 5e-200
   CHECK_REL(std::fabs(q.head), 5e-200, 1e-15);
   double a[8] = {3e-200}, b[8] = {4e-200};
-  reflection_detail::reflect_rows(q, a, b, 0, 8);
+  reflecting::reflect_rows(q, a, b, 0, 8);
   CHECK_REL(a[0], q.head, 1e-15);
   CHECK_NEAR(b[0], 0.0, 1e-215);
 }

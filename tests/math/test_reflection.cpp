@@ -60,7 +60,7 @@ void check_columns() {
         fill(h, random);
         expected = h;
         const Reflection<R> p = {number(random), number(random), number(random), number(random), R(0)};
-        reflection_detail::reflect_three_columns<R, kSize>(p, h, k, begin, last);
+        reflecting::reflect_three_columns<R, kSize>(p, h, k, begin, last);
         reflect_columns_by_numbers(p, expected, k, begin, last);
         CHECK(equal_bits(h, expected));
       }
@@ -78,10 +78,10 @@ void check_step() {
       expected = h;
       const Reflection<R> p = {number(random), number(random), number(random), number(random), R(0)};
       const R left = number(random);
-      const auto next = reflection_detail::reflect_both<R, kSize>(
-          p, h, k, k > low ? &left : nullptr, reflection_detail::group_ceil<R>(kSize), low);
+      const auto next = reflecting::reflect_both<R, kSize>(p, h, k, k > low ? &left : nullptr,
+                                                           reflecting::group_ceil<R>(kSize), low);
       // Left of column k whole groups are reflected as well: nothing stands there in a sweep but column k-1.
-      reflect_rows_by_numbers(p, expected, k, reflection_detail::group_floor<R>(k), kSize);
+      reflect_rows_by_numbers(p, expected, k, reflecting::group_floor<R>(k), kSize);
       if (k > low) {
         expected(k, k - 1) = left;
         expected(k + 1, k - 1) = expected(k + 2, k - 1) = R(0);

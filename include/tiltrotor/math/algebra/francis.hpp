@@ -179,7 +179,7 @@ inline Start<R> start(const PaddedSquare<R, N>& block, int low, int high, const 
 template <bool kWithBasis, class R, int N>
 inline void sweep(PaddedSquare<R, N>& h, int n, int low, int high, int since_split, R unit,
                   PaddedSquare<R, N>& basis) {
-  using namespace reflection_detail;
+  using namespace reflecting;
   const Shifts<R> s = shifts<R, N>(h, low, high, since_split, unit);  // and the start in units of the block
   auto [first, x, y, z] = start<R, N>(h, low, high, s, unit, since_split >= kSweepsOfPatience);
   const int row_end = group_ceil<R>(kWithBasis ? n : high + 1);

@@ -20,7 +20,7 @@ struct Reflection {
   R v0, v1, v2, g, head;
 };
 
-namespace reflection_detail {
+namespace reflecting {
 
 #if defined(__has_builtin) && !defined(TILTROTOR_PORTABLE_LANES)
 #if __has_builtin(__builtin_shufflevector)
@@ -221,6 +221,6 @@ inline Bulge<R> reflect_both(const Reflection<R>& p, PaddedSquare<R, N>& h, int 
 
 #undef TILTROTOR_SHUFFLES_LANES
 
-}  // namespace reflection_detail
+}  // namespace reflecting
 
 }  // namespace tiltrotor
