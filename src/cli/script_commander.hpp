@@ -82,8 +82,7 @@ struct ScriptCommander : ScriptFlightState {
     const Vec3<double> before = wind();
     c.around.wind_n = told_n;
     flight.vehicle.on.wind_shear = shear;
-    simulation.state.velocity =
-        simulation.state.velocity - vehicle_parts::wind_in_body(wind() - before, simulation.state);
+    simulation.state.velocity = simulation.state.velocity - wind_in_body(wind() - before, simulation.state);
   }
 
   void release(std::size_t loop) {

@@ -80,7 +80,8 @@ struct ScriptFlightState {
 
   // Over the ground, at the aircraft's height.
   Vec3<double> wind() const {
-    return wind_at(aircraft.gust, flight.vehicle, c.around.wind_n, current_state(simulation).position.z);
+    return wind_at(mean_wind(flight.vehicle, aircraft.gust, c.around.wind_n),
+                   current_state(simulation).position.z);
   }
 
   pilot::PilotSees look() const {

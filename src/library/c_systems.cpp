@@ -274,7 +274,7 @@ void get_systems(const Sim& s, tr_systems& systems) {
 }
 
 Vec3<R> wind_there(const Sim& s, const Vehicle<R>& v, const Vec3<R>& told_n) {
-  return wind_at(aircraft_data<R>().gust, v, told_n, s.x.position.z);
+  return wind_at(mean_wind(v, aircraft_data<R>().gust, told_n), s.x.position.z);
 }
 
 bool keep_over_ground(const Sim& s, const Vec3<R>& change_n, Vec3<R>& velocity) {

@@ -54,16 +54,14 @@ bool has_ground(const Vehicle<R>& v) {
   return v.ground.down < kFarGround<R>;
 }
 
-// Whether the wind grows with the height above the ground.
+// Without a ground there is no height for the wind to grow with.
 template <class R>
-bool has_shear(const Vehicle<R>& v) {
-  return v.on.wind_shear != WindShear::none && has_ground(v);
+WindShear shear_in_force(const Vehicle<R>& v) {
+  return has_ground(v) ? v.on.wind_shear : WindShear::none;
 }
-// Wind over the ground at a position down, north east down, m/s, from the one that is told.
-template <class T, class R>
-Vec3<T> wind_at(const GustTables<R>& gust, const Vehicle<R>& v, const Vec3<R>& told_n, const T& down) {
-  const T share = has_shear(v) ? wind_profile(gust, v.on.wind_shear, T(v.ground.down - down)).share : T(R(1));
-  return {share * told_n.x, share * told_n.y, T(told_n.z)};
+template <class R>
+MeanWind<R> mean_wind(const Vehicle<R>& v, const GustTables<R>& gust, const Vec3<R>& told_n) {
+  return {gust, shear_in_force(v), v.ground.down, told_n};
 }
 
 // Whether the gear carries.
@@ -127,17 +125,6 @@ struct VehicleFlows {
 
 namespace vehicle_parts {
 
-// From the earth's axes to the body's.
-template <class T, class W>
-Vec3<T> wind_in_body(const Vec3<W>& wind_n, const State<T>& x) {
-  const SineCosine<T> r = sine_and_cosine(x.roll), p = sine_and_cosine(x.pitch), y = sine_and_cosine(x.yaw);
-  const T ahead = wind_n.x * y.cosine + wind_n.y * y.sine;
-  const T aside = wind_n.y * y.cosine - wind_n.x * y.sine;
-  const T below = ahead * p.sine + wind_n.z * p.cosine;
-  return {ahead * p.cosine - wind_n.z * p.sine, aside * r.cosine + below * r.sine,
-          below * r.cosine - aside * r.sine};
-}
-
 // The setting alone; what is asked for already is not made again.
 template <class T>
 void put_setting(const ConfigurationSetting<T>& to, Configuration<T>& c) {
@@ -167,25 +154,6 @@ BladeControls<T> wanted_angles(const Aircraft<Real<T>>& aircraft, const Options&
   return wanted;
 }
 
-// Of the airframe, in body axes.
-template <class T>
-Vec3<T> velocity_over_ground(const Vehicle<Real<T>>& v, const Configuration<Real<T>>& c, const State<T>& x) {
-  if (!has_shear(v)) return x.velocity + wind_in_body(c.around.wind_n, x);
-  return x.velocity + wind_in_body(wind_at(c.aircraft->gust, v, c.around.wind_n, x.position.z), x);
-}
-
-// What a wind that grows with height adds to the rates of a state.
-template <class T>
-void drift(const Vehicle<Real<T>>& v, const Configuration<Real<T>>& c, const State<T>& x, State<T>& rates) {
-  using R = Real<T>;
-  const WindProfile<T> profile =
-      wind_profile(c.aircraft->gust, v.on.wind_shear, T(v.ground.down - x.position.z));
-  const Vec3<R> level = {c.around.wind_n.x, c.around.wind_n.y, R(0)};
-  const T more = profile.share - R(1);
-  rates.position = rates.position + Vec3<T>{more * level.x, more * level.y, T(R(0))};
-  rates.velocity = rates.velocity + (profile.slope * rates.position.z) * wind_in_body(level, x);
-}
-
 // Gear, `extension` of it out, and ground effect. Without them `at` is left alone.
 template <class T>
 void meet_ground(const Vehicle<Real<T>>& v, const Configuration<Real<T>>& c, Configuration<T>& at,
@@ -205,7 +173,9 @@ void meet_ground(const Vehicle<Real<T>>& v, const Configuration<Real<T>>& c, Con
           ground_effect(at, above, in_air, x.rates, {x.rotor[right].lambda_0, x.rotor[left].lambda_0});
     const GearCommand<T> command = {
         is_locked_down(v, value(extension)), false, {T(v.brake[right]), T(v.brake[left])}};
-    if (gear) landing_gear(at, above, velocity_over_ground(v, c, x), x.rates, command, demand.gear);
+    if (gear)
+      landing_gear(at, above, velocity_over_ground(mean_wind(v, c.aircraft->gust, c.around.wind_n), x),
+                   x.rates, command, demand.gear);
   }
   if (gear) demand.gear.total = demand.gear.total + gear_drag(at, extension, in_air, x.rates);
 }
@@ -368,7 +338,7 @@ void vehicle_rates(const Vehicle<Real<T>>& v, const Configuration<Real<T>>& c,
   } else {
     airframe(demand, answer);
   }
-  if (has_shear(v)) vehicle_parts::drift(v, c, x, answer.rates);
+  drift(mean_wind(v, c.aircraft->gust, c.around.wind_n), x, answer.rates);
   if (v.on.governor != Governor::pi) return;
   T rotor_speed[2] = {s.rotor_speed, s.rotor_speed}, faster[2];  // rad/s, rad/s^2
   if (twists(v.on)) {

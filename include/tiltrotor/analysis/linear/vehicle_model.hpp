@@ -37,7 +37,7 @@ void vehicle_states(const Vehicle<R>& v, const Options& options, VehicleShape& s
   linear_states(options, point);
   shape.states = 0;
   for (int i = 0; i < point.states; ++i) shape.state[shape.states++] = point.state[i];
-  if (v.air_follows || v.on.gear || v.on.ground_effect || has_shear(v))
+  if (v.air_follows || v.on.gear || v.on.ground_effect || shear_in_force(v) != WindShear::none)
     shape.state[shape.states++] = kStateIndex.position.z;
   const ActiveSystems active = active_systems(v.on);
   for (int k = 0; k < active.count; ++k)
