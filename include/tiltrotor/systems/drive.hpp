@@ -88,7 +88,7 @@ void half_accelerations(const Aircraft<Real<T>>& aircraft, const bool (&failed)[
 template <class R>
 R balanced_twist(const Aircraft<R>& aircraft, const bool (&failed)[2], const R (&power)[2],
                  const R (&torque)[2], R rotor_speed) {
-  R alone[2];
+  R alone[2] = {};
   half_accelerations(aircraft, failed, power, torque, {rotor_speed, rotor_speed}, R(0), alone);
   const R stiffness =
       aircraft.systems.drive.interconnect_stiffness *
