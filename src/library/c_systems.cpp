@@ -25,7 +25,7 @@ constexpr R kMostTurbulence = R(50);  // m/s
 bool is_switch(std::int32_t value) { return value == 0 || value == 1; }
 
 // The twist of the shaft with which neither rotor gains on the other, of the aircraft with its systems as it flies.
-void balance_shaft(Sim& s) {
+TILTROTOR_NOINLINE void balance_shaft(Sim& s) {
   Configuration<R> c;
   Found found;
   evaluate(s, c, found);
@@ -41,7 +41,7 @@ void balance_shaft(Sim& s) {
 }
 
 // States of the systems that are on, from the aircraft as it is: the others are zero.
-void begin_systems(const SystemSwitches& before, Sim& s) {
+TILTROTOR_NOINLINE void begin_systems(const SystemSwitches& before, Sim& s) {
   Configuration<R> c;
   equipped(s, c);
   Vehicle<R>& v = s.systems.vehicle;
@@ -81,7 +81,7 @@ void begin_systems(const SystemSwitches& before, Sim& s) {
   }
 }
 
-void leave_ground(Sim& s) {
+TILTROTOR_NOINLINE void leave_ground(Sim& s) {
   Configuration<R> c;
   equipped(s, c);
   set_outside(c);
@@ -89,7 +89,8 @@ void leave_ground(Sim& s) {
   keep(c, s);
 }
 
-void hold_masts(Sim& s) {
+// Apart from those that evaluate, so that a stack holds one configuration at a time.
+TILTROTOR_NOINLINE void hold_masts(Sim& s) {
   Configuration<R> c;
   equipped(s, c);
   c.setup.mast_rate = c.setup.mast_acceleration = R(0);
