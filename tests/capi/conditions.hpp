@@ -32,6 +32,16 @@ inline std::vector<double> rates_of(const tr_sim& sim) {
 }
 inline void set_state(tr_sim& sim, const tr_state& state) { CHECK_EQ(tr_set_state(&sim, &state), TR_OK); }
 
+inline tr_systems systems_of(const tr_sim& sim) {
+  tr_systems systems;
+  std::memset(&systems, 0, sizeof systems);
+  CHECK_EQ(tr_get_systems(&sim, &systems), TR_OK);
+  return systems;
+}
+inline void set_systems(tr_sim& sim, const tr_systems& systems) {
+  CHECK_EQ(tr_set_systems(&sim, &systems), TR_OK);
+}
+
 // A twin in pedal and lateral stick at neutral, whose mixing does not look at the airspeed.
 inline tr_sim moving_about() {
   tr_sim sim = trimmed_sim(30, 50);

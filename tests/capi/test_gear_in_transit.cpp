@@ -9,16 +9,11 @@ using namespace capi;
 
 namespace {
 
-tr_systems systems_of(const tr_sim& sim) {
-  tr_systems systems{};
-  CHECK_EQ(tr_get_systems(&sim, &systems), TR_OK);
-  return systems;
-}
 void tell_gear(tr_sim& sim, std::int32_t on, std::int32_t down) {
   tr_systems systems = systems_of(sim);
   systems.gear = on;
   systems.gear_down = down;
-  CHECK_EQ(tr_set_systems(&sim, &systems), TR_OK);
+  set_systems(sim, systems);
 }
 double out(const tr_sim& sim) { return static_cast<double>(state_of(sim).x[TR_GEAR]); }
 

@@ -7,13 +7,6 @@ using namespace capi;
 
 namespace {
 
-tr_systems systems_of(const tr_sim& sim) {
-  tr_systems systems{};
-  CHECK_EQ(tr_get_systems(&sim, &systems), TR_OK);
-  return systems;
-}
-void set_systems(tr_sim& sim, const tr_systems& systems) { CHECK_EQ(tr_set_systems(&sim, &systems), TR_OK); }
-
 double rate_of(const tr_sim& sim, int state) { return rates_of(sim)[static_cast<std::size_t>(state)]; }
 
 // In steady flight behind the right engine alone, with a rigid shaft.

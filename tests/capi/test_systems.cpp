@@ -9,14 +9,6 @@ using namespace capi;
 
 namespace {
 
-tr_systems systems_of(const tr_sim& sim) {
-  tr_systems systems;
-  std::memset(&systems, 0, sizeof systems);
-  CHECK_EQ(tr_get_systems(&sim, &systems), TR_OK);
-  return systems;
-}
-void set_systems(tr_sim& sim, const tr_systems& systems) { CHECK_EQ(tr_set_systems(&sim, &systems), TR_OK); }
-
 tr_systems everything(tr_systems systems, int governor = TR_GOVERNOR_PI) {
   systems.governor = governor;
   systems.conversion = systems.engines = systems.actuators = systems.scas = 1;
