@@ -27,6 +27,12 @@ TESTS    ?=
 WERROR   ?=
 V        ?=
 
+# On every core unless told otherwise (make -j1): a given -j wins over this one.
+CORES := $(shell nproc 2>/dev/null || getconf _NPROCESSORS_ONLN)
+ifeq ($(MAKELEVEL),0)
+MAKEFLAGS += -j$(CORES)
+endif
+
 # $(call one_of,NAME,VALUES): what is no value of the list is refused
 one_of = $(if $(and $(filter 1,$(words $($(1)))),$(filter $(2),$($(1)))),,$(error $(1)=$($(1)) is none of: $(2)))
 $(call one_of,PRECISION,double single)
@@ -171,19 +177,9 @@ validate: all ## every number against its published one, the worst first; fails 
 	$(Q)$(RUNNER) $(BUILD)/tiltrotor report --validate --output '$(abspath $(BUILD))/report'
 
 test: all $(BUILD)/run_tests ## build and run every test, or TESTS="name ..."
-	$(Q)$(RUNNER) $(BUILD)/run_tests $(TESTS)
-
-test-cross: $(BUILD)/reference_flight ## test on other machines, emulated: every test of numbers, and the reference flight bit for bit
-	$(Q)$(BUILD)/reference_flight >$(BUILD)/reference_flight.txt
-	+$(Q)set -e; for tools in $(CROSS_TOOLS); do \
-	  tests/tool.sh "test-cross $$tools" $$tools-g++ g++-$$tools qemu-$${tools%%-*} qemu-user || continue; \
-	  $(MAKE) CROSS_COMPILE=$$tools- CXX=$$tools-g++ CC=$$tools-gcc AR=$$tools-ar HOST_CXX='$(HOST_CXX)' ARCH= LDFLAGS= \
-	    RUNNER="qemu-$${tools%%-*} -L /usr/$$tools" BUILD=$(BUILD)/$$tools CXXFLAGS=-O1 TESTS='$(CROSS_TESTS)' $(BUILD)/$$tools/reference_flight test; \
-	  qemu-$${tools%%-*} -L /usr/$$tools $(BUILD)/$$tools/reference_flight | cmp - $(BUILD)/reference_flight.txt; \
-	  echo "$$tools: the reference flight is that of this machine, bit for bit"; done
-CROSS_TOOLS ?= aarch64-linux-gnu riscv64-linux-gnu arm-linux-gnueabihf
-# Not those of the compilers, tools and pages here, and not the slow ones: an emulator takes 20 times as long.
-CROSS_TESTS ?= --skip build_ --skip tools_ --skip house_ --skip pages_ --skip slow_
+	$(Q)$(RUNNER) $(BUILD)/run_tests $(SHARED_OUT) $(TESTS)
+# As many processes as make was given or took.
+SHARED_OUT = --jobs $(or $(patsubst -j%,%,$(filter -j%,$(MAKEFLAGS))),1)
 
 headers: $(HEADERS:%=alone/%) ## compile every public header alone, warnings are errors
 

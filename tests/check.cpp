@@ -1,10 +1,17 @@
 // The test runner: see usage_text below.
 #include "check.hpp"
 
+#include <sys/mman.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <cstdio>
+#include <cstdlib>
 #include <exception>
+#include <new>
 #include <vector>
 
 #include "tiltrotor/model/aircraft/aircraft_data.hpp"
@@ -12,15 +19,17 @@
 namespace {
 
 const char* const usage_text =
-    "usage: run_tests [--list] [--verbose] [--skip PREFIX] [NAME ...]\n"
+    "usage: run_tests [--list] [--verbose] [--jobs N] [--skip PREFIX] [NAME ...]\n"
     "  NAME           run the tests whose name contains NAME (several: any of them)\n"
     "  --skip PREFIX  leave out the tests whose name begins with PREFIX\n"
+    "  --jobs N       share the tests among N processes, 1 to 64\n"
     "  --list         print the names only; with --verbose also those left out, whose each is and where it stands\n"
     "  --verbose      print each test's name before it runs, and its time\n"
     "exit status: 0 all passed, 1 a test failed, 2 nothing was run\n";
 
 // A check inside a loop would bury the first failure, the one worth reading.
 constexpr int max_failures_printed = 10;
+constexpr int max_jobs = 64;
 
 struct Test {
   std::string name;
@@ -42,6 +51,7 @@ int failures_of_running_test = 0;
 struct Options {
   bool list = false;
   bool verbose = false;
+  int jobs = 1;
   std::vector<std::string> names;
   std::vector<std::string> skipped_prefixes;
 };
@@ -77,6 +87,11 @@ bool parse(int count, char** arguments, Options& options) {
       options.verbose = true;
     } else if (argument == "--skip" && i + 1 < count) {
       options.skipped_prefixes.push_back(arguments[++i]);
+    } else if (argument == "--jobs" && i + 1 < count) {
+      char* end = nullptr;
+      const long jobs = std::strtol(arguments[++i], &end, 10);
+      if (*end != '\0' || jobs < 1 || jobs > max_jobs) return false;
+      options.jobs = static_cast<int>(jobs);
     } else if (argument.empty() || argument[0] == '-') {
       return false;
     } else {
@@ -145,6 +160,52 @@ bool run(const Test& test, bool verbose) {
   return failures_of_running_test == 0;
 }
 
+/// What the processes that share the tests know of one another: the next test, how those before it ended, and which one
+/// each is at.
+struct Shared {
+  std::atomic<std::size_t> next{0};
+  std::atomic<int> passed{0}, failed{0};
+  std::atomic<std::size_t> running[max_jobs] = {};
+};
+
+void run_share(const std::vector<Test>& tests, bool verbose, Shared& shared, int job) {
+  for (std::size_t i; (i = shared.next++) < tests.size();) {
+    shared.running[job] = i;
+    ++(run(tests[i], verbose) ? shared.passed : shared.failed);
+  }
+}
+
+/// A test that ends its process counts as one that failed; the others go on.
+void await(pid_t process, int job, const std::vector<Test>& tests, Shared& shared) {
+  int ended = 0;
+  waitpid(process, &ended, 0);
+  if (WIFEXITED(ended) && WEXITSTATUS(ended) == 0) return;
+  ++shared.failed;
+  std::printf("FAIL  %s\nit ended its process by %s %d\n", tests[shared.running[job]].name.c_str(),
+              WIFSIGNALED(ended) ? "signal" : "status",
+              WIFSIGNALED(ended) ? WTERMSIG(ended) : WEXITSTATUS(ended));
+}
+
+void run_all(const std::vector<Test>& tests, const Options& options, Shared& shared) {
+  if (options.jobs == 1) return run_share(tests, options.verbose, shared, 0);
+  std::fflush(stdout);
+  static char whole_test[1 << 16];  // what a test prints stays together
+  setvbuf(stdout, whole_test, _IOFBF, sizeof whole_test);
+  std::vector<pid_t> processes;
+  for (int job = 0; job < options.jobs; ++job) {
+    const pid_t process = fork();
+    if (process == 0) {
+      run_share(tests, options.verbose, shared, job);
+      std::exit(0);
+    }
+    if (process < 0) break;
+    processes.push_back(process);
+  }
+  int job = 0;
+  for (const pid_t process : processes) await(process, job++, tests, shared);
+  run_share(tests, options.verbose, shared, 0);  // what no process was left, or could be begun, to run
+}
+
 }  // namespace
 
 namespace check {
@@ -193,17 +254,20 @@ int main(int count, char** arguments) {
                  left_out.empty() ? "" : ": those selected know numbers of the XV-15");
     return exit_nothing_run;
   }
-  int passed = 0;
-  int failed = 0;
-  for (const Test& test : selected) {
-    if (options.list) {
-      std::printf("%s\n", test.name.c_str());
-    } else {
-      ++(run(test, options.verbose) ? passed : failed);
-    }
+  if (options.list) {
+    for (const Test& test : selected) std::printf("%s\n", test.name.c_str());
+    return 0;
   }
-  if (options.list) return 0;
-  std::printf("%d passed, %d failed", passed, failed);
+  void* const memory =
+      mmap(nullptr, sizeof(Shared), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+  if (memory == MAP_FAILED) {
+    std::fputs("run_tests: no memory to share\n", stderr);
+    return exit_nothing_run;
+  }
+  Shared& shared = *new (memory) Shared;
+  run_all(selected, options, shared);
+  const int failed = shared.failed;
+  std::printf("%d passed, %d failed", shared.passed.load(), failed);
   if (!left_out.empty())
     std::printf(", %d left out: they know numbers of the XV-15, and this is the %s (--verbose names them)",
                 static_cast<int>(left_out.size()), tiltrotor::aircraft_identity().name);

@@ -60,6 +60,20 @@ $(FUZZ_TARGETS:%=$(BUILD)/fuzz_%): $(BUILD)/fuzz_%: $(BUILD)/tests/fuzz/test_%.o
 	$(link)
 	$(Q)$(CXX) $(FLAGS) $(LDFLAGS) -fsanitize=fuzzer $(filter %.o,$^) $(filter %.a,$^) $(LDLIBS) -o $@
 
+# ---- other machines ----
+
+test-cross: $(BUILD)/reference_flight ## test on other machines, emulated: every test of numbers, and the reference flight bit for bit
+	$(Q)$(BUILD)/reference_flight >$(BUILD)/reference_flight.txt
+	+$(Q)set -e; for tools in $(CROSS_TOOLS); do \
+	  tests/tool.sh "test-cross $$tools" $$tools-g++ g++-$$tools qemu-$${tools%%-*} qemu-user || continue; \
+	  $(MAKE) CROSS_COMPILE=$$tools- CXX=$$tools-g++ CC=$$tools-gcc AR=$$tools-ar HOST_CXX='$(HOST_CXX)' ARCH= LDFLAGS= \
+	    RUNNER="qemu-$${tools%%-*} -L /usr/$$tools" BUILD=$(BUILD)/$$tools CXXFLAGS=-O1 TESTS='$(CROSS_TESTS)' $(BUILD)/$$tools/reference_flight test; \
+	  qemu-$${tools%%-*} -L /usr/$$tools $(BUILD)/$$tools/reference_flight | cmp - $(BUILD)/reference_flight.txt; \
+	  echo "$$tools: the reference flight is that of this machine, bit for bit"; done
+CROSS_TOOLS ?= aarch64-linux-gnu riscv64-linux-gnu arm-linux-gnueabihf
+# Not those of the compilers, tools and pages here, and not the slow ones: an emulator takes 20 times as long.
+CROSS_TESTS ?= --skip build_ --skip tools_ --skip house_ --skip pages_ --skip slow_
+
 # ---- coverage ----
 
 # Conditions and decisions (MC/DC) need clang 18 or later.
@@ -74,7 +88,7 @@ if_accepted = $(shell $(COVERAGE_CXX) -fprofile-instr-generate -fcoverage-mappin
 
 coverage-measured: all $(BUILD)/run_tests
 	$(Q)rm -rf $(BUILD)/profiles
-	$(Q)$(BUILD)/run_tests $(TESTS)
+	$(Q)$(BUILD)/run_tests $(SHARED_OUT) $(TESTS)
 	$(Q)tests/coverage/report.sh $(COVERAGE_TOOLS) $(BUILD)
 
 # ---- requirements ----
