@@ -83,8 +83,8 @@ constexpr bool is_active(int state, const SystemSwitches& on) {
   if (state == at.rotor_speed || state == at.governor) return on.governor == Governor::pi;
   if (state == at.shaft_twist || state == at.twist_rate) return twists(on);
   if (state == at.power[right] || state == at.power[left] || state == at.fuel) return on.engines;
-  if (state >= at.collective[right] && state <= at.rudder) return on.actuators;
-  if (state >= at.series[0] && state <= at.washout) return on.augmentation;
+  if (is_within(state, at.collective[right], at.rudder)) return on.actuators;
+  if (is_within(state, at.series[0], at.washout)) return on.augmentation;
   return false;
 }
 static_assert(kSystemIndex.rudder - kSystemIndex.collective[right] == 6, "actuators stand together");
@@ -125,17 +125,28 @@ struct VehicleFlows {
 
 namespace vehicle_parts {
 
+template <class R>
+bool is_same(const ConfigurationSetting<R>& a, const ConfigurationSetting<R>& b) {
+  bool same = a.mast_deg == b.mast_deg;
+  same &= a.mast_rate == b.mast_rate;
+  same &= a.mast_acceleration == b.mast_acceleration;
+  same &= a.flap_deg == b.flap_deg;
+  same &= a.rotor_speed == b.rotor_speed;
+  same &= a.rotor_difference == b.rotor_difference;
+  same &= a.rotor_acceleration == b.rotor_acceleration;
+  same &= a.altitude == b.altitude;
+  same &= a.mass == b.mass;
+  same &= a.sl_cg == b.sl_cg;
+  same &= a.wl_cg == b.wl_cg;
+  return same;
+}
+
 // The setting alone; what is asked for already is not made again.
 template <class T>
 void put_setting(const ConfigurationSetting<T>& to, Configuration<T>& c) {
   ConfigurationSetting<T>& now = c.setup;
   if constexpr (kIsPlain<T>) {
-    if (now.mast_deg == to.mast_deg && now.mast_rate == to.mast_rate &&
-        now.mast_acceleration == to.mast_acceleration && now.flap_deg == to.flap_deg &&
-        now.rotor_speed == to.rotor_speed && now.rotor_difference == to.rotor_difference &&
-        now.rotor_acceleration == to.rotor_acceleration && now.altitude == to.altitude &&
-        now.mass == to.mass && now.sl_cg == to.sl_cg && now.wl_cg == to.wl_cg)
-      return;
+    if (is_same(to, now)) return;
   }
   now = to;
   configure(c);

@@ -122,7 +122,7 @@ Status hold(const RightSide<R, Policy>& f, Integrator integrator, R time, R dura
 template <class R>
 void stop_driven_mast(const Bounds<R>& stops_deg, SystemState<R>& s) {
   const R low = stops_deg.low * kRadPerDeg<R>, high = stops_deg.high * kRadPerDeg<R>;
-  if (s.mast >= low && s.mast <= high) return;
+  if (is_within(s.mast, low, high)) return;
   s.mast = s.mast < low ? low : high;
   s.mast_rate = R(0);
 }
@@ -154,7 +154,7 @@ Status arrive(const MovingConfiguration<R>& moving, R time, bool at_stop, const 
   // A mast that comes to rest at its stop may lie beyond it by a rounding.
   const Bounds<R>& stops = c.aircraft->limits.mast_deg;
   ConfigurationSetting<R>& setting = f.systems == nullptr ? c.setup : f.systems->base;
-  if (at_stop || setting.mast_deg < stops.low || setting.mast_deg > stops.high) {
+  if (at_stop || !is_within(setting.mast_deg, stops.low, stops.high)) {
     stop_mast<R>(setting, stops);
     if (f.systems == nullptr) configure(c);
   }

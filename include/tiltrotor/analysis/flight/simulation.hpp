@@ -120,8 +120,8 @@ Status start(const Configuration<R>& c, const State<R>& x, const Controls<R>& u,
   if (c.aircraft == nullptr) return s.status = Status::bad_argument;
   if (!(dt > R(0) && dt <= kLongestStep<R>)) return s.status = Status::out_of_range;
   bool finite = true;
-  State<R>::each(x, [&finite](R value) { finite = finite && is_finite(value); });
-  Controls<R>::each(u, [&finite](R value) { finite = finite && is_finite(value); });
+  State<R>::each(x, [&finite](R value) { finite &= is_finite(value); });
+  Controls<R>::each(u, [&finite](R value) { finite &= is_finite(value); });
   if (!finite) s.status = Status::not_finite;
   return s.status;
 }

@@ -192,14 +192,14 @@ bool put_columns(const Evaluation<T>& e, int first, int last, ConfigurationSensi
   bool finite = true;
   const auto slope = [&finite, first](const T& x, int column) {
     const R found = x.d.get(column - first);
-    finite = finite && is_finite(found);
+    finite &= is_finite(found);
     return found;
   };
   T rates[state_count];
   flatten(e.rates, rates);
   for (int i = 0; i < state_count; ++i) {
     out.xdot[i] = value(rates[i]);
-    finite = finite && is_finite(out.xdot[i]);
+    finite &= is_finite(out.xdot[i]);
     for (int j = first; j < last; ++j) out.rates(i, j) = slope(rates[i], j);
   }
   for (int j = first; j < last; ++j) {
@@ -244,7 +244,7 @@ Status configuration_sensitivity(const Configuration<R>& c, const State<R>& x, c
     in_scalar(x, work.x);
     in_scalar(u, work.u);
     evaluate_aircraft(work.configuration, work.x, work.u, work.derivative, work.evaluation, azimuth);
-    finite = sensitivity_detail::put_columns(work.evaluation, first, first + count, out) && finite;
+    finite &= sensitivity_detail::put_columns(work.evaluation, first, first + count, out);
   }
   return finite ? Status::ok : Status::not_finite;
 }

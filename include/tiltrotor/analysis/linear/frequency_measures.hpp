@@ -86,7 +86,7 @@ Bandwidth<R> bandwidth(const TransferFunction<R, N>& f, ResponseWorkspace<R, N>&
   d::scan(f, work, [&](R omega, std::complex<R>, R phase) {
     phase += turn;
     const R level = d::half_turns(phase_before) * kPi<R>;
-    const bool falls = before > R(0) && phase < level && phase_before >= level;
+    const bool falls = before > R(0) && phase < level;
     if (falls) {
       half_turn = level;
       out.omega_180 =
@@ -150,7 +150,7 @@ Status margins(const Channel<R, N>& channel, const TransferFunction<R, N>& f, R 
   if (size == R(0) || f.gain == R(0)) return Status::ok;
   const auto offer_gain = [&](R omega, R factor) {
     const R distance = std::fabs(std::log(factor));
-    if (!is_finite(distance) || !(distance < std::fabs(std::log(out.gain)))) return;
+    if (!(distance < std::fabs(std::log(out.gain)))) return;
     out.gain = factor;
     out.omega_gain = omega;
   };

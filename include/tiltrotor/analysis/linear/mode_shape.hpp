@@ -38,7 +38,7 @@ void mode_shape(const Eigensystem<R, N>& system, int k, int reference, Phasor<R>
   const R square = one.real * one.real + one.imag * one.imag;
   R total = R(0);
   for (int i = 0; i < n; ++i) total += participation(system, i, k);
-  const bool usable = is_finite(total) && total > R(0);
+  const bool usable = is_finite(total);
   for (int i = 0; i < n; ++i) {
     const ComplexEntry<R> v = right_entry(system, i, k);
     const R real = (v.real * one.real + v.imag * one.imag) / square;

@@ -70,13 +70,13 @@ Status model_motion(const Configuration<R>& c, const State<R>& x, const Controls
     flatten(work.rates, work.state);
     for (int i = 0; i < state_count; ++i) {
       out.rates[i] = work.state[i].along.v;
-      finite = finite && is_finite(out.rates[i]);
+      finite &= is_finite(out.rates[i]);
     }
     for (int i = 0; i < n; ++i)
       for (int k = first; k < last; ++k) {
         const R slope = work.state[point.state[i]].along.d.get(k - first);
         (k < n ? out.a(i, k) : out.b(i, k - n)) = slope;
-        finite = finite && is_finite(slope);
+        finite &= is_finite(slope);
       }
   }
   for (const Side side : {right, left})

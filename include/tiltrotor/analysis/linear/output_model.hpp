@@ -103,7 +103,7 @@ Status directional(const Configuration<R>& c, const State<R>& x, const Controls<
   bool finite = true;
   Policy::jacobian(along_direction, {1, outputs, &here, &scale, work.found}, work.differentiation,
                    [&](int i, int, int, const R* slope) {
-                     finite = finite && is_finite(*slope);
+                     finite &= is_finite(*slope);
                      (i < state_count ? dxdot[i] : dy[i - state_count]) = *slope;
                    });
   return finite ? Status::ok : Status::not_finite;

@@ -114,7 +114,8 @@ Status vehicle_direction(const Vehicle<R>& v, Configuration<R>& c, const State<R
   const auto put = [&](R* to, const auto&... parts) {
     const auto take = [&](const T& found) {
       const R slope = work.slope(found, 0);
-      finite = finite && is_finite(found.v) && is_finite(slope);
+      finite &= is_finite(found.v);
+      finite &= is_finite(slope);
       *to++ = slope;
     };
     (std::remove_reference_t<decltype(parts)>::each(parts, take), ...);
@@ -146,7 +147,8 @@ Status linearize_vehicle_rows(const Vehicle<R>& v, Configuration<R>& c, const St
     for (int i = 0; i < rows; ++i) {
       for (int j = first; j < last; ++j) {
         const R slope = work.slope(y[i], j - first);
-        finite = finite && is_finite(slope) && is_finite(y[i].v);
+        finite &= is_finite(slope);
+        finite &= is_finite(y[i].v);
         if (j < shape.states) {
           put_c(i, j, slope);
         } else {

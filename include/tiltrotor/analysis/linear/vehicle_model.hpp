@@ -193,11 +193,11 @@ void mark_used(const Vehicle<R>& v, const VehicleShape& shape, Expansion<R>& abo
   for (int k = 0; k < kMovedCount; ++k) {
     const ConfigurationParameter moved = kMoved[k];
     using P = ConfigurationParameter;
-    about.used[kFirstMoved + k] = moved == P::rotor_speed        ? v.on.governor == Governor::pi
-                                  : moved == P::rotor_difference ? twists(v.on)
-                                  : moved == P::altitude         ? v.air_follows
-                                  : moved >= P::ground_wash_right && moved <= P::download ? v.on.ground_effect
-                                                                                          : v.on.conversion;
+    about.used[kFirstMoved + k] = moved == P::rotor_speed         ? v.on.governor == Governor::pi
+                                  : moved == P::rotor_difference  ? twists(v.on)
+                                  : moved == P::altitude          ? v.air_follows
+                                  : moved >= P::ground_wash_right ? v.on.ground_effect
+                                                                  : v.on.conversion;
   }
 }
 

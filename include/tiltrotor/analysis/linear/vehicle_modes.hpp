@@ -78,7 +78,7 @@ RootShares<R> root_shares(const VehicleShape& shape, const Symmetry (&symmetry)[
   out.mode.eigenvalue = k;
   R total = R(0);
   for (int i = 0; i < shape.states; ++i) total += participation(system, i, k);
-  const bool usable = is_finite(total) && total > R(0);
+  const bool usable = is_finite(total);
   R most = R(-1);
   for (int i = 0; i < shape.states; ++i) {
     const R part = usable ? participation(system, i, k) / total : R(1) / static_cast<R>(shape.states);

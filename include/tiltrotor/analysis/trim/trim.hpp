@@ -181,8 +181,10 @@ void try_windmill(const Configuration<R>& c, const SteadyFlight<R>& flight, cons
   ++result.attempts;
   trim_windmill_guess(c, flight, work.equations, work.z);
   const NewtonOutcome<R> outcome = newton(c, flight, work, kWindmillIterations, result.iterations);
-  if (outcome.status == TrimStatus::ok) judge_outcome(c, flight, outcome, work, result);
-  if (outcome.status == TrimStatus::ok && is_trimmed(result.status)) return;
+  if (outcome.status == TrimStatus::ok) {
+    judge_outcome(c, flight, outcome, work, result);
+    if (is_trimmed(result.status)) return;
+  }
   for (int j = 0; j < work.equations.count; ++j) work.z[j] = work.first_z[j];
   judge_outcome(c, flight, before, work, result);
 }

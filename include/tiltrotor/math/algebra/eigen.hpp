@@ -177,7 +177,8 @@ inline Status schur(const Matrix<R, N, N>& a, int n, EigenvalueWorkspace<R, N>& 
   for (int k = b.low; k <= b.high && exponent != 0; ++k) {
     values.real[k] = std::ldexp(values.real[k], exponent);
     values.imag[k] = std::ldexp(values.imag[k], exponent);
-    finite = finite && is_finite(values.real[k]) && is_finite(values.imag[k]);
+    finite &= is_finite(values.real[k]);
+    finite &= is_finite(values.imag[k]);
   }
   if constexpr (kWithBasis) scale_for_vectors<R, N>(work.schur, n, b, exponent);
   if (outcome.converged < n) return Status::not_converged;

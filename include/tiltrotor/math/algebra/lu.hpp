@@ -151,7 +151,7 @@ inline void substitute_transposed(const LU<R, N>& lu, R* x) {
 template <class R>
 inline Status finite_or_nan(R* x, int n) {
   bool finite = true;
-  for (int i = 0; i < n; ++i) finite = finite && is_finite(x[i]);
+  for (int i = 0; i < n; ++i) finite &= is_finite(x[i]);
   if (finite) return Status::ok;
   for (int i = 0; i < n; ++i) x[i] = std::numeric_limits<R>::quiet_NaN();
   return Status::not_finite;
