@@ -228,7 +228,8 @@ class Fly {
     byId('linear_time').textContent = `${fixed(performance.now() - start, 1)} ms, ${linear.n} states`;
   }
   draw() {
-    const {x, out, conf, sys} = this.seen;
+    const {x, out, conf, sys} = this.seen, gear = x[kX.gear];
+    byId('gear_place').textContent = gear >= 1 ? 'down and locked' : gear > 0 ? `on its way, ${Math.floor(100 * gear)} % out` : 'up';
     this.cockpit.show({roll: x[kX.roll], pitch: x[kX.pitch], yaw: x[kX.yaw], north: x[kX.north], east: x[kX.east],
       height: this.height(), airspeed: out[kOut.airspeed], climb: out[kOut.climb],
       loadFactor: out[kOut.loadFactor], power: out[kOut.power] + out[kOut.power + 1], rotor: conf[kConf.rotor],

@@ -143,6 +143,19 @@ function selfTest(library) {
   for (let k = 0; k < 50 && flies; ++k) flies = fly.advance(2);
   check('stick to the right', flies && fly.seen.x[kX.roll] > 0.05, `bank ${fixed(degrees(fly.seen.x[kX.roll]), 1)} deg`);
   document.dispatchEvent(new KeyboardEvent('keyup', {key: 'ArrowRight', bubbles: true}));
+  {
+    // Half of the way is a quarter of the stick; next to the middle nothing moves.
+    const pad = {connected: true, axes: [0, 0, 0, 0]}, usual = navigator.getGamepads, {sticks} = fly;
+    const held = (k, value) => { pad.axes[k] = value; for (let n = 0; n < 20; ++n) sticks.move(0.1); pad.axes[k] = 0; return {...sticks.hand, lever: sticks.lever}; };
+    Object.defineProperty(navigator, 'getGamepads', {configurable: true, value: () => [null, pad]});
+    const lat = held(0, -0.5).lat, long = held(1, -1).long, pedal = held(2, 0.05).pedal, {lever} = held(3, -1);
+    check('gamepad', Math.abs(lat + kPadStick / 4) < 1e-12 && long === kPadStick && pedal === 0 && lever > 0.5,
+      `lateral ${lat} in, longitudinal ${long} in, pedal ${pedal} in, lever ${lever}`);
+    Object.defineProperty(navigator, 'getGamepads', {configurable: true, value: usual});
+    held(3, 0);
+    sticks.lever = 0;
+  }
+  place('#levers [name=gear]', true);
   press(document.body, 'e');
   const isRigid = !fly.matrices.linear.states.includes('shaft_twist');
   place('#levers [name=interconnect]', true);
@@ -155,6 +168,8 @@ function selfTest(library) {
   check('interconnect in flight', isRigid && fly.matrices.linear.states.includes('shaft_twist') && fly.seen.x[kX.shaft_twist] !== 0,
     `twisted by ${degrees(fly.seen.x[kX.shaft_twist])} deg`);
   fly.draw();
+  check('gear on its way', fly.seen.x[kX.gear] > 0.1 && fly.seen.x[kX.gear] < 0.9 && /\d % out/.test(byId('gear_place').textContent),
+    byId('gear_place').textContent);
   lines.push(`state ${Array.from(fly.seen.x.slice(0, 31)).join(' ')}`);
   lines.push('script', fly.recorder.script(fly.steps), 'series', fly.recorder.series(), 'end of series');
   fly.sticks.rest.long = 4.8;

@@ -109,6 +109,18 @@ TEST(isolated_rotor_figures_need_every_condition) {
   CHECK(std::isnan(figures(50, 3, 9000, -8000).efficiency));
 }
 
+TEST(isolated_rotor_refuses_a_flow_that_is_no_number) {
+  using Flow = RotorFlow<double>;
+  Stand stand;
+  for (double Flow::*const field :
+       {&Flow::axial, &Flow::in_plane, &Flow::collective, &Flow::lateral_cyclic, &Flow::long_cyclic}) {
+    Flow spoilt = flow(8);
+    spoilt.*field = kNan;
+    CHECK(stand.run(spoilt) == Status::not_finite);
+    CHECK_EQ(stand.rotor.iterations, 0);
+  }
+}
+
 // Blades that are no number, and blades so heavy that nothing moves them: the equations have no solution to
 // step to.
 TEST(isolated_rotor_says_how_it_failed) {

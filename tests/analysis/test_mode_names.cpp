@@ -169,6 +169,20 @@ TEST(modes_rules_rotor) {
   CHECK_EQ(rotor({}, true), "");
 }
 
+// Of real roots the two that lie closest together, wherever they are, are one pair.
+TEST(modes_rules_of_the_closest_roots) {
+  const std::vector<double> places[] = {{-1, -1.1, -9, -20}, {-0.1, -4, -4.2, -30}, {0.5, -8, -19, -19.5}};
+  for (int first = 0; first < 3; ++first) {
+    std::vector<Mode<double>> modes;
+    for (const double place : places[first]) modes.push_back(root(place, 0, Shares{}));
+    const ModeSet<double> set = set_of(modes);
+    d::Selection from = all(set);
+    const d::Selection two = d::take_closest(set, from);
+    CHECK(two.count == 2 && two.place[0] == first && two.place[1] == first + 1);
+    CHECK_EQ(from.count, 2);
+  }
+}
+
 // Eight rigid-body roots by share, a pair that no longer fits left out; of the eight, four to each side.
 TEST(modes_rules_of_division) {
   std::vector<Mode<double>> modes;

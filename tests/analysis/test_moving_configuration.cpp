@@ -193,6 +193,10 @@ TEST(moving_beyond_a_range_leaves_everything) {
          before = fast;
   CHECK(fly(fast, 1) == Status::out_of_range);
   CHECK(same_bits(fast.c, before.c) && same_bits(fast.s.state, before.s.state));
+  // A rotor that speeds up beyond its range has no state to blame.
+  Flight turning = begun(moving_setup(30, 0, 0, limits.rotor_acceleration.high), 45, 0.01, Integrator::rk4);
+  CHECK(fly(turning, 1000) == Status::out_of_range);
+  CHECK_EQ(turning.s.fault_state, -1);
   Flight low = begun(moving_setup(30, 0, 0, 0), 45, 0.01, Integrator::rk4), high = low;
   CHECK(fly(low, 1, true, -501) == Status::out_of_range);
   CHECK_EQ(low.s.fault_state, kStateIndex.position.z);

@@ -105,6 +105,7 @@ TEST(trim_momentum_range) {
   CHECK(at(-1.5, 0.99, 1) == ring);
   CHECK(at(-1.5, 1.01, 0.5) == holds);
   CHECK(at(-2.5, 0, 0.5) == holds);
+  CHECK(at(-2, 1, 3) == holds);  // V^2 < 8 Vx^2: the roots run into one another, there is no other branch
   CHECK(at(-2.5, 0, 2.0) == MomentumRange::other_branch);
   CHECK(at(-2.5, 0, 2.85) == MomentumRange::other_branch);
   // Idle, and with the thrust down the shaft: a climb is then a descent.

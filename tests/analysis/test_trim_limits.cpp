@@ -62,6 +62,11 @@ TEST(trim_refuses_bad_input) {
                         {{std::numeric_limits<double>::infinity(), 0, 0, 0}, SteadyFlightField::speed},
                         {{10, 1.6, 0, 0}, SteadyFlightField::climb},
                         {{10, nan, 0, 0}, SteadyFlightField::climb},
+                        {{10, 0, nan, 0}, SteadyFlightField::turn_rate},
+                        {{10, 0, 0, nan}, SteadyFlightField::sideslip},
+                        {{10, 0, 0, 0, {nan, 0, 0}}, SteadyFlightField::gust},
+                        {{10, 0, 0, 0, {0, nan, 0}}, SteadyFlightField::gust},
+                        {{10, 0, 0, 0, {0, 0, nan}}, SteadyFlightField::gust},
                         {{10, 0, 1.1, 0}, SteadyFlightField::turn_rate},
                         {{10, 0, 0, -1.1}, SteadyFlightField::sideslip}};
   for (const Case& k : cases) {

@@ -53,13 +53,17 @@ TEST(trim_from_a_guess_that_is_no_number) {
   static TrimWorkspace<double> work;
   const Configuration<double> c = configuration(0);
   TrimResult<double> r = trimmed(c, level(20));
-  r.state.pitch = std::nan("");
-  CHECK(trim_from(c, level(20), work, r) == TrimStatus::not_finite);
-  CHECK(contains(explanation(r), "is not a number at the first guess"));
-  CHECK_EQ(r.iterations, 0);
-  double x[state_count];
-  flatten(r.state, x);
-  for (const double value : x) CHECK(std::isfinite(value));
+  const TrimResult<double> good = r;
+  for (double State<double>::*const spoilt : {&State<double>::pitch, &State<double>::roll}) {
+    r = good;
+    r.state.*spoilt = std::nan("");
+    CHECK(trim_from(c, level(20), work, r) == TrimStatus::not_finite);
+    CHECK(contains(explanation(r), "is not a number at the first guess"));
+    CHECK_EQ(r.iterations, 0);
+    double x[state_count];
+    flatten(r.state, x);
+    for (const double value : x) CHECK(std::isfinite(value));
+  }
   CHECK(trim_from(c, level(-1), work, r) == TrimStatus::out_of_range);
   CHECK(r.invalid == SteadyFlightField::speed);
 }

@@ -124,6 +124,7 @@ TEST(fmu_systems_fly_as_in_the_library) {
   s.conversion = s.engines = s.actuators = s.scas = s.gear = s.ground_effect = s.turbulence = 1;
   s.turbulence_seed = 7;
   s.turbulence_w20_mps = 7.7;
+  s.wind_shear = TR_SHEAR_OTHER;
   CHECK_EQ(tr_set_systems(&own.sim, &s), TR_OK);
   own.trim(20);
 
@@ -132,9 +133,11 @@ TEST(fmu_systems_fly_as_in_the_library) {
        {kEnvironment, kConversion, kEngines, kActuators, kScas, kGear, kGroundEffect, kTurbulence})
     CHECK_EQ(m.set_switch(k, true), fmi3OK);
   const Reference governor = setting(kGovernor), seed = setting(kTurbulenceSeed);
-  const std::int64_t pi = TR_GOVERNOR_PI;
+  const Reference shear = setting(kWindShear);
+  const std::int64_t pi = TR_GOVERNOR_PI, other = TR_SHEAR_OTHER;
   const std::uint32_t seven = 7;
   CHECK_EQ(FMI(fmi3SetInt64)(m.instance, &governor, 1, &pi, 1), fmi3OK);
+  CHECK_EQ(FMI(fmi3SetInt64)(m.instance, &shear, 1, &other, 1), fmi3OK);
   CHECK_EQ(FMI(fmi3SetUInt32)(m.instance, &seed, 1, &seven, 1), fmi3OK);
   CHECK_EQ(m.set(setting(kTurbulenceW20), 7.7), fmi3OK);
   CHECK_EQ(m.set(setting(kGroundDown), 100), fmi3OK);

@@ -85,3 +85,37 @@ TEST(eigen_pair_beyond_the_range) {
   CHECK(eigenvalues(bench.a, 3, bench.work, bench.values) == Status::not_finite);
   for (int k = 0; k < 3; ++k) CHECK_NEAR(bench.values.real[k] / size, 0.0, 1e-15);
 }
+
+// Entries that lie further apart than numbers reach: vectors, or those of the transpose, that cannot be written.
+TEST(eigen_vectors_beyond_the_range_are_refused) {
+  const double rows[3][3] = {{0x1p+63, 0x1p+766, -0x1p-808}, {0, 0x1p+241, 0}, {-0x1p+177, 0, 0x1p-108}};
+  for (const bool transposed : {false, true}) {
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 3; ++j) bench.a(i, j) = transposed ? rows[j][i] : rows[i][j];
+    CHECK(eigensystem(bench.a, 3, bench.work, bench.system) == Status::not_finite);
+    for (int k = 0; k < 3; ++k)
+      CHECK(std::isnan(bench.system.right(0, k)) && std::isnan(bench.system.left(2, k)));
+  }
+}
+
+// Below the smallest normal number there is no unit to sweep in: such a block is what it is to that number.
+TEST(eigen_subnormal_blocks_count_as_zero) {
+  const double least = std::numeric_limits<double>::min();
+  for (const double size : {0.01 * least, 0.3 * least})
+    for (const int below : {1, 2}) {
+      set_zero(bench.a);
+      bench.a(0, 0) = bench.a(1, 1) = -1;
+      bench.a(0, 1) = 3;
+      bench.a(1, 0) = -3;
+      for (int i = 2; i < 2 + below; ++i) bench.a(i, i + 1) = size * (i - 1), bench.a(i + 1, i) = -size;
+      CHECK(eigensystem(bench.a, 3 + below, bench.work, bench.system) == Status::ok);
+      int pair = 0, near_zero = 0;
+      for (int k = 0; k < 3 + below; ++k) {
+        const Cplx root = eigenvalue(bench.system.values, k);
+        pair += std::abs(root - Cplx(-1, 3)) < 1e-15 || std::abs(root - Cplx(-1, -3)) < 1e-15;
+        near_zero += std::abs(root) <= 4 * least;
+        CHECK(std::isfinite(bench.system.right(0, k)) && std::isfinite(bench.system.left(0, k)));
+      }
+      CHECK(pair == 2 && near_zero == 1 + below);
+    }
+}

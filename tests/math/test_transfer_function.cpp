@@ -108,6 +108,10 @@ TEST(eigen_generalised_refuse_what_they_cannot_solve) {
   CHECK(generalised_eigenvalues(a, e, kOrder + 1, values) == Status::bad_argument);
   a(0, 1) = std::nan("");
   CHECK(generalised_eigenvalues(a, e, 3, values) == Status::not_finite);
+  a(0, 1) = 0;
+  e(2, 0) = HUGE_VAL;
+  CHECK(generalised_eigenvalues(a, e, 3, values) == Status::not_finite);
+  e(2, 0) = 0;
   // An eigenvalue at infinity, as far as rounding lets it.
   a = identity<double, kOrder>();
   e(1, 1) = 0;
@@ -178,8 +182,12 @@ TEST(transfer_function_at_the_ends_of_its_range) {
   CHECK(transfer_function(s, at.work, at.f) == Status::ok);
   CHECK_EQ(at.f.zeros.size, 1);
   CHECK_NEAR(at.f.zeros.real[0], -3, 1e-14);
-  s.states = kOrder + 1;
-  CHECK(transfer_function(s, at.work, at.f) == Status::bad_argument);
+  for (const int order : {-1, kOrder + 1}) {
+    s.states = order;
+    CHECK(transfer_function(s, at.work, at.f) == Status::bad_argument);
+    CHECK(transmission_zeros(s, at.work.zeros, at.f.zeros, at.f.gain) == Status::bad_argument);
+    CHECK_EQ(at.f.zeros.size, 0);
+  }
 }
 
 // 10/(s (s + 1)(s + 5)): half a turn at sqrt(5), where its size is 1/3; a double integrator with a zero.
@@ -217,4 +225,21 @@ TEST(transfer_function_margins_and_bandwidth_in_closed_form) {
   const Small turned = companion(-10, {}, {0, -1, -5});
   CHECK(transfer_function(turned, at.work, at.f) == Status::ok);
   CHECK_NEAR(bandwidth(at.f, at.response).by_phase, b.by_phase, 1e-12);
+}
+
+// A loop that is not closed, and one whose output the input does not reach, have no margins.
+TEST(transfer_function_without_a_loop_has_no_margins) {
+  static Found at;
+  Margins<double> m;
+  const Small s = companion(10, {}, {0.5, -1, -5});
+  CHECK(transfer_function(s, at.work, at.f) == Status::ok);
+  CHECK(margins(s, at.f, 0.0, at.work, at.response, m) == Status::ok);
+  CHECK(std::isnan(m.gain) && std::isnan(m.phase) && std::isnan(m.delay));
+  CHECK(m.unstable_open == 1 && m.unstable_closed == 1);
+  Small unreached = s;
+  for (double& entry : unreached.b) entry = 0;
+  CHECK(transfer_function(unreached, at.work, at.f) == Status::ok);
+  CHECK(margins(unreached, at.f, 1.0, at.work, at.response, m) == Status::ok);
+  CHECK(std::isnan(m.gain) && std::isnan(m.phase) && m.unstable_closed == 1);
+  CHECK(std::isnan(bandwidth(at.f, at.response).omega_180));
 }

@@ -178,6 +178,23 @@ TEST(augmentation_holds_from_the_moment_of_rest) {
 
 // Off and on in flight: no rate of the airframe jumps, the series actuators return as they move, and nothing of the
 // augmentation is left.
+TEST(augmentation_that_lets_go_begins_without_its_part) {
+  SystemSwitches on = with(Governor::pi);
+  Flight f = begun(0, {20, 0, 5 * kDeg, 0}, on);
+  Vehicle<double> letting_go = f.vehicle();
+  letting_go.disengages = true;
+  const auto settled = [&](Vehicle<double> v) {
+    SystemState<double> s = f.state();
+    Controls<double> u = current_controls(f.s);
+    settle(f.c, f.s.state, {3000.0, 3000.0}, v, s, u);
+    return s;
+  };
+  const SystemState<double> held = settled(f.vehicle()), gone = settled(letting_go);
+  CHECK_LT(1e-4, std::fabs(held.series[0]) + std::fabs(held.series[1]) + std::fabs(held.series[2]));
+  for (const double way : gone.series) CHECK_EQ(way, 0.0);
+  CHECK_EQ(gone.washout, 0.0);
+}
+
 TEST(augmentation_switches_without_a_jump) {
   const auto airframe_differs = [](const Rates& a, const Rates& b) {
     double worst = 0;

@@ -58,6 +58,25 @@ TEST(vehicle_with_nothing_on_keeps_the_bits_of_the_airframe) {
   }
 }
 
+// Each switch alone makes a vehicle of the airframe.
+TEST(vehicle_is_one_with_any_system) {
+  CHECK(!any_system(kNone));
+  SystemSwitches on = kNone;
+  for (bool SystemSwitches::*const system :
+       {&SystemSwitches::conversion, &SystemSwitches::engines, &SystemSwitches::actuators,
+        &SystemSwitches::augmentation, &SystemSwitches::gear, &SystemSwitches::ground_effect,
+        &SystemSwitches::turbulence}) {
+    on.*system = true;
+    CHECK(any_system(on));
+    on.*system = false;
+  }
+  on.governor = Governor::ideal;
+  CHECK(any_system(on));
+  on = kNone;
+  on.wind_shear = WindShear::terminal;
+  CHECK(any_system(on));
+}
+
 // settle(): nothing moves in a steady flight but what moves in it without systems; what stays are a smoothing of the
 // engines' power (1 kW wide: 1 W/s), burnt fuel, and that of the actuators' stops (0.02 deg: 3e-5 rad/s).
 TEST(vehicle_settles_in_steady_flight) {

@@ -220,9 +220,15 @@ TEST(vehicle_without_systems_has_the_airframes_linear_model) {
 
 // A load of the systems acts as one of the surroundings does, flapping included where it feels the hub's acceleration.
 TEST(vehicle_expansion_takes_a_load_as_the_airframe_does) {
-  for (const bool felt : {false, true}) {
+  struct Felt {
+    bool by_blades;
+    FlapOrder order;
+  };
+  for (const Felt felt :
+       {Felt{false, FlapOrder::second}, Felt{true, FlapOrder::second}, Felt{true, FlapOrder::first}}) {
     Options options = realtime();
-    options.flap_angular_acceleration = felt;
+    options.flap_angular_acceleration = felt.by_blades;
+    options.flapping = felt.order;
     const Configuration<double> c = flown_configuration(30, 0, options);
     const Point p = slanted_point();
     const double weight = c.setup.mass * kGravity<double>;

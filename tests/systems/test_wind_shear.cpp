@@ -35,6 +35,8 @@ TEST(wind_shear_logarithm_is_that_of_the_library) {
   for (double x = 1.1e-30; x < 1e30; x *= 1.37)
     CHECK_NEAR(logarithm(x), std::log(x), 4e-16 * std::max(1.0, std::fabs(std::log(x))));
   CHECK_EQ(logarithm(1.0), 0.0);
+  for (const double no_height : {0.0, HUGE_VAL})
+    CHECK(!(std::fabs(logarithm(no_height)) < 60));  // and it ends
   CHECK_NEAR(logarithm(3.0f), std::log(3.0f), 2e-7f);
   using D = Dual<double, 2>;
   for (const double x : {0.03, 0.8, 1.0, 1.4142, 7.0, 6000.0}) {
@@ -137,4 +139,48 @@ TEST(wind_shear_needs_a_ground) {
   f.vehicle().ground.down = plain.vehicle().ground.down = 1e9;
   CHECK(fly(f, 20) == Status::ok && fly(plain, 20) == Status::ok);
   CHECK(same_bits(f.s.state, plain.s.state));
+}
+
+// In steep flight a step turns the attitude another way: here against the rates of Euler angles by the test's own
+// Runge-Kutta of order 4, through 72 deg of pitch.
+TEST(wind_shear_in_steep_flight_is_that_of_euler_angles) {
+  Flight f = in_shear(WindShear::other, 0.2);
+  f.s.integrator = Integrator::rk4;
+  f.s.state.pitch = 1.1;
+  f.s.state.roll = 0.2;
+  f.s.state.yaw = 0.8;
+  f.s.state.rates = {0.05, 0.4, 0.1};
+  constexpr int n = vehicle_state_count;
+  double x[n], stage[n], sum[n];
+  flatten(f.s.state, x);
+  flatten(f.state(), x + state_count);
+  const auto rate_at = [&f](const double* at) {
+    Flight there = f;
+    unflatten(at, there.s.state);
+    unflatten(at + state_count, there.state());
+    return rates(there);
+  };
+  const double h = 0.005;
+  const int steps = 40;
+  for (int step = 0; step < steps; ++step) {
+    for (double& part : sum) part = 0;
+    std::copy(x, x + n, stage);
+    const double share[] = {0.5, 0.5, 1.0, 0.0}, weight[] = {1 / 6.0, 1 / 3.0, 1 / 3.0, 1 / 6.0};
+    for (int k = 0; k < 4; ++k) {
+      const Rates r = rate_at(stage);
+      for (int i = 0; i < n; ++i) {
+        sum[i] += weight[k] * r.of[i];
+        stage[i] = x[i] + share[k] * h * r.of[i];
+      }
+    }
+    for (int i = 0; i < n; ++i) x[i] += h * sum[i];
+  }
+  CHECK(fly(f, steps) == Status::ok);
+  double flown_to[state_count];
+  flatten(f.s.state, flown_to);
+  for (int i = 0; i < state_count; ++i)
+    CHECK_NEAR(flown_to[i], x[i], 1e-6 * vehicle_variable(i).facts().bend);
+  CHECK_LT(1.15, f.s.state.pitch);
+  CHECK_LT(0.1,
+           std::fabs(wind_of(f, x[kStateIndex.position.z]).x - wind_of(f, 0).x));  // it has felt the shear
 }
