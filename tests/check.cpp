@@ -238,6 +238,8 @@ int main(int count, char** arguments) {
     return exit_nothing_run;
   }
   if (!sort_tests() || !every_name_matches(options)) return exit_nothing_run;
+  // A make that a test calls is none of the one that called the tests.
+  for (const char* const name : {"MAKEFLAGS", "MFLAGS", "MAKELEVEL"}) unsetenv(name);
 
   std::vector<Test> selected, left_out;
   for (const Test& test : all_tests())
