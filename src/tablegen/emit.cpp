@@ -94,32 +94,58 @@ std::vector<double> nodes(const TableArray& table) {
   return node;
 }
 
-// Index of an axis: equal buckets a little narrower than its narrowest interval, each with the interval just
-// before its left end. The slack absorbs the rounding of a search, also in single precision.
+// Index of an axis: the interval of each of some equal buckets, of which every knot begins one, and of the right end.
 struct AxisIndex {
-  std::vector<int> bucket;  // empty when the axis needs none
+  std::vector<int> bucket;  // empty when the axis has none
   double per_width = 0;
 };
 
-constexpr std::size_t kMostBuckets = 1024;
-constexpr double kBucketSlack = 1e-3;  // of a bucket
+constexpr std::size_t kMostBuckets = 256;
+constexpr double kOffGrid = 1e-6;  // of a bucket: more is no rounding of a decimal number
+
+// Number of buckets before each knot, or nothing when knots lie between them.
+std::vector<double> places_of(const std::vector<double>& knot, std::size_t buckets) {
+  std::vector<double> place;
+  for (const double x : knot) {
+    const double at = (x - knot.front()) * static_cast<double>(buckets) / (knot.back() - knot.front());
+    if (std::abs(at - std::round(at)) > kOffGrid) return {};
+    place.push_back(std::round(at));
+  }
+  return place;
+}
+
+// Whether the search of bracket.hpp finds every knot in its own bucket, in the arithmetic of R.
+template <class R>
+bool finds_knots(const std::vector<double>& knot, const std::vector<double>& place, double per_width) {
+  for (std::size_t i = 0; i < knot.size(); ++i) {
+    const volatile R from_first = static_cast<R>(knot[i]) - static_cast<R>(knot.front());
+    const volatile R at = from_first * static_cast<R>(per_width);
+    if (std::floor(at) != static_cast<R>(place[i])) return false;
+  }
+  return true;
+}
 
 AxisIndex index_of(const std::vector<double>& knot) {
-  AxisIndex index;
-  if (knot.size() < 3) return index;
-  double narrowest = knot.back() - knot.front();
-  for (std::size_t i = 1; i < knot.size(); ++i) narrowest = std::min(narrowest, knot[i] - knot[i - 1]);
-  const double range = knot.back() - knot.front();
-  const auto buckets = static_cast<std::size_t>(std::ceil(range / narrowest * (1 + 4 * kBucketSlack)));
-  if (buckets > kMostBuckets) return index;
-  index.per_width = static_cast<double>(buckets) / range;
-  std::size_t interval = 0;
-  for (std::size_t b = 0; b < buckets; ++b) {
-    const double left = knot.front() + (static_cast<double>(b) - kBucketSlack) / index.per_width;
-    while (interval + 2 < knot.size() && knot[interval + 1] <= left) ++interval;
-    index.bucket.push_back(static_cast<int>(interval));
+  if (knot.size() < 3) return {};
+  for (std::size_t buckets = knot.size() - 1; buckets < kMostBuckets; ++buckets) {
+    const std::vector<double> place = places_of(knot, buckets);
+    if (place.empty()) continue;
+    double per_width = static_cast<double>(buckets) / (knot.back() - knot.front());
+    constexpr int most_nudges = 3;  // the next numbers above, where rounding leaves a knot below its bucket
+    for (int nudge = 0; nudge <= most_nudges; ++nudge, per_width = std::nextafter(per_width, 2 * per_width)) {
+      if (!finds_knots<double>(knot, place, per_width) || !finds_knots<float>(knot, place, per_width))
+        continue;
+      AxisIndex index{{}, per_width};
+      int interval = 0;
+      for (std::size_t b = 0; b <= buckets; ++b) {
+        const auto next = static_cast<std::size_t>(interval) + 1;
+        if (next + 1 < knot.size() && static_cast<double>(b) >= place[next]) ++interval;
+        index.bucket.push_back(interval);
+      }
+      return index;
+    }
   }
-  return index;
+  return {};
 }
 
 void emit_index(std::ostream& out, const std::string& name, const std::vector<int>& bucket) {
@@ -176,9 +202,9 @@ void emit_table(std::ostream& out, const TableArray& table, Slopes slopes, const
       out << "  a." << table.field << "." << member << "[" << a << "] = {" << axes[a].size()
           << ", A::" << name;
       if (index.bucket.empty()) {
-        out << ", nullptr, 0, R(0)";
+        out << ", nullptr, R(0)";
       } else {
-        out << ", A::" << name << "_bucket, " << index.bucket.size() << ", " << literal(index.per_width);
+        out << ", A::" << name << "_bucket, " << literal(index.per_width);
       }
       out << ", " << (smooth ? literal(table.end_width[a]) : "R(0)") << "};\n";
     }

@@ -17,14 +17,14 @@ using tiltrotor::Real;
 template <class R>
 struct SampleTable {
   R x[5] = {R(-1), R(0), R(1), R(2), R(4)};
-  unsigned char bucket[6] = {0, 0, 1, 2, 3, 3};
+  unsigned char bucket[6] = {0, 1, 2, 3, 3, 3};
   R y[3] = {R(0), R(0.5), R(2)};
   R node[60] = {};
   tiltrotor::Table<R, 2> table{};
 
   SampleTable() {
     for (int i = 0; i < 15; ++i) node[4 * i] = static_cast<R>((i * 7) % 11) - R(5);
-    table.smooth[0] = {5, x, bucket, 6, R(6) / R(5)};
+    table.smooth[0] = {5, x, bucket, R(1)};
     table.smooth[1] = {3, y};
     table.node = node;
     R scratch[60];

@@ -161,7 +161,7 @@ TEST(table_finds_every_interval) {
   Random random;
   for (int count = 2; count <= tiltrotor::kMaxKnots; ++count) {
     const Numbers knots = uneven_knots(random, count);
-    const Axis<double> axis{count, knots.data(), nullptr, 0, 0};
+    const Axis<double> axis{count, knots.data()};
     for (int i = 0; i < count; ++i) {
       const int expected = std::min(i, count - 2);
       CHECK_EQ(tiltrotor::find_interval(axis, knots[static_cast<std::size_t>(i)]), expected);
@@ -193,7 +193,7 @@ TEST(table_works_in_single_precision) {
   const float knots[] = {0.0F, 1.0F, 3.0F};
   float node[] = {1.0F, 0.0F, 2.0F, 0.0F, 5.0F, 0.0F};
   float scratch[6];
-  const Axis<float> axis[1] = {{3, knots, nullptr, 0, 0}};
+  const Axis<float> axis[1] = {{3, knots}};
   tiltrotor::fill_slopes<float, 1>(axis, node, scratch);
   const Table<float, 1> table{{{3, knots}}, {{0, nullptr}}, node};
   const double expected = hermite({0, 1, 3}, {1, 2, 5}, slopes({0, 1, 3}, {1, 2, 5}), 2.2);

@@ -120,7 +120,50 @@ void every_end(Visit&& visit) {
   });
 }
 
+// The search by the index of an axis, in the arithmetic of R, against the knots one by one.
+template <class R>
+void check_index(const char* name, const Axis<double>& axis) {
+  std::vector<R> knot(axis.knot, axis.knot + axis.count);
+  const Axis<R> a{axis.count, knot.data(), axis.bucket, static_cast<R>(axis.per_width)};
+  const auto between = [&](int interval, R part) {
+    const auto k = static_cast<std::size_t>(interval);
+    return knot[k] + part * (knot[k + 1] - knot[k]);
+  };
+  for (int i = 0; i < a.count; ++i) {
+    if (!CHECK_EQ(find_interval(a, knot[static_cast<std::size_t>(i)]), std::min(i, a.count - 2)))
+      NOTE(name << " knot " << i);
+    if (i == a.count - 1) continue;
+    for (const double part : {1e-4, 0.3, 0.5, 0.9999})
+      if (!CHECK_EQ(find_interval(a, between(i, static_cast<R>(part))), i))
+        NOTE(name << " " << i << " + " << part);
+  }
+  CHECK_EQ(find_interval(a, std::numeric_limits<R>::quiet_NaN()), 0);
+  // In lanes the same.
+  Batch<R> x;
+  for (int lane = 0; lane < Batch<R>::kLanes; ++lane) x.set(lane, between(lane % (a.count - 1), R(0.6)));
+  const BatchIndex<R> found = find_interval(a, x);
+  for (int lane = 0; lane < Batch<R>::kLanes; ++lane) CHECK_EQ(found.e[lane], lane % (a.count - 1));
+}
+
 }  // namespace
+
+TEST(table_index_finds_the_interval_of_every_axis) {
+  int indexed = 0, all = 0;
+  every_table([&](const char* name, const auto& t) {
+    for (const Axis<double>& axis : t.smooth) {
+      if (axis.count < 3) continue;
+      ++all;
+      if (axis.bucket == nullptr) continue;
+      ++indexed;
+      check_index<double>(name, axis);
+      check_index<float>(name, axis);
+    }
+  });
+  CHECK_LT(0.8 * all, indexed);
+  for (const Table<double, 2>& t : aircraft().rotor.section_lift)
+    CHECK(t.smooth[0].bucket != nullptr && t.smooth[1].bucket != nullptr);
+  NOTE(indexed << " of " << all << " axes");
+}
 
 TEST(table_ends_have_neither_jump_nor_kink) {
   int ends = 0, with_slope = 0;
@@ -236,7 +279,7 @@ TEST(table_ends_meet_around_the_circle) {
 TEST(table_ends_fade_by_their_formula) {
   const double x[] = {-1, 0, 2}, y[] = {3, 4, 4.5};
   const double width[2] = {0.4, 0.1};
-  const Axis<double> axes[2] = {{3, x, nullptr, 0, 0, width[0]}, {3, y, nullptr, 0, 0, width[1]}};
+  const Axis<double> axes[2] = {{3, x, nullptr, 0, width[0]}, {3, y, nullptr, 0, width[1]}};
   double node[9 * 4] = {}, scratch[9 * 4];
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 3; ++j) node[(i * 3 + j) * 4] = std::sin(1.3 * i + 0.7 * j) + i * j;

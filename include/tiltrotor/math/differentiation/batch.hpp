@@ -76,15 +76,22 @@ struct BatchIndex {
   static constexpr int kLanes = kBatchLanes<R>;
   std::ptrdiff_t e[kLanes];
 
+  // {of(0), of(1), ...}: written out at once, so that no lane goes through memory.
+  template <class Of>
+  TILTROTOR_INLINE static BatchIndex each(Of&& of) {
+    return of_lanes(of, std::make_integer_sequence<int, kLanes>());
+  }
   TILTROTOR_INLINE friend BatchIndex operator+(const BatchIndex& a, const BatchIndex& b) {
-    BatchIndex r;
-    for (int i = 0; i < kLanes; ++i) r.e[i] = a.e[i] + b.e[i];
-    return r;
+    return each([&](int i) { return a.e[i] + b.e[i]; });
   }
   TILTROTOR_INLINE friend BatchIndex operator*(const BatchIndex& a, int factor) {
-    BatchIndex r;
-    for (int i = 0; i < kLanes; ++i) r.e[i] = a.e[i] * factor;
-    return r;
+    return each([&](int i) { return a.e[i] * factor; });
+  }
+
+ private:
+  template <class Of, int... Lane>
+  TILTROTOR_INLINE static BatchIndex of_lanes(Of& of, std::integer_sequence<int, Lane...>) {
+    return {{of(Lane)...}};
   }
 };
 

@@ -21,11 +21,10 @@ template <class R>
 struct Axis {
   int count;      // knots, 1..kMaxKnots
   const R* knot;  // strictly increasing
-  // Optional index, written by the table generator: equal buckets narrower than the narrowest interval, each
-  // with the interval just before its left end. A search is then one multiplication and one comparison,
-  // whatever the argument.
+  // Optional index, written by the table generator where every knot begins one of some equal buckets: the interval of
+  // each, and that of the right end. A search is then one multiplication, whatever the argument; one that lies
+  // within rounding below a knot may be told the interval above it.
   const unsigned char* bucket = nullptr;
-  int buckets = 0;
   R per_width = 0;  // buckets per unit of the argument
   R end_width = 0;  // C1: beyond its ends the slope fades over this distance; 0: at once
 };
@@ -45,9 +44,7 @@ template <class R>
 int find_interval(const Axis<R>& axis, R x) {
   if (axis.bucket != nullptr) {
     const R at = (x - axis.knot[0]) * axis.per_width;
-    const R last = static_cast<R>(axis.buckets - 1);
-    const int i = axis.bucket[static_cast<int>(at > R(0) ? (at < last ? at : last) : R(0))];
-    return i + static_cast<int>(i < axis.count - 2 && x >= axis.knot[i + 1]);
+    return axis.bucket[static_cast<int>(at > R(0) ? at : R(0))];
   }
   int low = 0;
   int high = axis.count - 1;
@@ -63,23 +60,13 @@ int find_interval(const Axis<R>& axis, R x) {
 }
 template <class R>
 TILTROTOR_INLINE BatchIndex<R> find_interval(const Axis<R>& axis, const Batch<R>& x) {
-  constexpr int lanes = Batch<R>::kLanes;
-  BatchIndex<R> i;
-  if (axis.bucket == nullptr) {
-    for (int lane = 0; lane < lanes; ++lane) i.e[lane] = find_interval(axis, x.get(lane));
-    return i;
-  }
+  using Place = std::ptrdiff_t;
+  if (axis.bucket == nullptr)
+    return BatchIndex<R>::each([&](int lane) { return Place{find_interval(axis, x.get(lane))}; });
   const Batch<R> at = (x - axis.knot[0]) * axis.per_width;
-  const R last = static_cast<R>(axis.buckets - 1);
-  const Batch<R> held = select(at > R(0), select(at < last, at, Batch<R>(last)), Batch<R>(R(0)));
-  for (int lane = 0; lane < lanes; ++lane) i.e[lane] = static_cast<std::ptrdiff_t>(held.get(lane));
-  for (int lane = 0; lane < lanes; ++lane) {
-    const std::ptrdiff_t k = axis.bucket[i.e[lane]];
-    const bool next =
-        static_cast<int>(k < axis.count - 2) & static_cast<int>(x.get(lane) >= axis.knot[k + 1]);
-    i.e[lane] = k + static_cast<std::ptrdiff_t>(next);
-  }
-  return i;
+  const Batch<R> held = select(at > R(0), at, Batch<R>(R(0)));
+  return BatchIndex<R>::each(
+      [&](int lane) { return Place{axis.bucket[static_cast<Place>(held.get(lane))]}; });
 }
 
 // Place on a linear axis, held at the ends.

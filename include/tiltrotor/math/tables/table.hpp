@@ -59,17 +59,14 @@ constexpr int power_of_4(int n) { return n == 0 ? 1 : 4 * power_of_4(n - 1); }
 // The local polynomial of a cell has 4^Smooth coefficients: base-4 digit a of a coefficient's number selects,
 // on smooth axis a, {left value, right value, left slope, right slope}.
 template <class T, int Smooth, class Nodes>
-struct CellCoefficients {
+struct Cell {
   using V = typename Bracket<T>::V;
   static constexpr bool kSplit = std::is_same_v<Nodes, SplitNodes<Real<T>, Smooth>>;
-  Nodes node;
   typename Bracket<T>::Index
       place;         // of the corner where every axis is left; in numbers, or in nodes when split
   int step[Smooth];  // to the right end of each axis
 
-  TILTROTOR_INLINE CellCoefficients(const Axis<Real<T>>* axis, const Nodes& block,
-                                    const Bracket<T>* const* at)
-      : node(block) {
+  TILTROTOR_INLINE Cell(const Axis<Real<T>>* axis, const Bracket<T>* const* at) {
     int stride = kSplit ? 1 : 1 << Smooth;
     for (int a = Smooth - 1; a >= 0; --a) {
       place = a == Smooth - 1 ? at[a]->interval * stride : place + at[a]->interval * stride;
@@ -77,27 +74,24 @@ struct CellCoefficients {
       stride *= axis[a].count;
     }
   }
-  // Numbers of all corners, in order: bit a of a corner's number is its end of axis a.
-  TILTROTOR_INLINE void load(V (&number)[1 << Smooth][1 << Smooth]) const {
-    unrolled<(1 << Smooth)>([&](auto k) {
-      int to = 0;
-      for (int a = 0; a < Smooth; ++a) to += (k >> a & 1) != 0 ? step[a] : 0;
-      if constexpr (kSplit) {
-        const auto corner = from_node(node, place + to);
-        number[k][0] = *corner.value;
-        for (int s = 1; s < (1 << Smooth); ++s) number[k][s] = static_cast<Real<T>>(corner.slope[s - 1]);
-      } else if constexpr (Smooth == 2) {
-        gather_four(node + to, place, number[k]);
-      } else {
-        const Real<T>* const corner = node + to;
-        for (int s = 0; s < (1 << Smooth); ++s) number[k][s] = gather(corner + s, place);
-      }
-    });
+  // The numbers of a corner: bit a of its number is its end of axis a.
+  TILTROTOR_INLINE void load(const Nodes& node, int corner, V (&number)[1 << Smooth]) const {
+    int to = 0;
+    for (int a = 0; a < Smooth; ++a) to += (corner >> a & 1) != 0 ? step[a] : 0;
+    if constexpr (kSplit) {
+      const auto at = from_node(node, place + to);
+      number[0] = *at.value;
+      for (int s = 1; s < (1 << Smooth); ++s) number[s] = static_cast<Real<T>>(at.slope[s - 1]);
+    } else if constexpr (Smooth == 2) {
+      gather_four(node + to, place, number);
+    } else {
+      for (int s = 0; s < (1 << Smooth); ++s) number[s] = gather(node + to + s, place);
+    }
   }
 };
 
-// Bits 0, 2, 4 .. of a number.
-constexpr int even_bits(int k) { return k == 0 ? 0 : (k & 1) + 2 * even_bits(k >> 2); }
+// The bits of a number with a zero between each.
+constexpr int spread_bits(int k) { return k == 0 ? 0 : (k & 1) + 4 * spread_bits(k >> 1); }
 
 // The four coefficients of one axis, weighed.
 template <class W, class V, class C>
@@ -141,29 +135,44 @@ TILTROTOR_INLINE typename Bracket<T>::V polynomial_with_slopes(const typename Br
   }
 }
 
-// One smooth block of nodes at located arguments.
+// One smooth block of nodes at located arguments, in the cell that is theirs. The last axis is contracted corner by
+// corner as they are loaded, so that few numbers are held at a time.
 template <int Smooth, class T, class Nodes>
-TILTROTOR_INLINE T block_value(const Axis<Real<T>>* axis, const Nodes& block, const Bracket<T>* const* at) {
+TILTROTOR_INLINE T cell_value(const Cell<T, Smooth, Nodes>& cell, const Nodes& block,
+                              const Bracket<T>* const* at) {
   using V = typename Bracket<T>::V;
-  const CellCoefficients<T, Smooth, Nodes> cell(axis, block, at);
-  V number[1 << Smooth][1 << Smooth];
-  cell.load(number);
-  V c[power_of_4(Smooth)];
-  unrolled<power_of_4(Smooth)>([&](auto k) {
-    constexpr int corner = even_bits(decltype(k)::value);
-    constexpr int kind = even_bits(decltype(k)::value >> 1);
-    c[k] = number[corner][kind];
+  using W = typename Bracket<T>::W;
+  constexpr bool kSloped = ScalarTraits<T>::kTakesSlopes;
+  constexpr int half = 1 << (Smooth - 1), rest = power_of_4(Smooth - 1);
+  const Bracket<T>& last = *at[Smooth - 1];
+  W out[rest];
+  V steep[kSloped ? rest : 1];
+  unrolled<half>([&](auto corner) {
+    V left[2 * half], right[2 * half];
+    cell.load(block, corner, left);
+    cell.load(block, corner + half, right);
+    unrolled<half>([&](auto kind) {
+      constexpr int k = spread_bits(decltype(corner)::value) + 2 * spread_bits(decltype(kind)::value);
+      out[k] = weighed<W>(last.weight, left[kind], right[kind], left[kind + half], right[kind + half]);
+      if constexpr (kSloped)
+        steep[k] = weighed<V>(last.slope, left[kind], right[kind], left[kind + half], right[kind + half]);
+    });
   });
-  if constexpr (ScalarTraits<T>::kTakesSlopes) {
+  if constexpr (kSloped) {
     // Value and slopes in plain numbers; the partials of the arguments are touched once.
     V slope[Smooth];
-    const V f = polynomial_with_slopes<Smooth, T>(c, at, slope);
+    slope[Smooth - 1] = polynomial<Smooth - 1, T>(static_cast<const V*>(steep), at);
+    const V f = polynomial_with_slopes<Smooth - 1, T>(out, at, slope);
     const T* argument[Smooth];
     for (int a = 0; a < Smooth; ++a) argument[a] = at[a]->argument;
     return ScalarTraits<T>::template from_slopes<Smooth>(f, slope, argument);
   } else {
-    return polynomial<Smooth, T>(static_cast<const V*>(c), at);
+    return polynomial<Smooth - 1, T>(static_cast<const W*>(out), at);
   }
+}
+template <int Smooth, class T, class Nodes>
+TILTROTOR_INLINE T block_value(const Axis<Real<T>>* axis, const Nodes& block, const Bracket<T>* const* at) {
+  return cell_value<Smooth, T>(Cell<T, Smooth, Nodes>(axis, at), block, at);
 }
 
 }  // namespace table_detail

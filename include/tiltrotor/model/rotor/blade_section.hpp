@@ -14,12 +14,13 @@ struct SectionCoefficients {
 
 // Section coefficients at angle of attack `alpha` (rad, -pi..pi) and Mach number: the table of the spanwise
 // region inside its range of alpha, blended over `stall_blend` degrees to a flat plate outside. Beyond the
-// last Mach column the column holds. Lift and drag share the search along the axes they have in common.
+// last Mach column the column holds. Lift and drag share the search along their axes, and the cell, where these are equal.
 template <class T>
 TILTROTOR_INLINE SectionCoefficients<T> section_coefficients(const RotorTables<Real<T>>& rotor,
                                                              Interpolation mode, int region, const T& alpha,
                                                              const T& mach) {
   using R = Real<T>;
+  using Cell = table_detail::Cell<T, 2, const R*>;
   const Table<R, 2>& lift = rotor.section_lift[region];
   const Table<R, 2>& drag = rotor.section_drag[region];
   const T alpha_deg = alpha * kDegPerRad<R>;
@@ -31,12 +32,15 @@ TILTROTOR_INLINE SectionCoefficients<T> section_coefficients(const RotorTables<R
     fade_outside(lift.smooth[1], mode, at_mach);
   }
   SectionCoefficients<T> c;
-  c.lift = lookup(lift, at_alpha, at_mach);
-  Bracket<T> drag_alpha = at_alpha;
-  Bracket<T> drag_mach = at_mach;
-  if (drag.smooth[0].knot != lift.smooth[0].knot) drag_alpha = bracket(drag.smooth[0], mode, alpha_deg);
-  if (drag.smooth[1].knot != lift.smooth[1].knot) drag_mach = bracket(drag.smooth[1], mode, mach);
-  c.drag = lookup(drag, drag_alpha, drag_mach);
+  const Bracket<T>* const at[] = {&at_alpha, &at_mach};
+  Cell cell(lift.smooth, at);
+  c.lift = table_detail::cell_value<2, T>(cell, lift.node, at);
+  if (drag.smooth[0].knot != lift.smooth[0].knot || drag.smooth[1].knot != lift.smooth[1].knot) {
+    at_alpha = bracket(drag.smooth[0], mode, alpha_deg);
+    at_mach = bracket(drag.smooth[1], mode, mach);
+    cell = Cell(drag.smooth, at);
+  }
+  c.drag = table_detail::cell_value<2, T>(cell, drag.node, at);
 
   const Axis<R>& range = lift.smooth[0];
   const R low_deg = range.knot[0];

@@ -45,7 +45,7 @@ WingConstants<C> wing_constants(const Aircraft<Real<C>>& aircraft, const Options
           ? aircraft.wake.load_factor.at(mast_deg)
           : C(aircraft.wake.gtrs_load_factor_0 + aircraft.wake.gtrs_load_factor_flap * flap_deg);
   c.aspect_ratio = w.span * w.span / w.area;
-  const Axis<R> settings{w.flap_settings, w.flap_deg, nullptr, 0, R(0)};
+  const Axis<R> settings{w.flap_settings, w.flap_deg};
   const GridPoint<C> flap = grid_point(settings, flap_deg);
   c.flap_below = flap.interval;
   c.flap_above = flap.interval + 1;
