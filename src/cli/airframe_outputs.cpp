@@ -8,6 +8,8 @@ namespace tiltrotor::cli {
 
 namespace {
 
+using Kind = AirframeOutput::Kind;
+
 template <class T>
 T part(const Vec3<T>& v, int axis) {
   return axis == 0 ? v.x : axis == 1 ? v.y : v.z;
@@ -19,10 +21,22 @@ T load_factor_at(const Configuration<T>& c, const State<T>& x, const Loads<T>& t
                  const AirframeOutput& output) {
   const double* const s = output.station;
   const Vec3<T> of_cg = T(1 / c.mass.mass) * total.force;
-  const Vec3<T> felt =
-      specific_force_at(of_cg, c.mass.nacelles, x.rates, rates.rates, station_arm(c.mass, s[0], s[1], s[2]));
+  const Vec3<T> felt = output.kind == Kind::load_factor_at_cg
+                           ? of_cg
+                           : specific_force_at(of_cg, c.mass.nacelles, x.rates, rates.rates,
+                                               station_arm(c.mass, s[0], s[1], s[2]));
   const double sign = output.axis == 2 ? -1 : 1;
   return part(felt, output.axis) * (sign / kGravity<double>);
+}
+
+// Of the path through the undisturbed air. Straight up or down, and at rest, it has no slopes.
+template <class T>
+T flight_path_angle(const Configuration<T>& c, const State<T>& rates) {
+  const Vec3<T> way = minus_fixed(rates.position, c.around.wind_n);
+  if (value(length(way)) < kLeastSpeed<double>) return T(0.0);
+  const T level = length(Vec3<T>{way.x, way.y, T(0.0)});
+  if (value(level) < kLeastSpeed<double>) return T(value(way.z) < 0 ? kPi<double> / 2 : -kPi<double> / 2);
+  return atan2(-way.z, level);
 }
 
 template <class T>
@@ -49,20 +63,46 @@ void record_loads(const Configuration<T>& c, const DerivativeSteps<T>& steps, Re
 }
 
 template <class T>
+T htail_angle_of_attack(const Configuration<T>& c, const DerivativeSteps<T>& steps,
+                        const AirframeWorkspace<T>& work) {
+  const Vec3<T> v = horizontal_tail_velocity(c, steps.airframe_input, work.wash_ratio);
+  return angle_of_attack(v, c.aircraft->smooth) + c.aircraft->htail.surface.incidence - work.downwash;
+}
+
+template <class T>
+T reading(const Configuration<T>& c, const State<T>& x, const DerivativeSteps<T>& steps,
+          const State<T>& rates, const ReadingWorkspace<T>& found, const AirframeOutput& output) {
+  switch (output.kind) {
+    case Kind::load_factor:
+    case Kind::load_factor_at_cg:
+      return load_factor_at(c, x, steps.total, rates, output);
+    case Kind::flight_path_angle:
+      return flight_path_angle(c, rates);
+    case Kind::wing_angle_of_attack:
+      return found.airframe.wing_alpha;
+    case Kind::htail_angle_of_attack:
+      return htail_angle_of_attack(c, steps, found.work);
+    case Kind::state: {
+      T flat[state_count];
+      flatten(x, flat);
+      return flat[output.component];
+    }
+    case Kind::force:
+    case Kind::moment:
+      break;
+  }
+  Loads<T> of{};
+  for (int k = 0; k < component_count; ++k)
+    if (output.component == k || output.component == component_count) of = of + found.loads.component[k];
+  return part(output.kind == Kind::force ? of.force : of.moment, output.axis);
+}
+
+template <class T>
 void read(const Configuration<T>& c, const State<T>& x, const DerivativeSteps<T>& steps,
           const State<T>& rates, const std::vector<AirframeOutput>& outputs, ReadingWorkspace<T>& found,
           T* y) {
   record_loads(c, steps, found);
-  for (const AirframeOutput& output : outputs) {
-    if (output.kind == AirframeOutput::Kind::load_factor) {
-      *y++ = load_factor_at(c, x, steps.total, rates, output);
-      continue;
-    }
-    Loads<T> of{};
-    for (int k = 0; k < component_count; ++k)
-      if (output.component == k || output.component == component_count) of = of + found.loads.component[k];
-    *y++ = part(output.kind == AirframeOutput::Kind::force ? of.force : of.moment, output.axis);
-  }
+  for (const AirframeOutput& output : outputs) *y++ = reading(c, x, steps, rates, found, output);
 }
 
 }  // namespace

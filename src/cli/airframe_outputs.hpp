@@ -1,5 +1,5 @@
-// Outputs of the airframe beside what instruments read: load factors at any station and loads of any component, with
-// exact derivatives.
+// Outputs of the airframe beside what instruments read: load factors at any station, loads of any component, angles of the
+// path and of the flow at wing and tail, and states, with exact derivatives.
 #pragma once
 
 #include <vector>
@@ -9,10 +9,19 @@
 namespace tiltrotor::cli {
 
 struct AirframeOutput {
-  enum class Kind : unsigned char { load_factor, force, moment };
+  enum class Kind : unsigned char {
+    load_factor,  // at a station
+    load_factor_at_cg,
+    force,
+    moment,
+    flight_path_angle,      // of the path through the undisturbed air above the horizon, rad; 0 at rest
+    wing_angle_of_attack,   // of the part that no wake covers, rad
+    htail_angle_of_attack,  // with incidence, wash and downwash, rad
+    state
+  };
   Kind kind;
   int axis;           // x, y, z of the body
-  int component;      // of a load; component_count: of all, as total_aero of `loads`
+  int component;      // of a load; component_count: of all, as total_aero of `loads`. Of a state its place
   double station[3];  // of a load factor: SL aft, BL right, WL up, m
 };
 

@@ -49,9 +49,8 @@ ChosenColumns::ChosenColumns(const Arguments& arguments, const std::vector<std::
       if (!output) {
         std::vector<std::string> near = all;
         for (const std::string& other : output_names()) near.push_back(other);
-        throw UsageError(
-            where + ": no column " + quoted(name) + did_you_mean(name, near) + "; choose " + one_of(all) +
-            "; or htail_force_z, htail_moment_y, .. of a component of `loads`; or " + kStationForm);
+        throw UsageError(where + ": no column " + quoted(name) + did_you_mean(name, near) + "; choose " +
+                         one_of(all) + "; or " + kOtherOutputs);
       }
       place += airframe_.size();
       airframe_.push_back(output->output);

@@ -34,6 +34,28 @@ std::optional<NamedOutput> load_named(const std::string& name) {
   return std::nullopt;
 }
 
+struct Angle {
+  const char* name;
+  Kind kind;
+};
+constexpr Angle kAngles[] = {{"flight_path_angle", Kind::flight_path_angle},
+                             {"wing_angle_of_attack", Kind::wing_angle_of_attack},
+                             {"htail_angle_of_attack", Kind::htail_angle_of_attack}};
+constexpr const char* kLoadFactorsAtCg[] = {"nx", "ny", "nz"};
+
+// "htail_angle_of_attack", "nz" at the CG, "b1c_R" and every other state of a linear model of the airframe.
+std::optional<NamedOutput> motion_named(const std::string& name) {
+  for (const Angle& angle : kAngles)
+    if (name == angle.name) return NamedOutput{name, "rad", -1, {angle.kind, 0, 0, {}}};
+  for (int axis = 0; axis < 3; ++axis)
+    if (name == kLoadFactorsAtCg[axis])
+      return NamedOutput{name, "-", -1, {Kind::load_factor_at_cg, axis, 0, {}}};
+  for (int i = 0; i < state_count; ++i)
+    if (name == kStateVariables[i].name && !kStateVariables[i].facts().ignorable)
+      return NamedOutput{name, kStateVariables[i].facts().unit, -1, {Kind::state, 0, i, {}}};
+  return std::nullopt;
+}
+
 // "nz@230/0/75"
 std::optional<NamedOutput> load_factor_named(const std::string& name, const std::string& where) {
   constexpr std::size_t letters = 3;
@@ -57,12 +79,22 @@ std::optional<NamedOutput> output_named(const std::string& name, const std::stri
   for (int k = 0; k < Instruments<double>::kCount; ++k)
     if (name == kOutputNames[k].name) return NamedOutput{name, kOutputNames[k].unit, k, {}};
   if (const auto load = load_named(name)) return load;
+  if (const auto motion = motion_named(name)) return motion;
   return load_factor_named(name, where);
 }
 
-std::vector<std::string> output_names() {
+std::vector<std::string> short_output_names() {
   std::vector<std::string> names;
   for (const OutputName& output : kOutputNames) names.emplace_back(output.name);
+  for (const Angle& angle : kAngles) names.emplace_back(angle.name);
+  for (const char* const name : kLoadFactorsAtCg) names.emplace_back(name);
+  return names;
+}
+
+std::vector<std::string> output_names() {
+  std::vector<std::string> names = short_output_names();
+  for (const Variable& state : kStateVariables.row)
+    if (!state.facts().ignorable) names.emplace_back(state.name);
   for (int component = 0; component <= component_count; ++component)
     for (const Kind kind : {Kind::force, Kind::moment})
       for (int axis = 0; axis < 3; ++axis) names.push_back(load_name(component, kind, axis));
@@ -73,8 +105,10 @@ OptionList outputs_option() {
   return {{"--outputs", "A,B,..",
            "rows of C and D, in this order, in CSV too: names of instruments\n"
            "(airspeed, power_right; all of them where JSON and MATLAB choose),\n"
-           "nx@SL/BL/WL, ny@.., nz@.. at a station in inches, and of a component\n"
-           "of `loads` htail_force_z, htail_moment_y, .."}};
+           "nx, ny, nz at the CG, nx@SL/BL/WL, .. at a station in inches,\n"
+           "flight_path_angle, wing_angle_of_attack, htail_angle_of_attack,\n"
+           "states (b1c_R), and of a component of `loads` htail_force_z,\n"
+           "htail_moment_y, .."}};
 }
 
 std::vector<NamedOutput> chosen_outputs(const Arguments& arguments) {
@@ -86,7 +120,7 @@ std::vector<NamedOutput> chosen_outputs(const Arguments& arguments) {
     const std::optional<NamedOutput> output = output_named(name, where);
     if (!output)
       throw UsageError(where + ": no output " + quoted(name) + did_you_mean(name, output_names()) +
-                       "; choose " + one_of(output_names()) + "; or " + kStationForm);
+                       "; choose " + one_of(short_output_names()) + "; or " + kOtherOutputs);
     for (const NamedOutput& before : chosen)
       if (before.name == name) throw UsageError(where + ": " + name + " stands there twice");
     chosen.push_back(*output);

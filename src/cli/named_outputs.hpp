@@ -16,15 +16,19 @@ struct NamedOutput {
   AirframeOutput output;
 };
 
-// "airspeed", "nz@230/0/75" (SL, BL, WL, in), "htail_moment_y"; nothing for another name. Throws UsageError "<where>: ..."
-// for a station that is none.
+// "airspeed", "flight_path_angle", "nz", "nz@230/0/75" (SL, BL, WL, in), "b1c_R", "htail_moment_y"; nothing for another
+// name. Throws UsageError "<where>: ..." for a station that is none.
 std::optional<NamedOutput> output_named(const std::string& name, const std::string& where);
 
 // Names that can be listed: all but those of stations.
 std::vector<std::string> output_names();
+// Of these the few that are neither states nor loads.
+std::vector<std::string> short_output_names();
 
 // What a list of names may hold besides, for messages and help.
-inline constexpr const char* kStationForm = "nx@SL/BL/WL, ny@.., nz@.. (load factors at a station in inches)";
+inline constexpr const char* kOtherOutputs =
+    "nx@SL/BL/WL, ny@.., nz@.. (load factors at a station in inches), a state as b1c_R, or htail_force_z, htail_moment_y, .. of "
+    "a component of `loads`";
 
 // --outputs A,B,..: none where it is not given.
 OptionList outputs_option();

@@ -49,6 +49,45 @@ T load_factor_by_motion(const Configuration<T>& c, const State<T>& x, const Stat
   return (axis == 2 ? -1.0 : 1.0) * (felt / kGravity<double> - down[axis]);
 }
 
+Complex load_factor_at_cg(const State<Complex>& x, const State<Complex>& rates, int axis) {
+  const Vec3<Complex> v = rates.velocity + cross(x.rates, x.velocity);
+  const Complex down[3] = {-sin(x.pitch), cos(x.pitch) * sin(x.roll), cos(x.pitch) * cos(x.roll)};
+  return (axis == 2 ? -1.0 : 1.0) * ((axis == 0   ? v.x
+                                      : axis == 1 ? v.y
+                                                  : v.z) /
+                                         kGravity<double> -
+                                     down[axis]);
+}
+
+// The path by its sine, u sin(pitch) - .. over the speed; angles of the flow by the velocities that make them up.
+Complex angle_or_state(const Configuration<Complex>& c, const State<Complex>& x,
+                       const DerivativeSteps<Complex>& steps, const State<Complex>& rates,
+                       const AirframeOutput& o) {
+  using Kind = AirframeOutput::Kind;
+  const Vec3<Complex>& v = x.velocity;
+  if (o.kind == Kind::flight_path_angle)
+    return std::asin((v.x * sin(x.pitch) - cos(x.pitch) * (v.y * sin(x.roll) + v.z * cos(x.roll))) /
+                     std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z));
+  if (o.kind == Kind::state) {
+    Complex flat[state_count];
+    flatten(x, flat);
+    return flat[o.component];
+  }
+  const auto work = std::make_unique<AirframeWorkspace<Complex>>();
+  AirframeResponse<Complex> airframe;
+  airframe_response(c, steps.airframe_input, *work, airframe, [](Component, const Loads<Complex>&) {});
+  if (o.kind == Kind::wing_angle_of_attack) return airframe.wing_alpha;
+  // Of the tail: its velocity, the rotors' wash along the nacelles, incidence less the lagged downwash.
+  const auto& s = c.aircraft->htail.surface;
+  const AirframeInput<Complex>& in = steps.airframe_input;
+  const Complex back = c.mass.sl_cg - s.sl, below = c.mass.wl_cg - s.wl;
+  const Complex wash = work->wash_ratio * 0.5 * (in.mean_wash[right] + in.mean_wash[left]);
+  const Complex ahead = v.x + in.rates_b.y * below + wash * c.nacelle_axis_b.x;
+  const Complex down = v.z - in.rates_b.y * back + wash * c.nacelle_axis_b.z;
+  (void)rates;
+  return std::atan(down / ahead) + s.incidence - x.downwash;
+}
+
 // The aircraft with its governor at states and inputs of the shape's columns, changed by `step` in one of them.
 std::vector<Complex> outputs_of(const SystemFlight<double>& flight, const Configuration<double>& base,
                                 const State<double>& x, const Controls<double>& u, const VehicleShape& shape,
@@ -85,9 +124,18 @@ std::vector<Complex> outputs_of(const SystemFlight<double>& flight, const Config
                          w->rates);
   evaluate_aircraft(w->c, w->x, w->demand.controls, w->now);
   std::vector<Complex> y;
+  using Kind = AirframeOutput::Kind;
   for (const AirframeOutput& o : outputs) {
-    if (o.kind == AirframeOutput::Kind::load_factor) {
+    if (o.kind == Kind::load_factor) {
       y.push_back(load_factor_by_motion(w->c, w->x, w->answer.rates, o.station, o.axis));
+      continue;
+    }
+    if (o.kind == Kind::load_factor_at_cg) {
+      y.push_back(load_factor_at_cg(w->x, w->answer.rates, o.axis));
+      continue;
+    }
+    if (o.kind >= Kind::flight_path_angle) {
+      y.push_back(angle_or_state(w->c, w->x, w->steps, w->answer.rates, o));
       continue;
     }
     Loads<Complex> sum{};
@@ -103,7 +151,8 @@ void compare_with_complex_steps(const Options& options, bool scas = false) {
   std::vector<AirframeOutput> outputs;
   for (const char* const name :
        {"nx@100/20/90", "ny@250/-40/60", "nz@100/20/90", "htail_moment_y", "wing_free_force_z",
-        "rotor_left_force_x", "total_aero_moment_x", "engine_jets_force_x", "fin_right_moment_z"})
+        "rotor_left_force_x", "total_aero_moment_x", "engine_jets_force_x", "fin_right_moment_z",
+        "flight_path_angle", "wing_angle_of_attack", "htail_angle_of_attack", "nx", "nz", "q", "b1c_R"})
     outputs.push_back(cli::output_named(name, "")->output);
   FlightSetup<double> setup = flight_setup(aircraft_data<double>(), 40.0);
   setup.options = options;
@@ -317,12 +366,12 @@ TEST_OF_XV15(cli_columns_of_stations_are_there_in_fly) {
   const std::string script = folder.write("s.txt", "0 hold speed 40\n0.3 hold height 60\n1 end\n");
   const check::ProgramResult result = run_tiltrotor(
       "fly --mast 0 --speed 30 --height 50 --script " + check::quoted(script) +
-      " --every 0.1 --format csv --columns load_factor,specific_force_x,nx@301.2/0/81.65,nz@301.2/0/81.65,htail_force_z");
+      " --every 0.1 --format csv --columns nz,specific_force_x,nx@301.2/0/81.65,nz@301.2/0/81.65,htail_force_z");
   if (!CHECK_EQ(result.exit_status, 0)) NOTE(result.err);
   const CsvText rows(result.out);
   if (!CHECK(rows.rows.size() > 5)) return;
   for (std::size_t i = 0; i < rows.rows.size(); ++i) {
-    CHECK_NEAR(rows.number(i, "nz@301.2/0/81.65"), rows.number(i, "load_factor"), 1e-5);
+    CHECK_NEAR(rows.number(i, "nz@301.2/0/81.65"), rows.number(i, "nz"), 1e-5);
     CHECK_NEAR(rows.number(i, "nx@301.2/0/81.65"), rows.number(i, "specific_force_x") / 9.80665, 1e-5);
     CHECK(std::fabs(rows.number(i, "htail_force_z")) > 1);
   }

@@ -6,6 +6,15 @@
 
 namespace tiltrotor {
 
+// Velocity of the tail relative to the air there, m/s, with the rotors' wash; the wing's downwash turns it afterwards.
+template <class T, class C>
+Vec3<T> horizontal_tail_velocity(const Configuration<C>& c, const AirframeInput<T>& in, const T& wash_ratio) {
+  const TailSurface<Real<T>>& s = c.aircraft->htail.surface;
+  const T wash = wash_ratio * (Real<T>(0.5) * (in.mean_wash[right] + in.mean_wash[left]));
+  return velocity_at_tail(c, in) + rate_cross_arm(in.rates_b, station_arm(c.mass, s.sl, Real<T>(0), s.wl)) +
+         along(wash, c.nacelle_axis_b);
+}
+
 template <class T, class C>
 Loads<T> horizontal_tail_loads(const Configuration<C>& c, const AirframeInput<T>& in,
                                const FreeStream<T>& stream, const T& wash_ratio, const T& downwash) {
@@ -14,9 +23,8 @@ Loads<T> horizontal_tail_loads(const Configuration<C>& c, const AirframeInput<T>
   const SmoothingWidths<R>& e = c.aircraft->smooth;
   const Options& o = c.setup.options;
   const Vec3<C> arm = station_arm(c.mass, h.surface.sl, R(0), h.surface.wl);
-  const T wash = wash_ratio * (R(0.5) * (in.mean_wash[right] + in.mean_wash[left]));
   const Vec3<T> free = velocity_at_tail(c, in);
-  const Vec3<T> v = free + rate_cross_arm(in.rates_b, arm) + along(wash, c.nacelle_axis_b);
+  const Vec3<T> v = horizontal_tail_velocity(c, in, wash_ratio);
   const T alpha = angle_of_attack(v, e);
   const T beta = sideslip_angle(v, e.lateral_plane_speed);
 
