@@ -48,11 +48,13 @@ enum {
   TR_SATURATED = 1,      /* a control at the end of its range or beyond (gusts do not count), or a surface,
                             moved by stick or pedal and its increment, beyond its stop */
   TR_AT_GIMBAL_STOP = 2, /* the tilt of a gimbal is beyond its stop */
-  TR_OVER_POWER = 4,     /* the rotors need more than take-off power at this altitude, or drive the engines */
-  TR_OVER_TORQUE = 8,    /* a mast carries more than its largest steady torque */
-  TR_TABLE_EDGE = 16,    /* see above */
-  TR_VORTEX_RING = 32,   /* a rotor descends in its own wake: the mean of an unsteady flow */
-  TR_ON_GROUND = 64      /* a wheel carries something: systems.h */
+  TR_OVER_POWER = 4, /* the rotors need more than the take-off power of the engines that run, or drive them */
+  TR_OVER_TORQUE = 8,  /* a mast carries more than its largest steady torque */
+  TR_TABLE_EDGE = 16,  /* see above */
+  TR_VORTEX_RING = 32, /* a rotor descends in its own wake: the mean of an unsteady flow */
+  TR_ON_GROUND = 64,   /* a wheel carries something: systems.h */
+  TR_BELOW_GROUND =
+      128 /* the CG lies below the ground: it has been struck, nothing of the library stops there */
 };
 
 /* A sum of the above. TR_NOT_FINITE. Cost: 1 derivative. */
@@ -87,15 +89,16 @@ tr_status tr_motion_at(const tr_sim* sim, const tr_real station_m[3], tr_motion*
 typedef struct tr_air_data {
   tr_real static_pa;
   tr_real impact_pa; /* of compressible flow without shock: total less static pressure */
-  tr_real tas_mps;   /* true airspeed, gust and the turning of the aircraft included */
-  tr_real cas_mps;   /* calibrated airspeed: that at sea level, ISA, of the same impact pressure */
+  tr_real
+      tas_mps; /* true airspeed; gust, that of the wing and turbulence, and the turning of aircraft and air included */
+  tr_real cas_mps; /* calibrated airspeed: that at sea level, ISA, of the same impact pressure */
   tr_real mach;
   tr_real alpha_rad, beta_rad; /* as in tr_outputs */
 } tr_air_data;
 
 /* What a probe without errors reads at a station, as tr_motion_at takes it: of the velocity there, not
  * disturbed by airframe or rotors. Formulas hold below Mach 1. TR_NOT_FINITE, TR_OUT_OF_RANGE; nothing is then
- * written. Cost: some 100 operations. */
+ * written. Cost: some 500 operations. */
 tr_status tr_air_data_at(const tr_sim* sim, const tr_real station_m[3], tr_air_data* air);
 
 /* How rates and outputs change along one direction: dxdot = A dx + B du over every state, doutputs = C dx + D

@@ -192,7 +192,8 @@ enum {
   TR_INPUTS = 19
 };
 
-/* The state of a flight: restoring it replays bit for bit, what conditions.h changes being as it was. */
+/* The state of a flight: restoring it replays bit for bit, what conditions.h and systems.h change being as it was
+ * (also whether a SCAS fades out: tr_save holds all of it). */
 typedef struct tr_state {
   double time_s;
   uint64_t steps; /* done so far */

@@ -103,11 +103,13 @@ tr_status tr_get_flags(const tr_sim* sim, uint32_t* flags) {
   State<R>::each(all.rates, [&finite](R rate) { finite = finite && is_finite(rate); });
   if (!finite) return TR_NOT_FINITE;
   // Stall of the wing has no flag: asked at rest, where the aircraft does not rest on it.
-  const LimitCheck<R> check = check_limits(c, R(0), R(0), x, s.u, found.controls, found.rotor);
+  const LimitCheck<R> check =
+      check_limits(c, R(0), R(0), x, s.u, found.controls, found.rotor, engines_that_run(s));
   std::uint32_t set = at_a_stop(*c.aircraft, s.u) ? std::uint32_t{TR_SATURATED} : 0;
   for (int k = 0; k < check.count; ++k) set |= flag_of(check.exceeded[k].limit);
   if (is_beyond_tables(c, x, found.velocity_b, found.controls)) set |= TR_TABLE_EDGE;
   if (all.weight_on_wheels > R(0)) set |= TR_ON_GROUND;
+  if (s.x.position.z > s.air.ground_down) set |= TR_BELOW_GROUND;
   *flags = set;
   return TR_OK;
 }
@@ -160,8 +162,9 @@ tr_status tr_air_data_at(const tr_sim* sim, const tr_real station_m[3], tr_air_d
   const tr_status possible = check_station(station_m, air);
   if (possible != TR_OK) return possible;
   const Sim& s = *opened(sim);
+  const Vec3<R> arm = arm_to(s, station_m);
   const Vec3<R> v =
-      velocity_at(s.x.velocity, s.configuration.mass.nacelles, s.x.rates, arm_to(s, station_m)) - s.u.gust;
+      velocity_at(s.x.velocity, s.configuration.mass.nacelles, s.x.rates, arm) - s.u.gust - gust_at(s, arm);
   const AirData<R> d = air_data(s.configuration.air, v);
   *air = {d.static_pressure, d.impact_pressure, d.true_airspeed, d.calibrated, d.mach,
           d.angle_of_attack, d.sideslip};

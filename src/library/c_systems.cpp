@@ -19,7 +19,6 @@ static_assert(TR_WASHOUT == state_count + kSystemIndex.washout && TR_GEAR + 17 =
 static_assert(TR_GOVERNOR_PI == static_cast<int>(Governor::pi));
 static_assert(TR_SHEAR_OTHER == static_cast<int>(WindShear::other));
 
-constexpr R kMostThrottle = R(1.2);
 constexpr R kMostTurbulence = R(50);  // m/s
 
 bool is_switch(std::int32_t value) { return value == 0 || value == 1; }
@@ -170,6 +169,7 @@ tr_status follow_systems(Sim& s) {
         mast_motion(c.aircraft->systems, s.systems.vehicle.commands.mast, x.mast, x.mast_rate).acceleration;
     if (x.flap != setting.flap_deg * kRadPerDeg<R>) setting.flap_deg = x.flap * kDegPerRad<R>;
   }
+  if (on.engines && x.fuel < R(0)) return TR_OUT_OF_RANGE;
   if (on.engines) setting.mass = s.systems.vehicle.loaded_mass - x.fuel;
   if (on.governor == Governor::pi) {
     setting.rotor_speed = x.rotor_speed;
@@ -225,6 +225,19 @@ void settle_systems(Sim& s) {
   clear_unused(s);
 }
 
+Vec3<R> gust_at(const Sim& s, const Vec3<R>& arm) {
+  Configuration<R> c;
+  equipped(s, c);
+  const Surroundings<R> around =
+      with_turbulence(c, evaluated_state(s), s.u, s.systems.vehicle, s.systems.state);
+  return around.wing_gust_b + cross(around.gust_rates_b, arm);
+}
+
+int engines_that_run(const Sim& s) {
+  const bool(&failed)[2] = s.systems.vehicle.engine_failed;
+  return failed[right] || failed[left] ? vehicle_parts::engines_running(failed) : kAllEngines;
+}
+
 tr_status check_systems(const tr_systems& systems) {
   const LimitTables<R>& limits = aircraft_data<R>().limits;
   if (systems.governor < TR_GOVERNOR_OFF || systems.governor > TR_GOVERNOR_PI) return TR_BAD_ARGUMENT;
@@ -241,8 +254,8 @@ tr_status check_systems(const tr_systems& systems) {
   const bool inside = within(systems.mast_command_deg, limits.mast_deg) &&
                       within(systems.flap_command_deg, limits.flap_deg) &&
                       within(systems.rotor_command_radps, limits.rotor_speed) &&
-                      is_within(systems.throttle[0], R(0), kMostThrottle) &&
-                      is_within(systems.throttle[1], R(0), kMostThrottle) &&
+                      is_within(systems.throttle[0], R(0), kMostThrottle<R>) &&
+                      is_within(systems.throttle[1], R(0), kMostThrottle<R>) &&
                       is_within(systems.turbulence_w20_mps, R(0), kMostTurbulence) &&
                       is_within(systems.brake[0], R(0), R(1)) && is_within(systems.brake[1], R(0), R(1));
   return inside ? TR_OK : TR_OUT_OF_RANGE;

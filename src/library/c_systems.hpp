@@ -31,6 +31,11 @@ void reset_systems(Sim& s);
 bool meet_ground_in_flight(const Sim& s, State<R> x, const Controls<R>& u, Configuration<R>& c);
 // All standing still in the steady flight that has been found.
 void settle_systems(Sim& s);
+// Velocity of the air at `arm` from the CG relative to the undisturbed air and to the gust that is felt everywhere, body axes,
+// m/s: that of the wing and the turning of the air, turbulence included.
+Vec3<R> gust_at(const Sim& s, const Vec3<R>& arm);
+// A failed engine gives nothing whether the engines are among the systems or not.
+int engines_that_run(const Sim& s);
 
 tr_status check_systems(const tr_systems& systems);
 void get_systems(const Sim& s, tr_systems& systems);

@@ -52,9 +52,11 @@ tr_status tr_trim(tr_sim* sim, tr_work* work, const tr_flight* flight, tr_trim_r
   if (driven || apart) configure(call.configuration);
   // Gear and ground depend on what is found: a few rounds, each a trim from its beginning.
   TrimStatus status = TrimStatus::ok;
+  TrimOptions options;
+  options.engines = engines_that_run(s);
   for (int round = 0; round < kGroundRounds; ++round) {
     const State<R> before = call.result.state;
-    status = trim(call.configuration, wanted, call.workspace, call.result);
+    status = trim(call.configuration, wanted, call.workspace, call.result, options);
     if (!is_trimmed(status) || (round > 0 && is_near(before, call.result.state))) break;
     if (!meet_ground_in_flight(s, call.result.state, call.result.controls, call.configuration)) break;
   }

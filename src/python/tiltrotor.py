@@ -91,7 +91,7 @@ TR_MAX_LINEAR_STATES = 48
 TR_INPUTS = 19
 TR_OUTPUTS = 23
 (TR_AT_RIGHT_ROTOR, TR_AT_LEFT_ROTOR, TR_AT_WING, TR_AT_TAIL, TR_PLACES) = range(0, 5)
-(TR_SATURATED, TR_AT_GIMBAL_STOP, TR_OVER_POWER, TR_OVER_TORQUE, TR_TABLE_EDGE, TR_VORTEX_RING, TR_ON_GROUND) = (1, 2, 4, 8, 16, 32, 64)
+(TR_SATURATED, TR_AT_GIMBAL_STOP, TR_OVER_POWER, TR_OVER_TORQUE, TR_TABLE_EDGE, TR_VORTEX_RING, TR_ON_GROUND, TR_BELOW_GROUND) = (1, 2, 4, 8, 16, 32, 64, 128)
 
 # ---- structures, fields as the headers declare them ----
 _WORDS = {"char": c_char, "void*": ctypes.c_void_p, "char*": ctypes.c_char_p, "size_t": ctypes.c_size_t, "int32_t": c_int32,

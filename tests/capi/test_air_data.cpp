@@ -130,3 +130,52 @@ TEST(capi_air_data_refuse) {
   CHECK_EQ(tr_air_data_at(&raw, kNose, &air), TR_NOT_INITIALIZED);
   CHECK(same_bits(air, before));
 }
+
+// Velocity triangles: a gust at the wing, and air that turns about the CG.
+TEST(capi_air_data_feel_the_gust_of_the_wing_and_air_that_turns) {
+  tr_sim sim = flying_at(0, {100, 0, 3}, {1, 0, 0});
+  tr_environment environment;
+  CHECK_EQ(tr_default_environment(&environment), TR_OK);
+  const tr_real gust[3] = {-15, 2, 4}, turning[3] = {tr_real(0.1), tr_real(-0.2), tr_real(0.3)};
+  for (int k = 0; k < 3; ++k) {
+    environment.gust_mps[TR_AT_WING][k] = gust[k];
+    environment.gust_rates_radps[k] = turning[k];
+  }
+  CHECK_EQ(tr_set_environment(&sim, &environment), TR_OK);
+  tr_mass mass;
+  CHECK_EQ(tr_get_mass(&sim, &mass), TR_OK);
+  const double x = 4, y = 5, z = 1;
+  const tr_real probe[3] = {mass.cg_m[0] - tr_real(x), mass.cg_m[1] + tr_real(y), mass.cg_m[2] - tr_real(z)};
+  const tr_air_data air = air_of(sim, probe);
+  // 100 - 1 + 15, .. less the way of the air, turning x arm.
+  const double u = 114 - (-0.2 * z - 0.3 * y), v = -2 - (0.3 * x - 0.1 * z), w = -1 - (0.1 * y + 0.2 * x);
+  const double tolerance = kDouble ? 1e-13 : 2e-6;
+  CHECK_REL(air.tas_mps, std::sqrt(u * u + v * v + w * w), tolerance);
+  CHECK_NEAR(air.alpha_rad, std::atan2(w, u), tolerance);
+}
+
+// Its strength along the path is W20 itself, far above the ground a tenth of it and more: Dryden's model.
+TEST(capi_air_data_feel_turbulence) {
+  tr_sim sim = trimmed_sim(90, 90);
+  tr_systems systems;
+  CHECK_EQ(tr_get_systems(&sim, &systems), TR_OK);
+  systems.turbulence = 1;
+  systems.turbulence_w20_mps = 23;
+  CHECK_EQ(tr_set_systems(&sim, &systems), TR_OK);
+  const auto work = new_work();
+  double squares = 0, mean = 0;
+  const int steps = 2000;
+  for (int k = 0; k < steps; ++k) {
+    CHECK_EQ(tr_step(&sim, work.get(), tr_real(0.01)), TR_OK);
+    const tr_state s = state_of(sim);
+    const double still =
+        std::sqrt(double(s.x[TR_U] * s.x[TR_U] + s.x[TR_V] * s.x[TR_V] + s.x[TR_W] * s.x[TR_W]));
+    const double felt = double(air_of(sim, kNose).tas_mps) - still;
+    mean += felt / steps;
+    squares += felt * felt / steps;
+  }
+  const double spread = std::sqrt(squares - mean * mean);
+  NOTE("spread " << spread << " m/s");
+  CHECK_LT(0.8, spread);
+  CHECK_LT(spread, 7);
+}

@@ -11,6 +11,10 @@
 
 namespace tiltrotor {
 
+// Beyond contingency power; 1 is take-off power.
+template <class R>
+inline constexpr R kMostThrottle = R(1.2);
+
 // Power of one engine at its shaft with a throttle, W: of its take-off power here, which follows the air as choice
 // engine_lapse says; at most its contingency power.
 template <class T, class C>

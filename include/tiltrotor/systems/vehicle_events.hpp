@@ -39,7 +39,7 @@ bool begin_step(const Aircraft<R>& aircraft, const State<R>& x, const Controls<R
     if (has_returned(s)) {
       v.on.augmentation = v.disengages = false;
       for (R& way : s.series) way = R(0);
-      s.washout = s.holds_pitch = s.holds_roll = R(0);
+      s.washout = s.held_pitch = s.held_roll = s.holds_pitch = s.holds_roll = s.rest_long = s.rest_lat = R(0);
       happened = true;
     }
   }
@@ -62,7 +62,8 @@ R moved_gear(const GearTables<R>& gear, const Vehicle<R>& v, R extension, R dt) 
 
 // The systems in a steady flight at (x, u) of the airframe, `torque` of each rotor (N m): every rate that the flight
 // leaves zero is zero. Commands become what is; stick and pedals are relieved of what the augmentation holds, and
-// rest there. Engines that run share the power, which is none where the rotors drive them.
+// rest there. Engines that run share the power, which is none where the rotors drive them, and no more than they have: then
+// the rotors slow down (TrimStatus::power_limit).
 template <class R>
 void settle(const Configuration<R>& c, const State<R>& x, const R (&torque)[2], Vehicle<R>& v,
             SystemState<R>& s, Controls<R>& u) {
@@ -78,10 +79,11 @@ void settle(const Configuration<R>& c, const State<R>& x, const R (&torque)[2], 
       (torque[right] + torque[left]) * c.setup.rotor_speed / aircraft.controls.transmission_efficiency;
   const int running = vehicle_parts::engines_running(v.engine_failed);
   const R full = demanded_power(aircraft, c.air, R(1));
+  const R most = demanded_power(aircraft, c.air, kMostThrottle<R>);
   for (const Side side : {right, left}) {
     const bool works = !v.engine_failed[side] && needed > R(0);
-    s.power[side] = works ? needed / static_cast<R>(running) : R(0);
-    v.commands.throttle[side] = s.power[side] / full;
+    s.power[side] = works ? smaller_of(needed / static_cast<R>(running), most) : R(0);
+    v.commands.throttle[side] = smaller_of(s.power[side] / full, kMostThrottle<R>);
   }
   s.shaft_twist =
       twists(v.on) ? balanced_twist(aircraft, v.engine_failed, s.power, torque, c.setup.rotor_speed) : R(0);

@@ -57,8 +57,9 @@ struct TrimResult {
 inline constexpr int kMaxTrimIterations = 200;
 
 struct TrimOptions {
-  int max_iterations = 40;   // of one Newton attempt, 1..kMaxTrimIterations
-  bool continuation = true;  // when the cold start fails: approach from an easier flight
+  int max_iterations = 40;    // of one Newton attempt, 1..kMaxTrimIterations
+  bool continuation = true;   // when the cold start fails: approach from an easier flight
+  int engines = kAllEngines;  // that run: what power_limit is about
 };
 
 // Trim from a cold start. The result is defined whatever is returned; when is_trimmed(status) it fulfils the
@@ -148,7 +149,7 @@ void describe(const Configuration<R>& c, const SteadyFlight<R>& flight, TrimWork
   result.download_fraction =
       download > R(0) ? download / (thrust > least_thrust ? thrust : least_thrust) : R(0);
   result.limits = check_limits(c, flight.speed, result.wing_angle_of_attack, result.state, result.controls,
-                               result.blades, e.rotor);
+                               result.blades, e.rotor, work.engines);
   if (result.status == TrimStatus::ok) result.status = result.limits.status;
 }
 
@@ -208,6 +209,7 @@ bool accepts(const Configuration<R>& c, const SteadyFlight<R>& flight, const Tri
   result.status = all_finite(flight) ? TrimStatus::out_of_range : TrimStatus::not_finite;
   if (result.invalid != SteadyFlightField::none || !options_valid || !prepared) return false;
   trim_equations(c, work.equations);
+  work.engines = options.engines;
   return true;
 }
 

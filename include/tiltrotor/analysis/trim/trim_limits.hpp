@@ -125,17 +125,20 @@ bool is_wingborne(const Configuration<R>& c, R speed) {
          pressure_lift > kWingLoadShare<R> * c.mass.mass * kGravity<R>;
 }
 
-// Shaft power that all engines give the rotors at an altitude, W, from a rating of one engine at sea level:
+// Engines that run: a number, or as many as the aircraft has.
+inline constexpr int kAllEngines = -1;
+
+// Shaft power that `engines` give the rotors at an altitude, W, from a rating of one engine at sea level:
 // less the losses of the transmission, and as choice engine_lapse says by pressure over the square root of
 // temperature.
 template <class R>
-R shaft_power(const Configuration<R>& c, R engine_rating) {
+R shaft_power(const Configuration<R>& c, R engine_rating, int engines = kAllEngines) {
   const Air<R> here = surrounding_air(c.setup.altitude, c.around.warmer, c.around.pressure_above);
   const Air<R> sea_level = standard_air(R(0));
   const R lapse = here.density / sea_level.density * (here.speed_of_sound / sea_level.speed_of_sound);
   const ControlTables<R>& t = c.aircraft->controls;
-  return static_cast<R>(t.engines) * engine_rating * t.transmission_efficiency *
-         (R(1) + t.engine_lapse * (lapse - R(1)));
+  return static_cast<R>(engines == kAllEngines ? t.engines : engines) * engine_rating *
+         t.transmission_efficiency * (R(1) + t.engine_lapse * (lapse - R(1)));
 }
 
 template <class R>
@@ -179,7 +182,7 @@ void check_descent(const Configuration<R>& c, const State<R>& x, const Vec3<R>& 
 template <class R>
 LimitCheck<R> check_limits(const Configuration<R>& c, R speed, R wing_angle, const State<R>& x,
                            const Controls<R>& u, const BladeControls<R>& blades,
-                           const RotorResponse<R> (&rotor)[2]) {
+                           const RotorResponse<R> (&rotor)[2], int engines = kAllEngines) {
   const Aircraft<R>& aircraft = *c.aircraft;
   const ControlTables<R>& t = aircraft.controls;
   LimitCheck<R> check;
@@ -210,7 +213,7 @@ LimitCheck<R> check_limits(const Configuration<R>& c, R speed, R wing_angle, con
   }
   const R spin_up = c.rotor[right].spin_up + c.rotor[left].spin_up;
   const R power = (rotor[right].loads.torque + rotor[left].loads.torque + spin_up) * c.setup.rotor_speed;
-  const R available = shaft_power(c, t.engine_power);
+  const R available = shaft_power(c, t.engine_power, engines);
   if (power > available) check.add(TrimStatus::power_limit, TrimLimit::power, power, available);
   // Rotors that drive the shafts speed up: nothing takes more than the losses of the transmission.
   const R absorbed = static_cast<R>(t.engines) * t.engine_power * (R(1) - t.transmission_efficiency);

@@ -16,6 +16,7 @@ struct TrimWorkspace : NewtonWorkspace<R, kMaxTrimUnknowns> {
   ModelWorkspaces<R, Seeded> model;
   TrimEquations<R> equations;
   R first_z[kMaxTrimUnknowns];  // where the cold start ended
+  int engines;                  // of TrimOptions
   Evaluation<R> evaluation;
 };
 
