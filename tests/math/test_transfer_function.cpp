@@ -227,6 +227,71 @@ TEST(transfer_function_margins_and_bandwidth_in_closed_form) {
   CHECK_NEAR(bandwidth(at.f, at.response).by_phase, b.by_phase, 1e-12);
 }
 
+// 10/(s (s + 0.001)(s + 5)): 45 deg are left at 0.001 rad/s and below, slower than is looked for, while the gain
+// doubles within: a rate response type has no bandwidth then.
+TEST(transfer_function_bandwidth_of_a_rate_response_needs_phase_and_gain) {
+  static Found at;
+  CHECK(transfer_function(companion(10, {}, {0, -0.001, -5}), at.work, at.f) == Status::ok);
+  const Bandwidth<double> b = bandwidth(at.f, at.response);
+  CHECK_NEAR(b.omega_180, std::sqrt(0.005), 1e-10);
+  CHECK(std::isnan(b.by_phase) && std::isnan(b.rate_command));
+  const auto size = [](double w) { return 10 / (w * std::hypot(w, 0.001) * std::hypot(w, 5.0)); };
+  CHECK_NEAR(size(b.by_gain), 2 * size(b.omega_180), 1e-9 * size(b.omega_180));
+}
+
+// The resonance crosses a gain of one twice beyond the first crossing, with more phase left and less time: the shortest of
+// the three counts. Expected: every crossing of the closed form, bracketed here.
+TEST(transfer_function_delay_margin_is_the_shortest_of_a_stable_loop) {
+  static Found at;
+  const C mode(-0.02, 8);
+  const std::vector<C> poles = {0, mode, std::conj(mode)};
+  const Small s = companion(10, {-2, -2}, poles);
+  CHECK(transfer_function(s, at.work, at.f) == Status::ok);
+  Margins<double> m;
+  for (const double gain : {0.2, -0.2}) {
+    CHECK(margins(s, at.f, gain, at.work, at.response, m) == Status::ok);
+    const auto loop = [&](double w) {
+      const C iw(0, w);
+      return 10 * gain * (iw + 2.0) * (iw + 2.0) / (iw * (iw - mode) * (iw - std::conj(mode)));
+    };
+    double shortest = 1e300;
+    int crossings = 0;
+    for (double w = 0.01; w < 100; w *= 1.0001) {
+      double low = w, high = w * 1.0001;
+      if ((std::abs(loop(low)) < 1) == (std::abs(loop(high)) < 1)) continue;
+      ++crossings;
+      for (int k = 0; k < 60; ++k) {
+        const double middle = (low + high) / 2;
+        ((std::abs(loop(middle)) < 1) == (std::abs(loop(low)) < 1) ? low : high) = middle;
+      }
+      double left = std::arg(loop(low)) + kPi<double>;
+      if (left < 0) left += 2 * kPi<double>;
+      shortest = std::min(shortest, left / low);
+    }
+    CHECK_EQ(crossings, 3);
+    if (m.unstable_closed == 0) {
+      CHECK_NEAR(m.delay, shortest, 1e-8);
+    } else {
+      CHECK(std::isnan(m.delay) && !std::isnan(m.phase));
+    }
+    NOTE("gain " << gain << ": unstable " << m.unstable_closed << ", delay " << m.delay);
+  }
+}
+
+// (s + 3)/(s + 1) answers at once: fed back by one or more it bears no delay; by less, that of |L| = 1.
+TEST(transfer_function_delay_margin_of_a_loop_that_answers_at_once) {
+  static Found at;
+  Small s = companion(2, {}, {-1});
+  s.d = 1;
+  CHECK(transfer_function(s, at.work, at.f) == Status::ok);
+  Margins<double> m;
+  CHECK(margins(s, at.f, 1.0, at.work, at.response, m) == Status::ok);
+  CHECK(m.unstable_closed == 0 && m.delay == 0);
+  CHECK(margins(s, at.f, 0.5, at.work, at.response, m) == Status::ok);
+  const double w = std::sqrt((9 * 0.25 - 1) / 0.75);  // |3 + i w| = 2 |1 + i w|
+  CHECK_NEAR(m.delay, (kPi<double> + std::atan(w / 3) - std::atan(w)) / w, 1e-9);
+}
+
 // A loop that is not closed, and one whose output the input does not reach, have no margins.
 TEST(transfer_function_without_a_loop_has_no_margins) {
   static Found at;

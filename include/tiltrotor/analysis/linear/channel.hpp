@@ -27,6 +27,7 @@ void drop_rounding(const VehicleShape& shape, R input_bend, VehicleChannel<R>& s
   };
   R seen = R(0);
   for (int j = 0; j < s.states; ++j) seen += std::fabs(s.c[j]) * bend(j);
+  clean(s.d, kRounding * seen / input_bend);
   for (int i = 0; i < s.states; ++i) {
     R terms = std::fabs(s.b[i]) * input_bend;
     for (int j = 0; j < s.states; ++j) terms += std::fabs(s.a(i, j)) * bend(j);

@@ -16,11 +16,11 @@ inline constexpr int kCrossingSteps = kStepsPerDecade * 5;
 // NaN: there is none. Of the response of an attitude to an inceptor.
 template <class R>
 struct Bandwidth {
-  R omega_180;     // at which the attitude is half a turn late, rad/s
-  R by_phase;      // with 45 deg left to it, rad/s
-  R by_gain;       // with 6 dB left to it, rad/s
-  R rate_command;  // the smaller of both: rate response types; by_phase is that of attitude response types
-  R phase_delay;   // s
+  R omega_180;  // at which the attitude is half a turn late, rad/s
+  R by_phase;   // with 45 deg left to it, rad/s
+  R by_gain;    // with 6 dB left to it, rad/s
+  R rate_command;  // the smaller of both, where both are: rate response types; by_phase is that of attitude response types
+  R phase_delay;  // s
 };
 
 // NaN: there is none. Of the loop u = -gain y.
@@ -30,7 +30,7 @@ struct Margins {
   R omega_gain;       // where, rad/s
   R phase;            // rad, the smallest in magnitude
   R omega_phase;      // where, rad/s
-  R delay;            // time that uses it up, s
+  R delay;            // the shortest that makes a stable loop unstable, s; of an unstable one there is none
   int unstable_open;  // poles of the open loop with a real part above zero
   int unstable_closed;
 };
@@ -120,7 +120,8 @@ Bandwidth<R> bandwidth(const TransferFunction<R, N>& f, ResponseWorkspace<R, N>&
   });
   const std::complex<R> end = response(f, {R(0), out.omega_180}, work);
   look(out.omega_180, end, continuous_phase(f, out.omega_180, end));
-  out.rate_command = out.by_phase < out.by_gain ? out.by_phase : out.by_gain;
+  const bool both = is_finite(out.by_phase) && is_finite(out.by_gain);
+  out.rate_command = !both ? nan : out.by_phase < out.by_gain ? out.by_phase : out.by_gain;
   const R twice = R(2) * out.omega_180;
   const R beyond = continuous_phase(f, twice, response(f, {R(0), twice}, work)) + turn;
   out.phase_delay = (half_turn - beyond) / twice;
@@ -156,13 +157,15 @@ Status margins(const Channel<R, N>& channel, const TransferFunction<R, N>& f, R 
   };
   const auto offer_phase = [&](R omega, R phase) {
     const R left = nearest_turn(phase + kPi<R>, R(0));
+    const R delay = (left < R(0) ? left + R(2) * kPi<R> : left) / omega;
+    if (delay < out.delay) out.delay = delay;
     if (std::fabs(left) >= std::fabs(out.phase)) return;
     out.phase = left;
     out.omega_phase = omega;
-    out.delay = (left < R(0) ? left + R(2) * kPi<R> : left) / omega;
   };
-  out.gain = std::numeric_limits<R>::infinity();
-  out.phase = std::numeric_limits<R>::infinity();
+  out.gain = out.phase = out.delay = std::numeric_limits<R>::infinity();
+  // A loop that answers at once with the whole input or more bears no delay at all.
+  if (size * std::fabs(channel.d) >= R(1)) out.delay = R(0);
   const R steady = gain * response(f, {R(0), R(0)}, work).real();
   if (steady < R(0)) offer_gain(R(0), R(-1) / steady);
   R last = R(0), phase_last = R(0), size_last = R(0);
@@ -189,6 +192,7 @@ Status margins(const Channel<R, N>& channel, const TransferFunction<R, N>& f, R 
   });
   if (!is_finite(out.gain)) out.gain = nan;
   if (!is_finite(out.phase)) out.phase = nan;
+  if (!is_finite(out.delay) || out.unstable_closed > 0) out.delay = nan;
   return Status::ok;
 }
 
