@@ -43,8 +43,9 @@ Files       CSV is RFC 4180 in UTF-8, a byte-order mark allowed, one record a li
             print. Numbers of trim, modes, respond and rotor smaller than 1e-12 (but residual; bank, heading, place, sums over
             t seconds, 1e-12 t), and loads, rates and entries of A and B smaller than 1e-14 of the terms beside them, are
             rounding and printed as 0. What was given is printed as it was given. A speed below 1e-15 m/s is rest.
-Model       model, in rows of trim and respond: the aircraft and the switches that differ from their defaults. --states
-            tells on stderr where a row was made with another model than it is computed with.
+Model       model, in rows of trim and respond: the aircraft and the switches that differ from their defaults, isa_offset
+            and engines as well. --states takes these two from the row, and tells on stderr where a row was made with
+            another model than it is computed with.
 )";
 
 // "States      u v w": names in the order of files and arrays.

@@ -43,11 +43,6 @@ Option altitude_option() {
   return {"--altitude", "M", help.c_str()};
 }
 
-Range offset_range() {
-  const double most = aircraft_data<double>().limits.warmer;
-  return {-most, most, "K"};
-}
-
 // An aircraft on so many of its engines; it lives as long as the program.
 const Aircraft<double>& with_engines(const Aircraft<double>& aircraft, int engines) {
   static std::map<std::pair<bool, int>, Aircraft<double>> all;
@@ -94,6 +89,11 @@ Range shown_range(SetupField field, double unit, const char* unit_name) {
 
 Range speed_range() { return {0, inward(aircraft_data<double>().limits.speed, 1, false), "m/s"}; }
 
+Range isa_offset_range() {
+  const double most = aircraft_data<double>().limits.warmer;
+  return {-most, most, "K"};
+}
+
 OptionList SetupOptions::list() {
   const Aircraft<double>& a = aircraft_data<double>();
   constexpr int digits = 5;
@@ -108,7 +108,7 @@ OptionList SetupOptions::list() {
   static const std::string station = "station of the CG at mast 0, " + limits_text(kCgRange) + " (" +
                                      number_text(a.mass.sl_cg / kInch, digits) + ")";
   static const std::string offset =
-      "warmer than the standard atmosphere, " + limits_text(offset_range()) + " (0)";
+      "warmer than the standard atmosphere, " + limits_text(isa_offset_range()) + " (0)";
   static const std::string engines =
       "that run, 1.." + std::to_string(a.controls.engines) + " (all): power_limit is what they give";
   const OptionList aircraft = {
@@ -131,7 +131,7 @@ SetupOptions::SetupOptions(const Arguments& arguments) : SetupOptions(arguments,
   cg_sl_in_ = optional_number(arguments, "--cg-sl", kCgRange);
   flap_deg_ = optional_number(arguments, "--flap", kFlapRange);
   rotor_rpm_ = optional_number(arguments, "--rotor-rpm", kRotorSpeedRange);
-  isa_offset_ = optional_number(arguments, "--isa-offset", offset_range());
+  isa_offset_ = optional_number(arguments, "--isa-offset", isa_offset_range());
 }
 
 std::vector<SetupOptions> SetupOptions::every_combination(const Arguments& arguments) {
@@ -140,7 +140,7 @@ std::vector<SetupOptions> SetupOptions::every_combination(const Arguments& argum
   const auto stations = optional_numbers(arguments, "--cg-sl", kCgRange);
   const auto flaps = optional_numbers(arguments, "--flap", kFlapRange);
   const auto rotor_speeds = optional_numbers(arguments, "--rotor-rpm", kRotorSpeedRange);
-  const auto offsets = optional_numbers(arguments, "--isa-offset", offset_range());
+  const auto offsets = optional_numbers(arguments, "--isa-offset", isa_offset_range());
   require_few(arguments.command(), {altitudes.size(), masses.size(), stations.size(), flaps.size(),
                                     rotor_speeds.size(), offsets.size()});
   std::vector<SetupOptions> all;
@@ -232,13 +232,21 @@ std::string SetupOptions::text() const {
 
 std::string SetupOptions::model() const {
   std::string text = model_text(switches_);
-  if (isa_offset_.value_or(0) != 0) text += " isa_offset=" + number_text(*isa_offset_);
-  if (some_engines_stand()) text += " engines=" + std::to_string(engines_);
+  if (isa_offset_.value_or(0) != 0)
+    text += std::string(" ") + kIsaOffsetWord + "=" + number_text(*isa_offset_);
+  if (some_engines_stand()) text += std::string(" ") + kEnginesWord + "=" + std::to_string(engines_);
   return text;
 }
 
 bool SetupOptions::some_engines_stand() const {
   return engines_ != 0 && engines_ != aircraft_data<double>().controls.engines;
+}
+
+SetupOptions SetupOptions::on_day(double isa_offset, int engines) const {
+  SetupOptions other = *this;
+  other.isa_offset_ = isa_offset;
+  other.engines_ = engines;
+  return other;
 }
 
 void SetupOptions::surround(Configuration<double>& c) const {

@@ -18,6 +18,7 @@ inline constexpr double kRpm = kPi<double> / 30;  // rad/s
 // Range of the aircraft for a field, in a unit of so many of the field's; rounded inward to three digits.
 Range shown_range(SetupField field, double unit, const char* unit_name);
 Range speed_range();
+Range isa_offset_range();
 
 inline const Range kMastRange = shown_range(SetupField::mast_deg, 1, "deg");
 inline const Range kSpeedRange = speed_range();
@@ -49,8 +50,11 @@ class SetupOptions {
   std::string text() const;
   // The aircraft, its switches, air and engines as they differ from the default, for the column `model`.
   std::string model() const;
+  const ModelChoice& model_choice() const { return switches_; }
   // Air and engines that were asked for, around a configuration prepared without.
   void surround(Configuration<double>& c) const;
+  // The same in other air, K, on so many engines.
+  SetupOptions on_day(double isa_offset, int engines) const;
   const Options& switches() const { return switches_; }
   const Aircraft<double>& aircraft() const;  // with the tables that --tables chooses
   // What was given for a column of settings, in its unit: 300 for cg_sl_in.

@@ -24,6 +24,9 @@ std::vector<std::pair<std::string, std::string>> model_option_values();
 // The aircraft and what differs from the defaults, "XV-15 grid=realtime": rows of states carry it in this column.
 inline constexpr const char* kModelColumn = "model";
 std::string model_text(const ModelChoice& model);
+// Behind it, where they are not the default: air and engines, "isa_offset=30 engines=1".
+inline constexpr const char* kIsaOffsetWord = "isa_offset";
+inline constexpr const char* kEnginesWord = "engines";
 
 // Every switch and its value.
 std::vector<std::pair<std::string, std::string>> model_switches(const ModelChoice& model);

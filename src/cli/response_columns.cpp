@@ -106,7 +106,7 @@ Row response_row(const TrimmedFlight& flight, const Configuration<double>& now,
   }
   if (options.governor != Governor::off) row.emplace_back(governed / radian);
   row.emplace_back(words_of(controls_beyond_stops(acting)));
-  row.emplace_back(model_text(choice_of(flight.configuration)));
+  row.emplace_back(flight.setup->model());
   return row;
 }
 

@@ -53,11 +53,15 @@ std::string separator_hint(const std::vector<std::string>& header) {
 
 }  // namespace
 
-StateFile::StateFile(const std::string& name, const Options& options) : options_(options), lines_(name) {
+StateFile::StateFile(const std::string& name, const Options& options, const See& see)
+    : options_(options), lines_(name) {
   if (!next_row_line()) throw UsageError(path() + ":1: no header line");
   read_header(options);
   StateRow row{};
-  while (next_row_line()) read_row(size_++, row);
+  while (next_row_line()) {
+    read_row(size_++, row);
+    if (see) see(row, lines_.where());
+  }
   if (size_ == 0) throw UsageError(path() + ": no states below the header");
   for (std::size_t i = 0; i < header_.size(); ++i) {
     if (targets_[i].kind == Target::Kind::rate) continue;
@@ -167,6 +171,27 @@ bool StateFile::holds_state() const {
   return false;
 }
 
+// "XV-15 grid=realtime isa_offset=30 engines=1"
+void StateFile::read_model(const std::string& text, StateRow& row) const {
+  if (text.empty()) return;
+  const int all = aircraft_data<double>().controls.engines;
+  row.isa_offset = 0;
+  row.engines = all;
+  for (const std::string& word : split(text, ' ')) {
+    const std::size_t equals = word.find('=');
+    const std::string name = word.substr(0, equals);
+    const std::string value = equals < word.size() ? word.substr(equals + 1) : "";
+    const std::string where = lines_.where() + ": column " + kModelColumn + ": " + name;
+    if (name == kIsaOffsetWord) {
+      row.isa_offset = parse_number(value, where, isa_offset_range());
+    } else if (name == kEnginesWord) {
+      row.engines = static_cast<int>(parse_integer(value, where, 1, all));
+    } else {
+      row.model += (row.model.empty() ? "" : " ") + word;
+    }
+  }
+}
+
 // A state that stands still under the options is not read.
 void StateFile::require_alive(std::size_t column, double value) const {
   const Target& target = targets_[column];
@@ -203,7 +228,7 @@ void StateFile::read_row(std::size_t number, StateRow& row) {
     if (target.kind == Target::Kind::name || target.kind == Target::Kind::model ||
         target.kind == Target::Kind::derived) {
       if (target.kind == Target::Kind::name && !text.empty()) row.name = text;
-      if (target.kind == Target::Kind::model) row.model = text;
+      if (target.kind == Target::Kind::model) read_model(text, row);
       const bool repeats_number = target.kind == Target::Kind::derived && (is_number || text.empty());
       row.cells.emplace_back(repeats_number ? Cell(Quotation{text, value}) : Cell(text));
       continue;

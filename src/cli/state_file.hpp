@@ -23,6 +23,9 @@ struct StateRow {
   std::size_t line = 0;
   std::string name;   // of the column `case`, else the number of the row from 0
   std::string model;  // model_text() of who made it; empty where the file does not say
+  // What else the column `model` says; nothing where it says nothing at all.
+  std::optional<double> isa_offset;  // K
+  std::optional<int> engines;
   // Where the file has their columns; SI but for the flap.
   std::optional<double> mast_deg, altitude, flap_deg, rotor_speed, mass, sl_cg;
   State<double> state{};
@@ -38,7 +41,9 @@ class StateFile {
   // of finite states within the ranges of tr_set_state and tr_set_controls. The states beyond the first 24
   // are needed when `options` makes them alive; those that stand still must be zero. A row without any number
   // of state and controls, as trim prints where it finds none, has a fault.
-  StateFile(const std::string& path, const Options& options);
+  // `see` is called for every row with "FILE:LINE" meanwhile.
+  using See = std::function<void(const StateRow&, const std::string& where)>;
+  StateFile(const std::string& path, const Options& options, const See& see = nullptr);
 
   const std::string& path() const { return lines_.path(); }
   std::size_t size() const { return size_; }
@@ -54,6 +59,7 @@ class StateFile {
   void read_header(const Options& options);
   void read_row(std::size_t number, StateRow& row);
   bool holds_state() const;
+  void read_model(const std::string& text, StateRow& row) const;
   void require_alive(std::size_t column, double value) const;
   Range range_of(std::size_t column) const;
   std::string cell(const std::string& column) const;  // of this row; empty where there is none

@@ -28,6 +28,20 @@ constexpr Setting settings[] = {
     {"--mass", "mass_kg", Target::Kind::mass},  {"--cg-sl", "cg_sl_in", Target::Kind::sl_cg},
 };
 
+// Air and engines are those of the row; an option may say the same.
+StateFile::See refuse_another_day(const Arguments& arguments) {
+  return [&arguments](const StateRow& row, const std::string& where) {
+    if (!row.isa_offset) return;
+    const auto refuse = [&](const char* option, const char* word, double of_row) {
+      if (!arguments.given(option) || arguments.number(option, 0, isa_offset_range()) == of_row) return;
+      throw UsageError(arguments.where(option) + ": " + where + " was made with " + word + "=" +
+                       number_text(of_row) + ", and is read so: leave the option out");
+    };
+    refuse("--isa-offset", kIsaOffsetWord, *row.isa_offset);
+    refuse("--engines", kEnginesWord, *row.engines);
+  };
+}
+
 }  // namespace
 
 OptionList states_option() {
@@ -39,14 +53,15 @@ OptionList states_option() {
        "units, radians, inches from neutral; or as trim and respond print.\n"
        "Optional: case, mast_deg, altitude_m, flap_deg, rotor_rpm,\n"
        "mass_kg, cg_sl_in; what follows from these (speed_mps,\nalpha_deg, ...) must agree with them; loads, "
-       "status, d_* are\nnot read; another `model` than --grid, --tables and --option\nchoose is told on stderr"}};
+       "status, d_* are\nnot read; isa_offset and engines of `model` are those of the row,\nanother grid, table or switch than --grid, "
+       "--tables and --option\nchoose is told on stderr"}};
 }
 
 GivenStates::GivenStates(const Arguments& arguments, const SetupOptions& setup)
     : setup_(setup),
       mast_deg_(arguments.number("--mast", 0, kMastRange)),
-      file_(path_of_states(arguments), setup.switches()),
-      model_(setup.model()) {
+      file_(path_of_states(arguments), setup.switches(), refuse_another_day(arguments)),
+      model_(model_text(setup.model_choice())) {
   for (const char* name : {"--speed", "--climb", "--sideslip", "--azimuth", "--turn-rate", "--bank",
                            "--load-factor", "--ball", "--hold", "--free"}) {
     if (arguments.given(name)) throw UsageError(arguments.where(name) + ": cannot be combined with --states");
@@ -93,7 +108,11 @@ Configuration<double> GivenStates::configuration(const StateRow& row) const {
   setup.sl_cg = row.sl_cg.value_or(setup.sl_cg);
   Configuration<double> c =
       prepared(setup_.aircraft(), setup, file_.path() + ":" + std::to_string(row.line) + ": ");
-  setup_.surround(c);
+  if (row.isa_offset) {
+    setup_.on_day(*row.isa_offset, *row.engines).surround(c);
+  } else {
+    setup_.surround(c);
+  }
   return c;
 }
 

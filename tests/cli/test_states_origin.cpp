@@ -50,6 +50,52 @@ TEST(cli_states_of_another_model_are_told) {
   CHECK_EQ(run_tiltrotor("loads --grid realtime --states " + silent).err, std::string());
 }
 
+// A trim on a hot day is at rest in the air of its own row, whatever the options do not say; an option may say the same.
+TEST(cli_states_are_in_the_air_of_their_row) {
+  const ScratchFolder folder;
+  const std::string flight = " --speed 30,40 --grid realtime --format csv";
+  for (const std::string command : {"trim", "respond --duration 0.01 --dt 0.01"}) {
+    const std::string speeds = command == "trim" ? flight : " --speed 30 --grid realtime --format csv";
+    const std::string hot =
+        folder.write("hot.csv", run_tiltrotor(command + speeds + " --isa-offset 30 --engines 1").out);
+    const std::string given = " --grid realtime --format csv --states " + hot;
+    const check::ProgramResult rates = run_tiltrotor("derivative" + given);
+    CHECK_EQ(rates.exit_status, 0);
+    CHECK_EQ(rates.err, std::string());
+    const CsvText rows(rates.out);
+    CHECK_LT(0u, rows.rows.size());
+    for (std::size_t i = 0; i < rows.rows.size(); ++i)
+      for (const std::string& column : rows.columns)
+        if (column.compare(0, 2, "d_") == 0) CHECK_NEAR(rows.number(i, column), 0, 1e-6);
+    for (const std::string reader : {"derivative", "loads", "linearize"}) {
+      const check::ProgramResult same = run_tiltrotor(reader + given + " --isa-offset 30 --engines 1");
+      CHECK_EQ(same.err, std::string());
+      CHECK_EQ(same.out, run_tiltrotor(reader + given).out);
+      for (const std::string other : {" --isa-offset 10", " --isa-offset 0", " --engines 2"}) {
+        const check::ProgramResult refused = run_tiltrotor(reader + given + other);
+        CHECK_EQ(refused.exit_status, 2);
+        CHECK_EQ(refused.out, std::string());
+        CHECK(lines(refused.err) == 1 && contains(refused.err, hot + ":2 was made with "));
+      }
+    }
+    CHECK(contains(run_tiltrotor("linearize --grid realtime --format json --states " + hot).out,
+                   "\"isa_offset_k\": 30, \"engines\": 1,"));
+  }
+  // Rows of a standard day are no rows of a hot one; a file that does not say is in the air of the options.
+  const std::string plain = run_tiltrotor("trim" + flight).out;
+  const std::string path = folder.write("plain.csv", plain);
+  CHECK_EQ(run_tiltrotor("loads --grid realtime --isa-offset 30 --states " + path).exit_status, 2);
+  const std::string silent = check::quoted(check::source_path("tests/reference/state_derivatives_c1.csv"));
+  CHECK(run_tiltrotor("loads --grid realtime --isa-offset 30 --states " + silent).out !=
+        run_tiltrotor("loads --grid realtime --states " + silent).out);
+  const std::string model = CsvText(plain).text(0, "model");
+  for (const char* const bad : {" isa_offset=warm", " isa_offset=1e3", " engines=3"}) {
+    std::string text = plain;
+    text.replace(text.find(model), model.size(), model + bad);
+    check_states_refused(folder, text, ":2: column model: ", "--grid realtime");
+  }
+}
+
 // Every row of a flight that begins beyond a stop, and of one that is driven to a stop, is read.
 TEST(cli_states_of_a_flight_beyond_its_stops_are_read) {
   const ScratchFolder folder;
