@@ -166,6 +166,7 @@ int run(const Arguments& arguments) {
   const std::vector<SetupOptions> setups = SetupOptions::every_combination(arguments);
   const SetupOptions& setup = setups.front();
   require_no_governor(setup.switches(), arguments, "--option");
+  require_no_positions(setup.switches(), arguments);
   if (setup.switches().tables != Interpolation::c1 || has_c2_tables(setup.aircraft()))
     throw UsageError("interpolation: compares all kinds of tables: leave --tables and --option tables out");
   flight_cases(arguments, setups.size());

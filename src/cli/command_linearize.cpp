@@ -39,12 +39,13 @@ class Linearizer {
   const Shard& shard() const { return output_.shard(); }
   Analyses& work() const { return *work_; }
 
-  int add(LinearCase which, const Configuration<double>& c, const State<double>& x,
-          const Controls<double>& u) {
+  int add(LinearCase which, const Configuration<double>& c, const State<double>& x, const Controls<double>& u,
+          const TrimmedFlight* flight = nullptr) {
     ShownModel shown;
     const Status status = find(c, x, u, shown);
     which.valid = status == Status::ok;
-    tell_settings(c, which);
+    tell_settings(c, flight, which);
+    which.settings.feedback = feedback_.gains(c, x, u);
     if (!which.valid) {
       which.status = status_word(status);
       std::fprintf(stderr, "tiltrotor: %s, case %s: %s\n",
@@ -55,18 +56,17 @@ class Linearizer {
     return which.valid ? exit_success : exit_case_failed;
   }
 
-  void add_without_model(LinearCase which, const Configuration<double>& c) {
-    tell_settings(c, which);
+  void add_without_model(LinearCase which, const Configuration<double>& c,
+                         const TrimmedFlight* flight = nullptr) {
+    tell_settings(c, flight, which);
     output_.add(which, ShownModel());
   }
   void finish() { output_.finish(); }
 
  private:
-  // Those of `c` before those of the flight that `which` holds, if any.
-  void tell_settings(const Configuration<double>& c, LinearCase& which) const {
-    const LinearSettings flight = which.settings;
+  void tell_settings(const Configuration<double>& c, const TrimmedFlight* flight, LinearCase& which) const {
     which.settings = LinearSettings(c);
-    which.settings.numbers.insert(which.settings.numbers.end(), flight.numbers.begin(), flight.numbers.end());
+    if (flight != nullptr) which.settings.add(*flight);
     which.settings.switches.emplace_back("reduce", reduce_word(rigid_, order_));
     which.settings.switches.emplace_back("feedback", feedback_.name());
     which.settings.switches.emplace_back("scas", scas_ ? "on" : "off");
@@ -159,14 +159,12 @@ int at_trim(const Arguments& arguments, const SetupOptions& setup) {
   const int exit_status = for_each_trim(
       arguments, {setup}, linearizer.shard(), linearizer.work(), [&](const TrimmedFlight& flight) -> int {
         const bool trimmed = is_trimmed(flight.trim.status);
-        LinearCase which{std::to_string(flight.number),        flight.mast_deg, flight.flight.speed,
-                         trim_status_word(flight.trim.status), trimmed,         {}};
-        which.settings.numbers = {{"climb_deg", flight.climb_deg},
-                                  {"sideslip_deg", flight.sideslip_deg},
-                                  {"turn_rate_degps", flight.turn_rate_degps}};
+        const LinearCase which{std::to_string(flight.number),        flight.mast_deg, flight.flight.speed,
+                               trim_status_word(flight.trim.status), trimmed,         {}};
         if (trimmed)
-          return linearizer.add(which, flight.configuration, flight.trim.state, flight.trim.controls);
-        linearizer.add_without_model(which, flight.configuration);
+          return linearizer.add(which, flight.configuration, flight.trim.state, flight.trim.controls,
+                                &flight);
+        linearizer.add_without_model(which, flight.configuration, &flight);
         return exit_success;
       });
   linearizer.finish();
@@ -176,6 +174,8 @@ int at_trim(const Arguments& arguments, const SetupOptions& setup) {
 int run(const Arguments& arguments) {
   const SetupOptions setup(arguments);
   require_no_systems(setup.switches(), arguments, "--reduce");
+  // Rows of files need the switch to be read.
+  if (!arguments.given("--states")) require_no_positions(setup.switches(), arguments);
   return arguments.given("--states") ? at_given_states(arguments, setup) : at_trim(arguments, setup);
 }
 
@@ -189,7 +189,7 @@ Command linearize_command() {
       "--mast and\n"
       "--speed or at the states of a file. JSON is an object for one case and an array for several:\n"
       "  case mast_deg speed_mps status program{name,version,aircraft,commit,derivatives}\n"
-      "  settings{mast_deg,flap_deg,rotor_rpm,mass_kg,...,switches{NAME}} states[{name,unit}]\n"
+      "  settings{mast_deg,...,isa_offset_k,engines,...,hold,free,feedback[{input,output,gain}],switches{NAME}} states[{name,unit}]\n"
       "  controls[{name,unit}] x0 u0 A B outputs[{name,unit}] y0 C D.\n"
       "With --feedback they are those of the closed loop, with what the pilot adds in the place of u.\n"
       "The matlab script makes `model`, with the same members, and of every case model(k).ss where ss() is known.\n",

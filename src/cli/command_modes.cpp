@@ -230,6 +230,7 @@ int run(const Arguments& arguments) {
   const bool scas = wants_scas(arguments);
   const bool has_systems = scas || setups.front().switches().governor != Governor::off;
   require_no_systems(setups.front().switches(), arguments, "--reduce");
+  require_no_positions(setups.front().switches(), arguments);
   flight_cases(arguments, setups.size());
   const Feedback feedback(arguments, setups.front().switches(), scas);
   Output output(arguments);

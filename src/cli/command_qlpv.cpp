@@ -45,9 +45,7 @@ std::string point_json(const QlpvGrid& grid, const SchedulingPoint& at, const Ql
   for (int k = 0; k < kSchedulingVariables; ++k)
     text += "\"" + std::string(kSchedulingNames[k]) + "\": " + json_number(at[k]) + ", ";
   LinearSettings settings(point.flight->configuration);
-  settings.numbers.push_back({"climb_deg", point.flight->climb_deg});
-  settings.numbers.push_back({"sideslip_deg", point.flight->sideslip_deg});
-  settings.numbers.push_back({"turn_rate_degps", point.flight->turn_rate_degps});
+  settings.add(*point.flight);
   settings.switches.emplace_back("reduce", grid.reduce_word());
   settings.switches.emplace_back("scas", grid.scas_word());
   text += "\"status\": " + json_text(point.status) + ",\n\"settings\": " + settings_json(settings);
@@ -57,6 +55,10 @@ std::string point_json(const QlpvGrid& grid, const SchedulingPoint& at, const Ql
 
 int write_model(const Arguments& arguments, const QlpvGrid& grid) {
   arguments.choice("--format", "json", {"json"});
+  if (arguments.given("--stamp"))
+    throw UsageError(
+        arguments.where("--stamp") +
+        ": json has no place for comments, and tells its program anyway; goes with --show check");
   const Shard shard = parse_shard(arguments.text("--shard", "1/1"), arguments.where("--shard"));
   Sink sink(arguments.text("--output", "-"), arguments.where("--output"));
   const AnalysesWorkspace work;

@@ -9,6 +9,7 @@
 #include "cli/figure.hpp"
 #include "cli/governed.hpp"
 #include "cli/handling_figure.hpp"
+#include "cli/linear_options.hpp"
 #include "cli/output.hpp"
 #include "cli/trimmed_flights.hpp"
 
@@ -105,6 +106,7 @@ class Qualities {
 
 int run(const Arguments& arguments) {
   const std::vector<SetupOptions> setups = SetupOptions::every_combination(arguments);
+  require_no_positions(setups.front().switches(), arguments);
   flight_cases(arguments, setups.size());
   Qualities qualities(arguments, setups.front().switches());
   const AnalysesWorkspace work;

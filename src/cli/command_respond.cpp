@@ -237,6 +237,11 @@ int fly(const TrimmedFlight& flight, const Plan& plan, const Feedback& feedback,
 int run(const Arguments& arguments) {
   const SetupOptions setup(arguments);
   single_flight(arguments);
+  if (wants_scas(arguments))
+    throw UsageError(
+        arguments.where("--scas") +
+        ": respond flies the bare airframe, with a governor or a law of --feedback; `tiltrotor fly "
+        "--mast .. --speed .. --script FILE` flies with the augmentation");
   const Plan plan = read_plan(arguments);
   if (plan.integrator >= Integrator::rodas3) require_no_governor(setup.switches(), arguments, "--method");
   const Feedback feedback(arguments, setup.switches(), false);
@@ -274,6 +279,7 @@ int run(const Arguments& arguments) {
 
 OptionList options() {
   return {
+      {"--scas", "STATE", "off alone: with the augmentation flies `fly`"},
       {"--input", "INPUT", "a test input, see above; repeatable", true},
       {"--duration", "S", "0..3600 (3); the last step is shorter where --dt does not divide it"},
       {"--dt", "S", "time step, 1e-4..0.1 (0.005); inputs act at their times, whatever the step"},

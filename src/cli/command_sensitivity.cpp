@@ -9,6 +9,7 @@
 #include "cli/command.hpp"
 #include "cli/errors.hpp"
 #include "cli/governed.hpp"
+#include "cli/linear_options.hpp"
 #include "cli/output.hpp"
 #include "cli/sensitivity.hpp"
 #include "text/nearest.hpp"
@@ -201,6 +202,7 @@ int run(const Arguments& arguments) {
   const bool of_trim = arguments.choice("--of", "modes", {"modes", "trim"}) == 1;
   const SensitivitySystems systems = {of_trim ? Governor::off : setups.front().switches().governor,
                                       wants_scas(arguments)};
+  if (!of_trim) require_no_positions(setups.front().switches(), arguments);
   for (const char* option : {"--scas", "--mode"})
     if (arguments.given(option) && of_trim)
       throw UsageError(arguments.where(option) + ": goes with --of modes");

@@ -1,5 +1,7 @@
 #include "cli/feedback.hpp"
 
+#include <cmath>
+
 #include "cli/output_names.hpp"
 
 namespace tiltrotor::cli {
@@ -68,6 +70,22 @@ Feedback::Feedback(const Arguments& arguments, const ReadingNames& names) {
   name_ = arguments.text("--feedback", "");
   file_ = std::make_shared<FeedbackFile>(name_, names);
   work_ = std::make_shared<Work>();
+}
+
+std::vector<FeedbackGain> Feedback::gains(const Configuration<double>& c, const State<double>& x,
+                                          const Controls<double>& u) const {
+  std::vector<FeedbackGain> out;
+  if (!is_given()) return out;
+  const FeedbackPoint<double> at = reference(c, x, u);
+  const GainShares<double> shares = gain_shares(law(), at.mast_deg, std::sqrt(dot(at.air, at.air)));
+  for (int i = 0; i < law().inputs; ++i)
+    for (int k = 0; k < law().readings; ++k) {
+      const int reading = law().reading[k];
+      const char* const output = is_instrument(reading) ? kOutputNames[reading - vehicle_state_count].name
+                                                        : vehicle_variable(reading).name;
+      out.push_back({kControlVariables[law().input[i]].name, output, shares.gain(law(), i, k)});
+    }
+  return out;
 }
 
 template <class Outputs>

@@ -13,6 +13,12 @@ namespace tiltrotor::cli {
 
 OptionList feedback_option();
 
+// One of a law, by name.
+struct FeedbackGain {
+  std::string input, output;
+  double gain;  // unit of the input over that of the output
+};
+
 class Feedback {
  public:
   Feedback() = default;  // none
@@ -24,6 +30,9 @@ class Feedback {
   bool is_given() const { return file_ != nullptr; }
   const FeedbackLaw<double>& law() const { return file_->law(); }
   const std::string& name() const { return name_; }  // of the file, or "none"
+  // Those that close a linear model there; none without a law.
+  std::vector<FeedbackGain> gains(const Configuration<double>& c, const State<double>& x,
+                                  const Controls<double>& u) const;
 
   // The airframe's model of these columns, closed; `outputs`, or nullptr: C and D beside it. `at`: where the law stands,
   // or nullptr at y_0. Status: those of linearize() and close_controls().

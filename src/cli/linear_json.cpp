@@ -36,6 +36,15 @@ std::string matrix_text(int rows, int columns, const std::string& row_separator,
 std::string settings_json(const LinearSettings& settings) {
   std::vector<JsonMember> members, switches;
   for (const LinearSettings::Number& n : settings.numbers) members.emplace_back(n.name, json_number(n.value));
+  for (const auto& [name, value] : settings.words) members.emplace_back(name, json_text(value));
+  const auto gain = [&](int k) {
+    const FeedbackGain& g = settings.feedback[static_cast<std::size_t>(k)];
+    return json_object(
+        {{"input", json_text(g.input)}, {"output", json_text(g.output)}, {"gain", json_number(g.gain)}});
+  };
+  if (!settings.feedback.empty())
+    members.emplace_back("feedback",
+                         "[" + joined(static_cast<int>(settings.feedback.size()), ", ", gain) + "]");
   for (const auto& [name, value] : settings.switches) switches.emplace_back(name, json_text(value));
   members.emplace_back("switches", json_object(switches));
   return json_object(members);

@@ -30,6 +30,12 @@ const char* reduce_word(bool rigid, Reduction order) {
   return !rigid ? "none" : order == Reduction::first_order ? "rigid" : "quasi_steady";
 }
 
+void require_no_positions(const Options& options, const Arguments& arguments) {
+  if (options.position_states)
+    throw UsageError(arguments.where("--option") +
+                     " position_states=on: positions are not in a linear model: nothing hangs on them");
+}
+
 OptionList control_set_option() {
   return {{"--control-set", "SET",
            "inceptors: collective, sticks, pedal; blades: blade angles and\n"

@@ -12,6 +12,9 @@ bool wants_rigid(const Arguments& arguments);
 Reduction reduction_order(const Arguments& arguments);  // of --reduce rigid and quasi_steady
 const char* reduce_word(bool rigid, Reduction order);   // as given to --reduce
 
+// Throws UsageError for position_states=on: no linear model has rows of them.
+void require_no_positions(const Options& options, const Arguments& arguments);
+
 OptionList control_set_option();
 const ControlSet& control_set(const Arguments& arguments);
 

@@ -24,6 +24,19 @@ std::string matlab_text(const std::string& text) {
 }
 std::string unchanged(const std::string& text) { return text; }
 
+// An array of structures, one for each gain.
+std::string matlab_gains(const std::string& name, const std::vector<FeedbackGain>& gains) {
+  if (gains.empty()) return "";
+  const auto cells = [&](const std::function<std::string(const FeedbackGain&)>& text) {
+    const int count = static_cast<int>(gains.size());
+    return "{" + joined(count, ", ", [&](int k) { return text(gains[static_cast<std::size_t>(k)]); }) + "}";
+  };
+  return name + "settings.feedback = struct('input', " +
+         cells([](const FeedbackGain& g) { return matlab_text(g.input); }) + ", 'output', " +
+         cells([](const FeedbackGain& g) { return matlab_text(g.output); }) + ", 'gain', " +
+         cells([](const FeedbackGain& g) { return number_text(g.gain); }) + ");\n";
+}
+
 // The system object of MATLAB and of Octave's control package, whose states are its outputs where the model has none.
 std::string matlab_system(const std::string& name, bool has_outputs) {
   const std::string n = name;
@@ -138,13 +151,18 @@ void LinearOutput::add_json(const LinearCase& which, const Model& model) {
 void LinearOutput::add_matlab(const LinearCase& which, const Model& model) {
   const std::string name = "model(" + std::to_string(count_ + 1) + ").";
   std::string text =
-      (count_ == 0 ? "% " + identity_text() + "\n" : "") + "% case " + which.name + ": mast " +
-      number_text(which.mast_deg) + " deg, " + number_text(which.speed) +
+      (count_ > 0        ? ""
+       : !stamp_.empty() ? stamp_
+                         : "% " + identity_text() + "\n") +
+      "% case " + which.name + ": mast " + number_text(which.mast_deg) + " deg, " + number_text(which.speed) +
       " m/s; xdot = A (x - x0) + B (u - u0)\n" + name + "case_name = " + matlab_text(which.name) + ";\n" +
       name + "mast_deg = " + number_text(which.mast_deg) + ";\n" + name +
       "speed_mps = " + number_text(which.speed) + ";\n" + name + "status = '" + which.status + "';\n";
   for (const LinearSettings::Number& s : which.settings.numbers)
     text += name + "settings." + s.name + " = " + number_text(s.value) + ";\n";
+  for (const auto& [word, value] : which.settings.words)
+    text += name + "settings." + word + " = " + matlab_text(value) + ";\n";
+  text += matlab_gains(name, which.settings.feedback);
   for (const auto& [word, value] : which.settings.switches)
     text += name + "settings.switches." + word + " = " + matlab_text(value) + ";\n";
   if (which.valid) {

@@ -51,6 +51,7 @@ QlpvGrid::QlpvGrid(const Arguments& arguments)
         command_ +
         ": the scheduling variables are --altitude, --mast and --speed; everything else takes one value");
   require_no_systems(setup_.switches(), arguments, "--reduce");
+  require_no_positions(setup_.switches(), arguments);
   require_few(command_, {axis_[0].size(), axis_[1].size(), axis_[2].size()});
 }
 

@@ -93,6 +93,49 @@ TEST_OF_XV15(cli_linearize_json_tells_every_setting) {
     if (!CHECK(contains(script, line))) NOTE(line);
 }
 
+// What the flight was asked for, by the names of the options, and the gains that close it at its speed: halfway between
+// two rows of the law.
+TEST_OF_XV15(cli_linearize_tells_what_the_flight_was_asked_for) {
+  const check::ScratchFolder folder;
+  const std::string law =
+      folder.write("law.csv", "speed_mps,input,q,load_factor\n80,long_stick,-7,0.2\n120,long_stick,-5,0.4\n");
+  struct Told {
+    const char *options, *json, *matlab;
+  };
+  const Told cases[] = {
+      {"--isa-offset 15", "\"isa_offset_k\": 15,", "isa_offset_k = 15;"},
+      {"", "\"isa_offset_k\": 0, \"engines\": 2,", "engines = 2;"},
+      {"--engines 1", "\"engines\": 1,", "engines = 1;"},
+      {"--azimuth 1", "\"azimuth_deg\": 1,", "azimuth_deg = 1;"},
+      {"--bank 30", "\"bank_deg\": 30,", "bank_deg = 30;"},
+      {"--load-factor 1.1", "\"load_factor\": 1.1,", "load_factor = 1.1;"},
+      {"--bank 20 --ball centred", "\"ball\": \"centred\",", "ball = 'centred';"},
+      {"--hold power_kw=1000 --free climb_deg", "\"hold\": \"power_kw=1000\", \"free\": \"climb_deg\",",
+       "hold = 'power_kw=1000';"},
+  };
+  const std::string flight = " --mast 90 --speed 100 --grid realtime ";
+  for (const Told& told : cases) {
+    const std::string options = flight + told.options;
+    const std::string json = run_tiltrotor("linearize --format json" + options).out;
+    CHECK(check::JsonGrammar::accepts(json));
+    if (!CHECK(contains(json, told.json))) NOTE(told.options);
+    if (!CHECK(contains(run_tiltrotor("linearize --format matlab" + options).out,
+                        std::string("model(1).settings.") + told.matlab)))
+      NOTE(told.options);
+    if (!CHECK(contains(run_tiltrotor("qlpv" + options).out, told.json))) NOTE("qlpv " << told.options);
+  }
+  const std::string loop = flight + "--feedback " + check::quoted(law);
+  const std::string json = run_tiltrotor("linearize --format json" + loop).out;
+  CHECK(check::JsonGrammar::accepts(json));
+  CHECK(contains(json,
+                 "\"feedback\": [{\"input\": \"long_stick\", \"output\": \"q\", \"gain\": -6}, "
+                 "{\"input\": \"long_stick\", \"output\": \"load_factor\", \"gain\": 0.3"));
+  CHECK(contains(run_tiltrotor("linearize --format matlab" + loop).out,
+                 "settings.feedback = struct('input', {'long_stick', 'long_stick'}, 'output', {'q', "
+                 "'load_factor'}, 'gain', {-6, 0.3"));
+  CHECK(!contains(run_tiltrotor("linearize --format json" + flight).out, "\"feedback\": ["));
+}
+
 // Airspeed is the length of (u, v, w), power is torque times rotor speed, stick and elevator are geared.
 TEST(cli_linearize_has_the_outputs) {
   const std::string json = run_tiltrotor("linearize --mast 90 --speed 80 --sideslip 2 --format json").out;

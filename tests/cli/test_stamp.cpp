@@ -84,6 +84,17 @@ TEST(cli_stamp_keeps_an_input_series_readable) {
   CHECK_EQ(flown(stamped).out, flown(plain).out);
 }
 
+// In the comments of the language, in the place of the line that a script begins with in any case.
+TEST(cli_stamp_begins_a_matlab_script) {
+  const std::string command = "linearize --mast 90 --speed 100 --grid realtime --format matlab";
+  const std::string plain = run_tiltrotor(command).out;
+  const Stamped stamped(run_tiltrotor(command + " --stamp").out);
+  CHECK_EQ(stamped.version, "%" + version_line().substr(1));
+  CHECK_EQ(stamped.command.substr(0, 12), "% tiltrotor ");
+  CHECK_EQ(stamped.version + "\n" + stamped.rest, plain);
+  CHECK_EQ(run_program(check::built("tiltrotor") + " " + stamped.command.substr(12)).out, plain);
+}
+
 TEST(cli_bad_stamp_of_what_has_no_comments) {
   const check::ProgramResult result = run_tiltrotor("trim --stamp --format json");
   CHECK_EQ(result.exit_status, 2);
