@@ -12,47 +12,83 @@ namespace {
 constexpr int per_decade = 20;
 constexpr Range frequency_range{1e-4, 1e4, "rad/s"};
 
-// Places of the names that were given, among `count` whose names are `name(k)`.
-template <class Name>
-std::vector<int> places(const Arguments& arguments, const char* option, const char* otherwise, int count,
-                        Name&& name) {
+std::vector<std::string> words(const Arguments& arguments, const char* option, const char* otherwise) {
+  return split(arguments.text(option, otherwise), ',');
+}
+
+// The place of a name, -1 where it is not among them.
+int place(const std::vector<std::string>& known, const std::string& word) {
+  const auto found = std::find(known.begin(), known.end(), word);
+  return found == known.end() ? -1 : static_cast<int>(found - known.begin());
+}
+
+[[noreturn]] void refuse(const std::string& where, const std::string& word,
+                         const std::vector<std::string>& known, const std::string& more) {
+  throw UsageError(where + ": " + quoted(word) + " is not in this model" + did_you_mean(word, known) +
+                   "; choose among " + one_of(known) + more);
+}
+
+std::vector<int> chosen_inputs(const Arguments& arguments, const VehicleShape& shape) {
   std::vector<std::string> known;
-  for (int k = 0; k < count; ++k) known.emplace_back(name(k));
+  for (int j = 0; j < shape.inputs; ++j) known.emplace_back(vehicle_input(shape.input[j]).name);
   std::vector<int> out;
-  for (const std::string& word : split(arguments.text(option, otherwise), ',')) {
-    const auto found = std::find(known.begin(), known.end(), word);
-    if (found == known.end())
-      throw UsageError(arguments.where(option) + ": " + quoted(word) + " is not in this model" +
-                       did_you_mean(word, known) + "; choose among " + one_of(known));
-    out.push_back(static_cast<int>(found - known.begin()));
+  for (const std::string& word : words(arguments, "--from", "long_stick")) {
+    const int j = place(known, word);
+    if (j < 0) refuse(arguments.where("--from"), word, known, "");
+    out.push_back(shape.input[j]);
+  }
+  return out;
+}
+
+// States before outputs of the same name. Inputs are left to the caller.
+std::vector<ChannelChoice> outputs_of_channels(const Arguments& arguments, const VehicleShape& shape) {
+  std::vector<std::string> known;
+  for (int i = 0; i < shape.states; ++i) known.emplace_back(vehicle_variable(shape.state[i]).name);
+  known.emplace_back(vehicle_variable(kStateIndex.yaw).name);
+  const std::string where = arguments.where("--to");
+  std::vector<ChannelChoice> out;
+  for (const std::string& word : words(arguments, "--to", "theta")) {
+    const int i = place(known, word);
+    if (i >= 0) {
+      out.push_back({i < shape.states ? shape.state[i] : kStateIndex.yaw, 0});
+      continue;
+    }
+    const std::optional<NamedOutput> named = output_named(word, where);
+    if (!named) {
+      for (const std::string& name : output_names()) known.push_back(name);
+      refuse(where, word, known, std::string("; or ") + kStationForm);
+    }
+    out.push_back({-1, 0, named});
   }
   return out;
 }
 
 }  // namespace
 
-std::string ChannelChoice::name() const {
-  return std::string(vehicle_variable(output).name) + " to " + vehicle_input(input).name;
-}
+std::string ChannelChoice::output_name() const { return named ? named->name : vehicle_variable(output).name; }
+
+std::string ChannelChoice::name() const { return output_name() + " to " + vehicle_input(input).name; }
 
 std::string ChannelChoice::unit() const {
-  const std::string above = vehicle_variable(output).unit(), below = vehicle_input(input).unit();
-  return "(" + above + ")/(" + below + ")";
+  const std::string above = named ? named->unit : vehicle_variable(output).unit();
+  return "(" + above + ")/(" + vehicle_input(input).unit() + ")";
 }
 
 OptionList channel_options() {
   return {{"--from", "NAMES", "inputs by name, as `conventions` lists them (long_stick)"},
-          {"--to", "NAMES", "outputs: states by name (theta)"}};
+          {"--to", "NAMES",
+           "outputs: states by name, psi, and what --outputs of linearize\n"
+           "takes: airspeed, nz@SL/BL/WL, htail_moment_y, .. (theta)"}};
 }
 
 std::vector<ChannelChoice> channel_choices(const Arguments& arguments, const VehicleShape& shape) {
-  const std::vector<int> inputs = places(arguments, "--from", "long_stick", shape.inputs,
-                                         [&](int j) { return vehicle_input(shape.input[j]).name; });
-  const std::vector<int> outputs = places(arguments, "--to", "theta", shape.states,
-                                          [&](int i) { return vehicle_variable(shape.state[i]).name; });
   std::vector<ChannelChoice> out;
-  for (const int j : inputs)
-    for (const int i : outputs) out.push_back({shape.state[i], shape.input[j]});
+  const std::vector<ChannelChoice> outputs = outputs_of_channels(arguments, shape);
+  for (const int input : chosen_inputs(arguments, shape))
+    for (ChannelChoice which : outputs) {
+      which.input = input;
+      out.push_back(which);
+    }
   return out;
 }
 

@@ -4,14 +4,12 @@
 #include <cstdio>
 #include <limits>
 
+#include "cli/channel_model.hpp"
 #include "cli/command.hpp"
 #include "cli/errors.hpp"
-#include "cli/feedback.hpp"
 #include "cli/figure.hpp"
-#include "cli/governed.hpp"
+#include "cli/linear_options.hpp"
 #include "cli/output.hpp"
-#include "cli/transfer_of.hpp"
-#include "cli/trimmed_flights.hpp"
 
 namespace tiltrotor::cli {
 
@@ -45,9 +43,7 @@ class Bode {
  public:
   Bode(const Arguments& arguments, const Options& options)
       : show_(static_cast<Show>(arguments.choice("--show", "response", {"response", "roots", "margins"}))),
-        scas_(wants_scas(arguments)),
-        feedback_(arguments, options, scas_),
-        choices_(channel_choices(arguments, governed_shape(options, kAllControls, scas_))),
+        model_(arguments, options),
         frequencies_(frequencies(arguments)),
         loop_gain_(arguments.number("--gain", 1, gain_range)),
         output_(arguments),
@@ -71,15 +67,14 @@ class Bode {
 
   int add(const TrimmedFlight& flight, Analyses& work) {
     if (!is_trimmed(flight.trim.status)) {
-      for (const ChannelChoice& which : choices_)
+      for (const ChannelChoice& which : model_.choices())
         add_row(flight, which, empty(), trim_status_word(flight.trim.status));
       return exit_case_failed;
     }
-    const Status status = feedback_.linearize_governed(
-        flight.configuration, flight.trim.state, flight.trim.controls, kAllControls, work, *matrices_, scas_);
+    const Status status = model_.find(flight, work);
     int exit_status = exit_success;
-    for (const ChannelChoice& which : choices_) {
-      Status found = status == Status::ok ? transfer_.find(*matrices_, which) : status;
+    for (const ChannelChoice& which : model_.choices()) {
+      Status found = status == Status::ok ? model_.find_channel(which, transfer_) : status;
       if (found == Status::ok) found = add_channel(flight, which);
       if (found == Status::ok) continue;
       add_row(flight, which, empty(), status_word(found));
@@ -106,7 +101,7 @@ class Bode {
 
   void add_row(const TrimmedFlight& flight, const ChannelChoice& which, const Row& own, const char* status) {
     Row row = {as_given(flight.mast_deg), as_given(flight.flight.speed), vehicle_input(which.input).name,
-               vehicle_variable(which.output).name, which.unit()};
+               which.output_name(), which.unit()};
     row.insert(row.end(), own.begin(), own.end());
     row.emplace_back(std::string(status));
     for (const char* setting : {"altitude_m", "mass_kg", "cg_sl_in", "flap_deg"})
@@ -174,9 +169,7 @@ class Bode {
   }
 
   Show show_;
-  bool scas_;
-  Feedback feedback_;
-  std::vector<ChannelChoice> choices_;
+  ChannelModel model_;
   std::vector<double> frequencies_;
   double loop_gain_;
   Output output_;  // last of what arguments can refuse
@@ -184,11 +177,11 @@ class Bode {
   Records records_;
   plot::Plot gain_, phase_;
   TransferOf transfer_;
-  std::unique_ptr<VehicleMatrices> matrices_ = std::make_unique<VehicleMatrices>();
 };
 
 int run(const Arguments& arguments) {
   const std::vector<SetupOptions> setups = SetupOptions::every_combination(arguments);
+  require_no_positions(setups.front().switches(), arguments);
   flight_cases(arguments, setups.size());
   if (arguments.given("--gain") && arguments.text("--show", "response") != "margins")
     throw UsageError(arguments.where("--gain") + ": goes with --show margins");
@@ -207,13 +200,16 @@ Command bode_command() {
   return {
       "bode",
       "frequency responses, poles, zeros, bandwidth and margins",
-      "From the exact A and B at trim, rotors and wash included; of what the input reaches and the output sees.\n"
+      "From the exact A, B, C and D at trim, rotors and wash included; of what the input reaches and the output sees.\n"
+      "Outputs are states, the heading psi, instruments, load factors at stations and loads of components, as with\n"
+      "linearize --outputs. psi is the integral of psi' = (q sin phi + r cos phi)/cos theta.\n"
       "--show response: gain, in the unit of `gain_unit`, and phase, continuous over frequency.\n"
       "--show roots: poles, transmission zeros, the gain k of k prod(s - zero)/prod(s - pole), and that at s = 0.\n"
       "--show margins: of an attitude the bandwidth by phase and by gain, the smaller of both (rate response\n"
-      "types; by phase alone for attitude response types) and the phase delay, ADS-33E-PRF 3.3.2.1, the input\n"
-      "taken with the sign to which the attitude follows; of the loop input = -K output the margins nearest to\n"
-      "instability and the unstable roots without and with it. Crossings are looked for in 0.01..1000 rad/s.\n"
+      "types, empty where one is; by phase alone for attitude response types) and the phase delay, ADS-33E-PRF\n"
+      "3.3.2.1, the input taken with the sign to which the attitude follows; of the loop input = -K output the\n"
+      "margins nearest to instability, of a stable one the shortest delay that ends it, and the unstable roots\n"
+      "without and with it. Crossings are looked for in 0.01..1000 rad/s.\n"
       "With --feedback the inputs are what the pilot adds to the law.\n"
       "A status of no_response: the input does not act on the output.\n"
       "Everything that describes the flight takes a value, a list or a range; so do --altitude, --mass, --cg-sl,\n"

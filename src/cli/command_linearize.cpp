@@ -33,7 +33,7 @@ class Linearizer {
         matrices_(std::make_unique<VehicleMatrices>()),
         outputs_(std::make_unique<OutputMatrices>()) {
     for (const NamedOutput& output : chosen_)
-      if (output.reading < 0) airframe_.push_back(output.output);
+      if (output.reading < 0) airframe_.push_back(output);
   }
 
   const Shard& shard() const { return output_.shard(); }
@@ -100,12 +100,8 @@ class Linearizer {
   // Outputs that no instrument reads, of the model found last.
   Status find_rows(const SystemFlight<double>& flight, const Configuration<double>& c, const State<double>& x,
                    const Controls<double>& u) {
-    if (airframe_.empty()) return Status::ok;
-    const VehicleShape open =
-        governed_shape(c.setup.options, feedback_.is_given() ? kAllControls : controls_, scas_);
-    const Status status = linearize_airframe_outputs(flight, c, x, u, open, airframe_, rows_);
-    if (status == Status::ok && feedback_.is_given()) feedback_.close(controls_, open, rows_);
-    return status;
+    return airframe_.empty() ? Status::ok
+                             : feedback_.linearize_rows(flight, c, x, u, controls_, scas_, airframe_, rows_);
   }
 
   // All that instruments read, or what was chosen.
@@ -125,8 +121,8 @@ class Linearizer {
   bool scas_;
   Feedback feedback_;
   std::vector<NamedOutput> chosen_;
-  std::vector<AirframeOutput> airframe_;  // those among them that no instrument reads
-  LinearOutput output_;                   // last of what arguments can refuse, since it begins to write
+  std::vector<NamedOutput> airframe_;  // those among them that no instrument reads
+  LinearOutput output_;                // last of what arguments can refuse, since it begins to write
   std::unique_ptr<LinearModel<double>> model_;
   std::unique_ptr<VehicleMatrices> matrices_;
   std::unique_ptr<OutputMatrices> outputs_;

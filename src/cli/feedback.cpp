@@ -159,9 +159,17 @@ Status Feedback::linearize_governed(const Configuration<double>& c, const State<
                           outputs);
 }
 
-void Feedback::close(const ControlSet& columns, const VehicleShape& open, VehicleRows& rows) const {
+Status Feedback::linearize_rows(const SystemFlight<double>& flight, const Configuration<double>& c,
+                                const State<double>& x, const Controls<double>& u, const ControlSet& columns,
+                                bool scas, const std::vector<NamedOutput>& outputs, VehicleRows& rows) const {
+  const VehicleShape open = governed_shape(c.setup.options, is_given() ? kAllControls : columns, scas);
+  std::vector<AirframeOutput> wanted;
+  for (const NamedOutput& output : outputs) wanted.push_back(output.output);
+  const Status status = linearize_airframe_outputs(flight, c, x, u, open, wanted, rows);
+  if (status != Status::ok || !is_given()) return status;
   close_rows(work_->closed, rows.outputs, open.states, rows.c, rows.d);
   keep_columns(columns, rows.outputs, open.inputs, rows.d);
+  return status;
 }
 
 }  // namespace tiltrotor::cli

@@ -7,6 +7,7 @@
 #include "cli/arguments.hpp"
 #include "cli/feedback_file.hpp"
 #include "cli/governed.hpp"
+#include "cli/named_outputs.hpp"
 #include "library/vehicle_outputs.hpp"
 
 namespace tiltrotor::cli {
@@ -50,8 +51,11 @@ class Feedback {
                             const ControlSet& columns, Analyses& work, VehicleMatrices& matrices,
                             bool scas = false, VehicleOutputs* outputs = nullptr) const;
 
-  // Rows of y = C x + D u of the open loop, columns as `open` says, become those of the loop closed last.
-  void close(const ControlSet& columns, const VehicleShape& open, VehicleRows& rows) const;
+  // y, C and D of outputs that no instrument reads, in the columns of the model that was found last; `u` with what
+  // systems add. Status: those of linearize_airframe_outputs().
+  Status linearize_rows(const SystemFlight<double>& flight, const Configuration<double>& c,
+                        const State<double>& x, const Controls<double>& u, const ControlSet& columns,
+                        bool scas, const std::vector<NamedOutput>& outputs, VehicleRows& rows) const;
 
  private:
   struct Work;

@@ -11,14 +11,21 @@ namespace tiltrotor::cli {
 
 class TransferOf {
  public:
-  // Status: those of transfer_function().
+  // A state of the model. Status: those of transfer_function().
   Status find(const VehicleMatrices& m, const ChannelChoice& which) {
-    int row = 0, column = 0;
+    int row = 0;
     while (m.shape.state[row] != which.output) ++row;
-    while (m.shape.input[column] != which.input) ++column;
+    return find(
+        m, which.input, [row](int j) { return j == row ? 1.0 : 0.0; }, [](int) { return 0.0; });
+  }
+  // y = sum c(j) x_j + d(k) u_k, by the columns of the model.
+  template <class RowOfC, class RowOfD>
+  Status find(const VehicleMatrices& m, int input, RowOfC&& c, RowOfD&& d) {
+    int column = 0;
+    while (m.shape.input[column] != input) ++column;
     set_channel(
-        m.shape, which.input, [&](int i, int j) { return m.a(i, j); }, [&](int i) { return m.b(i, column); },
-        [row](int j) { return j == row ? 1.0 : 0.0; }, 0.0, channel());
+        m.shape, input, [&](int i, int j) { return m.a(i, j); }, [&](int i) { return m.b(i, column); }, c,
+        static_cast<double>(d(column)), channel());
     return transfer_function(channel(), work_->roots, work_->transfer);
   }
   // The integral of the output in its place: an attitude from its rate.
@@ -28,7 +35,8 @@ class TransferOf {
     for (int j = 0; j <= n; ++j) s.a(n, j) = j < n ? s.c[j] : 0;
     for (int i = 0; i < n; ++i) s.a(i, n) = s.c[i] = 0;
     s.c[n] = 1;
-    s.b[n] = 0;
+    s.b[n] = s.d;
+    s.d = 0;
     return transfer_function(s, work_->roots, work_->transfer);
   }
   VehicleChannel<double>& channel() { return work_->channel; }
