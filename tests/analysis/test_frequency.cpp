@@ -131,6 +131,25 @@ TEST(transfer_function_margins_are_those_of_an_independent_tool) {
   CHECK_EQ(compared, 36);
 }
 
+// x' = -x + u, y = x + d u: a direct term of rounding beside x is none, and a hundred times it is one.
+TEST(transfer_function_of_a_channel_has_no_direct_term_of_rounding) {
+  static Work at;
+  VehicleShape shape{};
+  shape.states = 1;
+  shape.state[0] = kStateIndex.rates.y;
+  const int input = kControlIndex.long_stick;
+  const double bend = vehicle_variable(shape.state[0]).facts().bend / vehicle_input(input).facts().bend;
+  const double rounding = 64 * std::numeric_limits<double>::epsilon() * bend;
+  for (const double times : {0.5, 100.0}) {
+    set_channel(
+        shape, input, [](int, int) { return -1.0; }, [](int) { return 1.0; }, [](int) { return 1.0; },
+        times * rounding, at.channel);
+    CHECK(transfer_function(at.channel, at.roots, at.f) == Status::ok);
+    CHECK_EQ(at.f.d, times < 1 ? 0.0 : times * rounding);
+    CHECK_EQ(at.f.zeros.size, times < 1 ? 0 : 1);
+  }
+}
+
 // The steady response is that of the full model, and every root nearer than that of the quasi-steady one where the lag
 // of the downwash counts: the short period, 1 to 3 %, at worst 6 % of the roots below 4 rad/s.
 TEST(residualised_model_of_first_order_keeps_the_roots) {

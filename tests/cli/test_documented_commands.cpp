@@ -145,7 +145,7 @@ TEST_OF_XV15(cli_help_commands_of_the_readme_succeed) {
                      direct ? output : "");
     }
   }
-  CHECK_EQ(count, 38u);
+  CHECK_EQ(count, 40u);
   CHECK_EQ(shown, 5u);
 }
 
