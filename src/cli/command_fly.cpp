@@ -13,6 +13,7 @@
 #include "cli/flight_modes.hpp"
 #include "cli/flight_options.hpp"
 #include "cli/flight_script.hpp"
+#include "cli/flight_script_checks.hpp"
 #include "cli/flight_summary.hpp"
 #include "cli/linear_options.hpp"
 #include "cli/matrix_log.hpp"
@@ -49,6 +50,8 @@ FlightStart read_start(const Arguments& arguments) {
   start.aircraft = &options.aircraft();
   if (!chooses_grid(arguments)) start.setup.options.grid = BladeGrid::realtime;
   start.setup.options.position_states = true;
+  start.warmer = options.warmer();
+  for (const Side side : {right, left}) start.engine_failed[side] = options.engines() <= side;
   start.speed = arguments.number("--speed", 0, kSpeedRange);
   start.height = arguments.number("--height", kUsualHeight, kHeights);
   start.dt = arguments.number("--dt", 0.01, kSteps);
@@ -58,10 +61,18 @@ FlightStart read_start(const Arguments& arguments) {
   return start;
 }
 
+// Whether the interconnect twists at any time of the flight.
+bool twists(const FlightScript& script, const Options& options) {
+  return options.interconnect == Interconnect::twists ||
+         std::any_of(script.events.begin(), script.events.end(), [](const ScriptEvent& e) {
+           return e.command == ScriptCommand::interconnect && e.word == 1;
+         });
+}
+
 // What is looked at besides the rows: modes and matrices in files of their own, and figures.
 class Companions {
  public:
-  Companions(const Arguments& arguments, const Options& options)
+  Companions(const Arguments& arguments, const Options& options, bool shaft_twists)
       : subject_(arguments.text("--script", "")), finder_(control_set(arguments)) {
     every_ = arguments.number("--modes-every", kUsualModes, kModes);
     const bool asked =
@@ -84,7 +95,7 @@ class Companions {
     if (arguments.given("--matrices")) {
       matrices_ = std::make_unique<MatrixLog>(arguments.text("--matrices", ""), arguments.where("--matrices"),
                                               stamp_of(arguments));
-      matrices_->set_columns(finder_.states(options), finder_.inputs());
+      matrices_->set_columns(finder_.states(options, shaft_twists), finder_.inputs());
     }
     if (!arguments.given("--figures")) return;
     folder_ = arguments.text("--figures", "");
@@ -142,17 +153,21 @@ int run(const Arguments& arguments) {
   if (!arguments.given("--script"))
     throw UsageError(arguments.where("--script") + ": is missing; give a file");
   const FlightScript script = read_flight_script(arguments.text("--script", ""));
+  require_files_apart(arguments, script);
   FlightStart start = read_start(arguments);
+  if (start.on_ground) require_governed_ground(script);
   if (start.on_ground && arguments.given("--feedback"))
     throw UsageError(arguments.where("--feedback") +
                      ": counts from the trim a flight begins in; give --mast, --speed or --height");
-  const Feedback feedback(arguments, start.setup.options, FlightModes::shape(start.setup.options));
+  const bool shaft_twists = twists(script, start.setup.options);
+  const Feedback feedback(arguments, start.setup.options,
+                          FlightModes::shape(start.setup.options, shaft_twists));
   const ChosenColumns columns(arguments, flight_columns());
   start.outputs = columns.airframe();
   const double every = arguments.number("--every", 0.1, kEvery);
   const std::size_t thinned =
       std::max<std::size_t>(1, static_cast<std::size_t>(std::lround(every / start.dt)));
-  Companions companions(arguments, start.setup.options);
+  Companions companions(arguments, start.setup.options, shaft_twists);
   Output output(arguments);
   Records records = output.records(columns.names(), Output::to_read);
 
@@ -181,9 +196,18 @@ int run(const Arguments& arguments) {
   companions.finish();
   const bool failed = flight.status() != Status::ok;
   if (failed) progress.message("fly: the flight cannot be continued: " + flight.fault());
-  for (const std::string& line : flight.ignored()) summary.add(line);
+  for (const std::string& line : flight.remarks()) summary.add(line);
   std::fputs(summary.text().c_str(), stderr);
   return failed ? exit_case_failed : exit_status;
+}
+
+// The aircraft and its air, engines told as a flight has them.
+OptionList setup_options() {
+  OptionList list = SetupOptions::list();
+  for (Option& option : list)
+    if (option.name == std::string("--engines"))
+      option.help = "that run from the beginning (all); 1: the right one, as after `engine 2 fail`";
+  return list;
 }
 
 OptionList options() {
@@ -218,7 +242,7 @@ Command fly_command() {
       "the whole vehicle flown by a script, from the ground to the ground",
       description().c_str(),
       "tiltrotor fly --script src/examples/mission.txt --every 1 --columns time_s,height_m,airspeed_mps,mast_deg",
-      options() + columns_option() + feedback_option() + control_set_option() + SetupOptions::list() +
+      options() + columns_option() + feedback_option() + control_set_option() + setup_options() +
           Output::list_of_one_piece(),
       run};
 }

@@ -13,16 +13,17 @@ struct FlightModes::Work {
 FlightModes::FlightModes(const ControlSet& controls) : controls_(controls), work_(std::make_unique<Work>()) {}
 FlightModes::~FlightModes() = default;
 
-VehicleShape FlightModes::shape(const Options& options) {
+VehicleShape FlightModes::shape(const Options& options, bool twists) {
   Vehicle<double> v{};
   v.on = {Governor::pi, true, true, true, true, true, true, true};
+  v.on.interconnect = twists;
   VehicleShape shape{};
   vehicle_states(v, options, shape);
   return shape;
 }
 
-std::vector<std::string> FlightModes::states(const Options& options) const {
-  const VehicleShape all = shape(options);
+std::vector<std::string> FlightModes::states(const Options& options, bool twists) const {
+  const VehicleShape all = shape(options, twists);
   std::vector<std::string> names;
   for (int i = 0; i < all.states; ++i) names.emplace_back(vehicle_variable(all.state[i]).name);
   return names;

@@ -10,11 +10,11 @@ namespace tiltrotor::cli {
 class FlightModes {
  public:
   explicit FlightModes(const ControlSet& controls);
-  // Whatever is switched on.
-  static VehicleShape shape(const Options& options);
+  // Whatever is switched on; `twists`: the interconnect may.
+  static VehicleShape shape(const Options& options, bool twists);
   ~FlightModes();
   // Names of every state and input that a model may have, whatever is switched on.
-  std::vector<std::string> states(const Options& options) const;
+  std::vector<std::string> states(const Options& options, bool twists) const;
   std::vector<std::string> inputs() const;
 
   // At this moment, every system that is on within, in the air that there is; of the loop that a feedback law closes.

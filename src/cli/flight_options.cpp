@@ -238,8 +238,12 @@ std::string SetupOptions::model() const {
   return text;
 }
 
+int SetupOptions::engines() const {
+  return engines_ == 0 ? aircraft_data<double>().controls.engines : engines_;
+}
+
 bool SetupOptions::some_engines_stand() const {
-  return engines_ != 0 && engines_ != aircraft_data<double>().controls.engines;
+  return engines() != aircraft_data<double>().controls.engines;
 }
 
 SetupOptions SetupOptions::on_day(double isa_offset, int engines) const {

@@ -55,6 +55,8 @@ class SetupOptions {
   void surround(Configuration<double>& c) const;
   // The same in other air, K, on so many engines.
   SetupOptions on_day(double isa_offset, int engines) const;
+  double warmer() const { return isa_offset_.value_or(0); }  // air, than the standard atmosphere, K
+  int engines() const;                                       // that run
   const Options& switches() const { return switches_; }
   const Aircraft<double>& aircraft() const;  // with the tables that --tables chooses
   // What was given for a column of settings, in its unit: 300 for cg_sl_in.

@@ -1,6 +1,7 @@
 #include "cli/flight_script.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 
 #include "cli/arguments.hpp"
@@ -142,8 +143,20 @@ class ScriptReader {
     if (place < words.size())
       throw UsageError(where + ": " + quoted(words[place]) + " is one too many; give " + usage_text(rule));
     script_.events.push_back(event);
-    if (event.command == ScriptCommand::series)
-      script_.series.push_back(read_input_series(series_path(path_, words[2]), event.word == 1));
+    if (event.command == ScriptCommand::series) add_series(words[2], event.word == 1, where);
+  }
+
+  // What is wrong in a line of it has its own place; else the script's.
+  void add_series(const std::string& name, bool is_held, const std::string& where) {
+    const std::string path = series_path(path_, name), line = path + ":";
+    try {
+      script_.series.push_back(read_input_series(path, is_held));
+    } catch (const UsageError& error) {
+      const std::string what = error.what();
+      const bool has_line = what.compare(0, line.size(), line) == 0 &&
+                            std::isdigit(static_cast<unsigned char>(what[line.size()]));
+      throw UsageError(has_line ? what : where + ": series FILE: " + what);
+    }
   }
 
   void fill(ScriptEvent& event, const ScriptArgument& argument, const std::string& text,
@@ -168,6 +181,13 @@ class ScriptReader {
 };
 
 }  // namespace
+
+const ScriptRule& rule_of(const ScriptEvent& event) {
+  const std::vector<ScriptRule>& rules = script_rules();
+  return *std::find_if(rules.begin(), rules.end(), [&](const ScriptRule& rule) {
+    return rule.command == event.command && rule.control == event.control;
+  });
+}
 
 FlightScript read_flight_script(const std::string& path) { return ScriptReader(path).read(); }
 FlightScript read_flight_script_text(const std::string& name, const std::string& text) {

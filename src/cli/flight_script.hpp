@@ -33,6 +33,8 @@ struct FlightScript {
   std::string where(const ScriptEvent& event) const { return path + ":" + std::to_string(event.line); }
 };
 
+const ScriptRule& rule_of(const ScriptEvent& event);
+
 // "-" is standard input; series are sought from the folder of the script. Throws UsageError "<file>:<line>: ...".
 FlightScript read_flight_script(const std::string& path);
 // Of a text that the program holds.

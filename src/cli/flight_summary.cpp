@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "text/number.hpp"
+#include "tiltrotor/model/aircraft/aircraft_data.hpp"
 
 namespace tiltrotor::cli {
 
@@ -18,15 +19,27 @@ std::string decimals(double value, int count) {
   return text;
 }
 
+// What the rotors take, of each engine that runs, at its shaft, W.
+double engine_power_needed(const FlightMoment& m) {
+  const double efficiency = aircraft_data<double>().controls.transmission_efficiency;
+  return m.rotor_power / efficiency / std::max(1, m.engines_running);
+}
+
 }  // namespace
 
 void FlightSummary::add(const FlightMoment& m) {
+  if (is_beyond_) beyond_ += m.time - duration_;
   duration_ = m.time;
   if (m.height_settles) keep_most(std::fabs(m.height - m.wanted_height), m.time, height_error_);
-  for (const double power : m.power) {
+  const auto keep_power = [&](double power) {
     if (power / m.power_allowed > power_part_.value) power_ = power;
     keep_most(power / m.power_allowed, m.time, power_part_);
-  }
+  };
+  if (m.is_governed)
+    for (const double power : m.power) keep_power(power);
+  const double needed = engine_power_needed(m);
+  if (!m.is_governed) keep_power(needed);
+  is_beyond_ = !m.is_governed && needed > m.power_allowed;
   const bool touches = m.weight_on_wheels > 0;
   if (flies_ && touches) {
     ++touched_;
@@ -51,6 +64,9 @@ std::string FlightSummary::text() const {
   all += "height held: within " + decimals(height_error_.value, 2) + " m," + at(height_error_);
   all += "highest power: " + decimals(power_ / 1e3, 0) + " kW of an engine, " +
          decimals(100 * power_part_.value, 1) + " % of take-off power," + at(power_part_);
+  if (beyond_ > 0)
+    all += "governor off: for " + decimals(beyond_, 2) +
+           " s the rotors took more than take-off power, and kept their speed all the same\n";
   if (most_load_.value > -1e9) {
     all += "load factor: " + decimals(-least_load_.value, 3) + at(least_load_);
     all += "load factor: " + decimals(most_load_.value, 3) + at(most_load_);
@@ -59,7 +75,7 @@ std::string FlightSummary::text() const {
   if (touched_ > 0) all += "touch-down: " + decimals(touch_down_.value, 2) + " m/s" + at(touch_down_);
   all += "fuel burnt: " + decimals(fuel_, 1) + " kg\n";
   all += "masts: " + decimals(least_mast_, 1) + " to " + decimals(most_mast_, 1) + " deg\n";
-  return all + ignored_;
+  return all + remarks_;
 }
 
 }  // namespace tiltrotor::cli

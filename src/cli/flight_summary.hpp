@@ -11,8 +11,8 @@ class FlightSummary {
  public:
   // Every step.
   void add(const FlightMoment& moment);
-  // A command that was not obeyed.
-  void add(const std::string& ignored) { ignored_ += ignored + "\n"; }
+  // ScriptFlight::remarks(), one.
+  void add(const std::string& remark) { remarks_ += remark + "\n"; }
   double height_error() const { return height_error_.value; }                 // m, while a height is held
   double power_part() const { return power_part_.value; }                     // of take-off power
   double touch_down() const { return touched_ > 0 ? touch_down_.value : 0; }  // m/s
@@ -35,7 +35,9 @@ class FlightSummary {
   Extreme touch_down_{0, 0};  // the hardest
   double fuel_ = 0, least_mast_ = 1e9, most_mast_ = -1e9;
   double last_climb_ = 0;
-  std::string ignored_;
+  double beyond_ = 0;  // s that rotors without governor took more than take-off power
+  bool is_beyond_ = false;
+  std::string remarks_;
 };
 
 }  // namespace tiltrotor::cli

@@ -53,7 +53,7 @@ study::FlownMission fly_mission() {
     goes_on = flight.step();
   }
   if (flight.status() != Status::ok) throw std::runtime_error("mission: " + flight.fault());
-  for (const std::string& line : flight.ignored()) summary.add(line);
+  for (const std::string& line : flight.remarks()) summary.add(line);
   flown.motion = figures.motion();
   flown.modes = figures.modes();
   flown.height_error = summary.height_error();

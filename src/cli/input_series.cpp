@@ -23,7 +23,7 @@ const char* const kTime = "time_s";
 struct Column {
   std::string name;
   int input;  // -1: the time
-  double unit;
+  double unit, zero;
   Range range;
 };
 
@@ -41,21 +41,31 @@ std::vector<std::string> series_columns() {
   return names;
 }
 
+// As a column of files, or under the name of the model in its unit.
+std::optional<Target> find_input(const std::string& name) {
+  for (int j = 0; j < control_count; ++j)
+    if (name == kControlVariables[j].name)
+      return Target{Target::Kind::control, j, 1, 0, kControlVariables[j].unit()};
+  return find_target(name);
+}
+
 Column find_column(const std::string& name, const std::string& where) {
-  if (name == kTime) return {name, -1, 1, kTimeRange};
+  if (name == kTime) return {name, -1, 1, 0, kTimeRange};
   const std::vector<std::string> throttles = throttle_names();
   const auto throttle = std::find(throttles.begin(), throttles.end(), name);
   if (throttle != throttles.end())
-    return {name, kFirstThrottle + static_cast<int>(throttle - throttles.begin()), 1, {0, 1, ""}};
-  const std::optional<Target> target = find_target(name);
+    return {name, kFirstThrottle + static_cast<int>(throttle - throttles.begin()), 1, 0, {0, 1, ""}};
+  const std::optional<Target> target = find_input(name);
   if (!target || target->kind != Target::Kind::control)
     throw UsageError(where + ": unknown column " + quoted(name) + did_you_mean(name, series_columns()) +
                      "; give " + one_of(series_columns()));
   const Bounds<double> range = control_range(aircraft_data<double>(), target->index);
+  const auto shown = [&](double bound) { return given_as(bound, target->unit) + target->zero; };
   return {name,
           target->index,
           target->unit,
-          {given_as(range.low, target->unit), given_as(range.high, target->unit), target->unit_name}};
+          target->zero,
+          {shown(range.low), shown(range.high), target->unit_name}};
 }
 
 // A line with content, its cells.
@@ -125,7 +135,7 @@ InputSeries read_input_series(const std::string& path, bool is_held) {
                            number_text(series.time.back()) + " s of the row above");
         series.time.push_back(number);
       } else {
-        series.value.push_back(number * column.unit);
+        series.value.push_back((number - column.zero) * column.unit);
       }
     }
   }

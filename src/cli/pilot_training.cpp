@@ -77,7 +77,7 @@ Status lead(const Configuration<double>& c, Governor governor, double throttle, 
 
 }  // namespace
 
-PilotTraining::PilotTraining(const FlightSetup<double>& setup) {
+PilotTraining::PilotTraining(const FlightSetup<double>& setup, double warmer) {
   const Aircraft<double>& aircraft = aircraft_data<double>();
   helicopter_speed_ = aircraft.rotor.speed_helicopter;
   airplane_speed_ = aircraft.rotor.speed_airplane;
@@ -92,6 +92,8 @@ PilotTraining::PilotTraining(const FlightSetup<double>& setup) {
     here.rotor_speed = rotor_speed;
     Configuration<double> c;
     if (prepare(aircraft, here, c) != Status::ok) return;
+    c.around.warmer = warmer;
+    configure(c);
     SteadyFlight<double> flight{};
     flight.speed = speed;
     if (!is_trimmed(trim(c, flight, *at->analyses, at->trim))) return;

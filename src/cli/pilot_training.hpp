@@ -11,8 +11,9 @@ namespace tiltrotor::cli {
 class PilotTraining {
  public:
   // At altitude, mass, CG and options of `setup`, flaps as the aircraft has them at a mast angle. Conditions that have
-  // no trim are left out. Throws std::runtime_error when there is none at all.
-  explicit PilotTraining(const FlightSetup<double>& setup);
+  // no trim are left out. `warmer`: the air, than the standard atmosphere, K. Throws std::runtime_error when there is none
+  // at all.
+  explicit PilotTraining(const FlightSetup<double>& setup, double warmer = 0);
 
   // Gains at a mast angle, a speed and a rotor speed.
   pilot::PilotGains at(double mast_deg, double speed, double rotor_speed, const SystemSwitches& on) const;

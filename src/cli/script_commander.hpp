@@ -11,6 +11,7 @@ struct ScriptCommander : ScriptFlightState {
   void take_off() {
     if (!parked) return;
     parked = false;
+    remarks.leaves_wheels();
     memory = {};
     const pilot::PilotSees sees = look();
     const SystemSwitches& on = flight.vehicle.on;
@@ -43,7 +44,7 @@ struct ScriptCommander : ScriptFlightState {
   // The switch on the legs keeps a gear that carries.
   void move_gear(bool down) {
     if (!down && moment.weight_on_wheels > 0) {
-      ignored.push_back("gear up at " + number_text(time(), 6) + " s: ignored, with weight on the wheels");
+      remarks.ignored("gear up", time(), "with weight on the wheels");
       return;
     }
     flight.vehicle.gear_down = down;
@@ -94,8 +95,19 @@ struct ScriptCommander : ScriptFlightState {
     lands = lands && !(all || loop == 1);
   }
 
+  void remark_on_wheels(const ScriptEvent& e) {
+    using C = ScriptCommand;
+    constexpr C climbs = C::hold_climb;
+    const bool never = e.command == C::land || (e.command == climbs && e.number[0] <= 0);
+    const bool later = e.command == C::hold_speed || e.command == C::hold_heading ||
+                       e.command == C::hold_track || e.command == C::hold_position || e.command == C::turn;
+    if (never) remarks.ignored(rule_of(e).name, time(), "on the wheels");
+    if (later) remarks.waits(rule_of(e).name, time());
+  }
+
   void obey(const ScriptEvent& e) {
     using C = ScriptCommand;
+    if (parked) remark_on_wheels(e);
     Vehicle<double>& v = flight.vehicle;
     const double first = e.number[0];
     switch (e.command) {

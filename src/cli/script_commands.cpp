@@ -81,8 +81,9 @@ void add_inceptors(std::vector<ScriptRule>& rules) {
     const char* name;
     ScriptCommand command;
     const char* does;
-  } signals[] = {{"step ", ScriptCommand::step, "adds so much for so long"},
-                 {"doublet ", ScriptCommand::doublet, "adds and takes away so much, half the time each"}};
+  } signals[] = {{"step ", ScriptCommand::step, "adds so much for so long, up to the stops"},
+                 {"doublet ", ScriptCommand::doublet,
+                  "adds and takes away so much, half the time each, up to the stops"}};
   for (const auto& signal : signals)
     for (const Inceptor& i : kScriptInceptors) {
       const double most = largest_amplitude(i.control);
@@ -257,8 +258,9 @@ const std::string& script_help() {
     }
     all +=
         "\nA series is a CSV file with a column time_s, from the time of its line on, and one for every input it moves: "
-        "the\ncontrols as `trim` prints them or as the model names them, throttle_1 and throttle_2. Between its rows inputs "
-        "are\ninterpolated (linear) or stay (held); after the last one they stay.\n";
+        "the\ncontrols as `trim` prints them (long_stick_in: from the rear stop; long_stick_from_neutral_in does as well), or "
+        "under\nthe names of the model in its units (long_stick in, from neutral; collective rad; gust_u m/s), throttle_1 and\n"
+        "throttle_2. Between its rows inputs are interpolated (linear) or stay (held); after the last one they stay.\n";
     return all;
   }();
   return help;

@@ -35,7 +35,10 @@ struct ScriptFlight::Parts : ScriptCommander {
 
   void prepare_vehicle(const FlightSetup<double>& setup) {
     c = prepared(aircraft, setup);
+    c.around.warmer = start.warmer;
+    configure(c);
     Vehicle<double>& v = flight.vehicle;
+    for (const Side side : {right, left}) v.engine_failed[side] = start.engine_failed[side];
     v.on = {Governor::pi, true, true, true, true, true, true, false};
     v.on.interconnect = setup.options.interconnect == Interconnect::twists;
     v.ground = {0, 0, 0};
@@ -62,7 +65,7 @@ struct ScriptFlight::Parts : ScriptCommander {
     settle(c, x, {evaluation.rotor[right].loads.torque, evaluation.rotor[left].loads.torque}, flight.vehicle,
            flight.state, u);
     rotor_target = c.setup.rotor_speed;
-    followed = flight.vehicle.commands.throttle[right];
+    followed = throttle_of_both();
     begin(x, u);
     if (closed.begin(c, simulation) != Status::ok)
       throw std::runtime_error("fly: cannot begin with this law");
@@ -90,7 +93,7 @@ struct ScriptFlight::Parts : ScriptCommander {
            flight.state, u);
     rotor_target = c.setup.rotor_speed;
     parked = true;
-    ground.hands = {u.collective, u.long_stick, u.lat_stick, u.pedal, flight.vehicle.commands.throttle[0]};
+    ground.hands = {u.collective, u.long_stick, u.lat_stick, u.pedal, throttle_of_both()};
     begin(x, u);
     const int settling = static_cast<int>(std::ceil(kSettling / start.dt));
     for (int k = 0; k < settling; ++k) {
@@ -105,6 +108,9 @@ struct ScriptFlight::Parts : ScriptCommander {
     flight.state.fuel = 0;
     begin(rested, simulation.controls);
   }
+
+  // What each engine would have if all ran: the pilot's throttle.
+  double throttle_of_both() const { return flight.vehicle.commands.throttle[right] / throttle_share(); }
 
   void begin(const State<double>& x, const Controls<double>& u) {
     const Status status = tiltrotor::start(c, x, u, start.dt, Integrator::rk3, simulation);
@@ -226,6 +232,8 @@ struct ScriptFlight::Parts : ScriptCommander {
     for (const Side side : {right, left}) m.power[side] = flight.state.power[side];
     m.rotor_power = (answer.torque[right] + answer.torque[left]) * c.setup.rotor_speed +
                     0.5 * (answer.torque[right] - answer.torque[left]) * c.setup.rotor_difference;
+    m.is_governed = flight.vehicle.on.governor != Governor::off;
+    m.engines_running = vehicle_parts::engines_running(flight.vehicle.engine_failed);
     m.power_allowed = full_power();
     m.weight_on_wheels = demand.gear.weight_on_wheels;
     const bool holds = !parked && aims.vertical == Vertical::height;
@@ -261,6 +269,7 @@ struct ScriptFlight::Parts : ScriptCommander {
       obey(script.events[next]);
       if (twists(flight.vehicle.on) != twisted) balance_shaft();
     }
+    remarks.effects(flight.vehicle, time());
     act();
     observe();
   }
@@ -285,6 +294,8 @@ bool ScriptFlight::step() {
   constexpr double rounding = 1e-9;
   if (p.time() >= p.script.duration() - rounding) return false;
   if (p.closed.advance(p.c, p.simulation, p.rates) != Status::ok) return false;
+  for (int control = 0; control < control_count; ++control)
+    if (p.inputs.is_stopped(control)) p.remarks.stopped(control, p.start.dt);
   if (p.has_struck()) return false;
   p.meet();
   return true;
@@ -296,6 +307,6 @@ const Configuration<double>& ScriptFlight::configuration() const { return parts_
 const SystemFlight<double>& ScriptFlight::systems() const { return parts_->flight; }
 const FeedbackFlight& ScriptFlight::loop() const { return parts_->closed; }
 double ScriptFlight::azimuth() const { return current_azimuth(parts_->c, parts_->simulation); }
-const std::vector<std::string>& ScriptFlight::ignored() const { return parts_->ignored; }
+std::vector<std::string> ScriptFlight::remarks() const { return parts_->remarks.text(); }
 
 }  // namespace tiltrotor::cli

@@ -29,6 +29,8 @@ struct FlightStart {
   double dt;                  // s
   const Aircraft<double>* aircraft = &aircraft_data<double>();
   std::vector<AirframeOutput> outputs = {};  // that are read beside the instruments
+  double warmer = 0;                         // air, than the standard atmosphere, K
+  bool engine_failed[2] = {};                // from the beginning
 };
 
 // What there is at a moment, and what acts from then on.
@@ -44,8 +46,10 @@ struct FlightMoment {
   double airspeed;          // m/s
   double load_factor;       // upwards along the body's z axis
   double mast_deg, rotor_speed, flap_deg;
-  double power[2];       // of the engines at their shafts, W
-  double rotor_power;    // of both rotors, W
+  double power[2];     // of the engines at their shafts, W
+  double rotor_power;  // of both rotors, W
+  bool is_governed;    // else the rotors keep their speed, whatever they take
+  int engines_running;
   double power_allowed;  // of one engine, take-off power here, W
   double weight_on_wheels;
   double wanted_height;  // m; not a number where none is held
@@ -73,8 +77,9 @@ class ScriptFlight {
   const SystemFlight<double>& systems() const;
   const FeedbackFlight& loop() const;
   double azimuth() const;
-  // Commands that the aircraft did not obey, a line each: "gear up at 12 s: ignored, ...".
-  const std::vector<std::string>& ignored() const;
+  // Commands that the aircraft did not obey or that had no effect, and controls that a stop held back, a line each:
+  // "gear up at 12 s: ignored, ...".
+  std::vector<std::string> remarks() const;
 
  private:
   struct Parts;

@@ -4,6 +4,8 @@
 #include <cmath>
 
 #include "cli/analyses_workspace.hpp"
+#include "cli/flight_fault.hpp"
+#include "cli/flight_remarks.hpp"
 #include "cli/ground_handling.hpp"
 #include "cli/pilot_training.hpp"
 #include "cli/script_flight.hpp"
@@ -55,7 +57,7 @@ struct ScriptFlightState {
   GroundHandling ground{};
   ScriptInputs inputs;
   bool parked = false, lands = false, struck = false;
-  std::vector<std::string> ignored;
+  FlightRemarks remarks;
   double followed = 0;      // by the engines, of the throttle
   double rotor_target = 0;  // rad/s
   std::size_t next = 0;     // event
@@ -67,7 +69,11 @@ struct ScriptFlightState {
   AirframeAnswer<double> answer{};
 
   ScriptFlightState(const FlightScript& s, const FlightStart& at, const Feedback& feedback)
-      : script(s), start(at), training(where_trained(at)), closed(feedback, &flight, *work), inputs(s) {}
+      : script(s),
+        start(at),
+        training(where_trained(at), at.warmer),
+        closed(feedback, &flight, *work),
+        inputs(s) {}
 
   double time() const { return current_time(simulation); }
   double rest_height() const { return c.setup.wl_cg - aircraft.gear.ground_wl; }
@@ -114,15 +120,13 @@ struct ScriptFlightState {
   }
 
   std::string fault() const {
-    const std::string what = simulation.fault_state < 0
-                                 ? std::string()
-                                 : std::string(", ") + vehicle_variable(simulation.fault_state).name;
     const Vehicle<double>& v = flight.vehicle;
     const char* const gear = is_locked_down(v, flight.state.gear) ? ""
                              : v.gear_down                        ? " before the gear was down"
                                                                   : " with the gear up";
-    return "at " + number_text(simulation.fault_time, 6) + " s" + what + ": " +
-           (struck ? std::string("the aircraft has met the ground") + gear : status_text(simulation.status));
+    return "at " + number_text(simulation.fault_time, 6) + " s" +
+           (struck ? std::string(", down: the aircraft has met the ground") + gear
+                   : flight_fault_text(c, flight, simulation));
   }
 };
 

@@ -4,12 +4,14 @@
 #include <cmath>
 
 #include "tiltrotor/math/scalar.hpp"
+#include "tiltrotor/model/aircraft/aircraft_data.hpp"
+#include "tiltrotor/model/variables/control_range.hpp"
 
 namespace tiltrotor::cli {
 
 namespace {
 
-constexpr double kRounding = 1e-9;  // s, of the times of steps
+constexpr double kRounding = 1e-9;  // of the times of steps, s, and of places
 
 // Signals that are over are forgotten.
 void forget(std::vector<ScriptEvent>& events, double time, std::size_t duration) {
@@ -37,6 +39,24 @@ void ScriptInputs::play(const ScriptEvent& series) {
 
 void ScriptInputs::blow(const ScriptEvent& gust) { gusts_.push_back(gust); }
 
+// From where the controls stand, a stick that stands beyond its stop no further out.
+void ScriptInputs::move(double time, double* u) {
+  forget(signals_, time, 1);
+  double way[control_count] = {};
+  for (const ScriptEvent& e : signals_) {
+    const bool back = e.command == ScriptCommand::doublet && time - e.time > 0.5 * e.number[1] - kRounding;
+    way[e.control] += back ? -e.number[0] : e.number[0];
+  }
+  for (int control = 0; control < control_count; ++control) {
+    is_stopped_[control] = false;
+    if (way[control] == 0) continue;
+    const Bounds<double> range = control_range(aircraft_data<double>(), control);
+    const double wanted = u[control] + way[control];
+    u[control] = std::clamp(wanted, std::min(range.low, u[control]), std::max(range.high, u[control]));
+    is_stopped_[control] = std::fabs(wanted - u[control]) > kRounding;
+  }
+}
+
 void ScriptInputs::apply(double time, double* u) {
   for (int input = 0; input < kInputs; ++input) {
     const Taken& taken = taken_[input];
@@ -45,11 +65,7 @@ void ScriptInputs::apply(double time, double* u) {
                    ? taken.place
                    : value_at(script_.series[taken.series->series], taken.column, time - taken.series->time);
   }
-  forget(signals_, time, 1);
-  for (const ScriptEvent& e : signals_) {
-    const bool back = e.command == ScriptCommand::doublet && time - e.time > 0.5 * e.number[1] - kRounding;
-    u[e.control] += back ? -e.number[0] : e.number[0];
-  }
+  move(time, u);
   constexpr std::size_t duration = 3;
   forget(gusts_, time, duration);
   const int gust[3] = {kControlIndex.gust.x, kControlIndex.gust.y, kControlIndex.gust.z};

@@ -18,8 +18,10 @@ class ScriptInputs {
   void add(const ScriptEvent& signal);   // step or doublet
   void play(const ScriptEvent& series);  // from its time on
   void blow(const ScriptEvent& gust);
-  // u[control_count + 2] at a time, which never goes back.
+  // u[control_count + 2] at a time, which never goes back. Steps and doublets end at the stops.
   void apply(double time, double* u);
+  // Whether a stop held a control back, the last time.
+  bool is_stopped(int control) const { return is_stopped_[control]; }
 
  private:
   static constexpr int kInputs = control_count + 2;
@@ -31,7 +33,9 @@ class ScriptInputs {
   };
   const FlightScript& script_;
   Taken taken_[kInputs] = {};
+  void move(double time, double* u);
   std::vector<ScriptEvent> signals_, gusts_;
+  bool is_stopped_[control_count] = {};
 };
 
 }  // namespace tiltrotor::cli
