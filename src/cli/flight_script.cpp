@@ -1,7 +1,6 @@
 #include "cli/flight_script.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 
 #include "cli/arguments.hpp"
@@ -146,16 +145,14 @@ class ScriptReader {
     if (event.command == ScriptCommand::series) add_series(words[2], event.word == 1, where);
   }
 
-  // What is wrong in a line of it has its own place; else the script's.
+  // A file that is not there is what the line of the script is wrong about.
   void add_series(const std::string& name, bool is_held, const std::string& where) {
-    const std::string path = series_path(path_, name), line = path + ":";
+    const std::string path = series_path(path_, name), unread = path + ": cannot be read";
     try {
       script_.series.push_back(read_input_series(path, is_held));
     } catch (const UsageError& error) {
       const std::string what = error.what();
-      const bool has_line = what.compare(0, line.size(), line) == 0 &&
-                            std::isdigit(static_cast<unsigned char>(what[line.size()]));
-      throw UsageError(has_line ? what : where + ": series FILE: " + what);
+      throw UsageError(what.compare(0, unread.size(), unread) == 0 ? where + ": series FILE: " + what : what);
     }
   }
 

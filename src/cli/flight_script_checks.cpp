@@ -37,7 +37,7 @@ std::vector<NamedFile> written(const Arguments& arguments) {
 
 std::vector<NamedFile> read(const Arguments& arguments, const FlightScript& script) {
   std::vector<NamedFile> files;
-  for (const char* option : {"--script", "--feedback"}) {
+  for (const char* option : {"--script", "--feedback", "--config"}) {
     const std::string path = arguments.text(option, "-");
     if (path != "-") files.push_back({path, option});
   }

@@ -52,9 +52,9 @@ std::optional<Target> find_input(const std::string& name) {
 Column find_column(const std::string& name, const std::string& where) {
   if (name == kTime) return {name, -1, 1, 0, kTimeRange};
   const std::vector<std::string> throttles = throttle_names();
-  const auto throttle = std::find(throttles.begin(), throttles.end(), name);
-  if (throttle != throttles.end())
-    return {name, kFirstThrottle + static_cast<int>(throttle - throttles.begin()), 1, 0, {0, 1, ""}};
+  for (std::size_t i = 0; i < throttles.size(); ++i)
+    if (name == throttles[i] || name == kCommandVariables.row[kCommandIndex.throttle[i]].name)
+      return {name, kFirstThrottle + static_cast<int>(i), 1, 0, {0, 1, ""}};
   const std::optional<Target> target = find_input(name);
   if (!target || target->kind != Target::Kind::control)
     throw UsageError(where + ": unknown column " + quoted(name) + did_you_mean(name, series_columns()) +

@@ -199,7 +199,10 @@ TEST_OF_XV15(cli_bad_scripts_are_refused_by_line) {
       "ool" +
           end,
       "script.txt:1: the text is not UTF-8");
-  check_refused("0 series none.csv" + end, "none.csv: cannot be read: No such file or directory");
+  const check::ScratchFolder folder;
+  const std::string none = folder.path("none.csv");
+  check_refused("0 spool\n0 series " + none + end,
+                "script.txt:2: series FILE: " + none + ": cannot be read: No such file or directory");
 }
 
 TEST(cli_script_reads_series) {
@@ -221,6 +224,35 @@ TEST(cli_script_reads_series) {
   CHECK_EQ(value_at(held, 0, 99), 0);
 }
 
+// Columns count as those of `trim`, the long stick from its rear stop; names of the model in its own units.
+TEST(cli_script_series_count_from_the_zero_of_their_columns) {
+  const check::ScratchFolder folder;
+  const auto first = [&](const std::string& column, const std::string& number) {
+    folder.write("inputs.csv", "time_s," + column + "\n0," + number + "\n");
+    const InputSeries series = read(folder, "0 series inputs.csv\n2 end\n").series[0];
+    return std::make_pair(series.input[0], series.value[0]);
+  };
+  const auto expected = [&](const std::string& column, double number, int input, double value) {
+    const auto found = first(column, text::number_text(number));
+    const bool right = CHECK_EQ(found.first, input) & CHECK_NEAR(found.second, value, 1e-12);
+    if (!right) NOTE(column);
+  };
+  const Controls<int>& u = kControlIndex;
+  const double travel = aircraft_data<double>().controls.long_travel;
+  for (const double away : {-1.0, 0.0, 0.67, 1.0}) {
+    expected("long_stick_in", travel * (1 + away), u.long_stick, travel * away);
+    expected("long_stick_from_neutral_in", travel * away, u.long_stick, travel * away);
+    expected("long_stick", travel * away, u.long_stick, travel * away);
+  }
+  expected("collective75_deg", 8, u.collective, 8 * kDegree);
+  expected("collective", 0.1, u.collective, 0.1);
+  expected("pedal", -0.5, u.pedal, -0.5);
+  expected("elevator_increment_deg", 1, u.elevator, kDegree);
+  expected("gust_u", 2, u.gust.x, 2);
+  expected("gust_w_mps", -2, u.gust.z, -2);
+  expected("throttle_L", 0.4, kFirstThrottle + 1, 0.4);
+}
+
 TEST_OF_XV15(cli_bad_scripts_with_bad_series_are_refused_by_line) {
   const std::string script = "0 series inputs.csv\n9 end\n";
   const auto refused = [&](const std::string& series, const std::string& message) {
@@ -230,6 +262,7 @@ TEST_OF_XV15(cli_bad_scripts_with_bad_series_are_refused_by_line) {
   refused("time_s,pedal_in\n0,nan\n",
           "inputs.csv:2: column pedal_in: 'nan' is not a finite number; give -2.5..2.5 in");
   refused("time_s,pedal_in\n0,3\n", "inputs.csv:2: column pedal_in: 3 lies outside -2.5..2.5 in");
+  refused("time_s,long_stick_in\n0,9.7\n", "inputs.csv:2: column long_stick_in: 9.7 lies outside 0..9.6 in");
   refused("time_s,pedal_in\n0,1\n\n0,1\n",
           "inputs.csv:4: column time_s: 0 s does not come after the 0 s of the row above");
   refused("time_s,pedal_in\n2,1\n1,1\n",

@@ -5,42 +5,20 @@
 #include <cmath>
 
 #include "check.hpp"
-#include "cli/csv_text.hpp"
-#include "cli/scratch_folder.hpp"
-#include "run_program.hpp"
+#include "cli/flown.hpp"
 #include "tiltrotor/model/aircraft/aircraft_data.hpp"
 
 using check::CsvText;
+using check::Flown;
+using check::fly;
 using check::run_tiltrotor;
+using check::summary;
 
 namespace {
-
-struct Flown {
-  check::ProgramResult result;
-  CsvText rows;
-  double operator()(std::size_t row, const char* column) const { return rows.number(row, column); }
-  std::size_t count() const { return rows.rows.size(); }
-};
-
-Flown fly(const std::string& script, const std::string& options) {
-  const check::ScratchFolder folder;
-  const check::ProgramResult result =
-      run_tiltrotor("fly --script " + check::quoted(folder.write("script.txt", script)) + " " + options);
-  return {result, CsvText(result.out)};
-}
 
 std::string script_of(const char* name) {
   std::ifstream in(check::source_path(std::string("src/examples/") + name));
   return std::string(std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>());
-}
-
-// Number behind "name:" in the summary, the first such line.
-double summary(const Flown& flown, const std::string& name) {
-  const std::string& text = flown.result.err;
-  const std::size_t place = text.find(name + ": ");
-  if (place == std::string::npos) return std::nan("");
-  const std::size_t number = text.find_first_of("-0123456789", place + name.size());
-  return std::strtod(text.c_str() + number, nullptr);
 }
 
 const char* const kMissionColumns =
