@@ -8,8 +8,11 @@
 #include "cli/command.hpp"
 #include "cli/errors.hpp"
 #include "cli/figure.hpp"
+#include "cli/flight_records.hpp"
+#include "cli/governed.hpp"
 #include "cli/linear_options.hpp"
 #include "cli/output.hpp"
+#include "cli/transfer_of.hpp"
 
 namespace tiltrotor::cli {
 
@@ -41,14 +44,14 @@ std::vector<std::string> columns_of(Show show) {
 
 class Bode {
  public:
-  Bode(const Arguments& arguments, const Options& options)
+  Bode(const Arguments& arguments, const std::vector<SetupOptions>& setups)
       : show_(static_cast<Show>(arguments.choice("--show", "response", {"response", "roots", "margins"}))),
-        model_(arguments, options),
+        model_(arguments, setups.front().switches()),
         frequencies_(frequencies(arguments)),
         loop_gain_(arguments.number("--gain", 1, gain_range)),
         output_(arguments),
         figure_(arguments),
-        records_(output_.records(columns_of(show_), Output::to_read)) {
+        records_(arguments, setups, output_, columns_of(show_), Output::to_read) {
     gain_.id = "bode_gain";
     gain_.title = "Gain";
     gain_.y.label = "Gain, dB";
@@ -106,7 +109,7 @@ class Bode {
     row.emplace_back(std::string(status));
     for (const char* setting : {"altitude_m", "mass_kg", "cg_sl_in", "flap_deg"})
       row.emplace_back(as_given(flight.setting(setting)));
-    records_.add(row);
+    records_.add(flight, row);
   }
 
   Status add_channel(const TrimmedFlight& flight, const ChannelChoice& which) {
@@ -174,7 +177,7 @@ class Bode {
   double loop_gain_;
   Output output_;  // last of what arguments can refuse
   Figure figure_;
-  Records records_;
+  FlightRecords records_;
   plot::Plot gain_, phase_;
   TransferOf transfer_;
 };
@@ -185,7 +188,7 @@ int run(const Arguments& arguments) {
   flight_cases(arguments, setups.size());
   if (arguments.given("--gain") && arguments.text("--show", "response") != "margins")
     throw UsageError(arguments.where("--gain") + ": goes with --show margins");
-  Bode bode(arguments, setups.front().switches());
+  Bode bode(arguments, setups);
   const AnalysesWorkspace work;
   const int exit_status =
       for_each_trim(arguments, setups, bode.shard(), *work,

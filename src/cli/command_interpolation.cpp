@@ -9,11 +9,10 @@
 #include "cli/changed_aircraft.hpp"
 #include "cli/command.hpp"
 #include "cli/errors.hpp"
+#include "cli/flight_records.hpp"
 #include "cli/governed.hpp"
 #include "cli/linear_options.hpp"
-#include "cli/output.hpp"
 #include "cli/print_rounding.hpp"
-#include "cli/trimmed_flights.hpp"
 #include "text/rounding.hpp"
 #include "tiltrotor/model/aircraft/c2_aircraft.hpp"
 
@@ -56,10 +55,10 @@ int motion_of(int state) {
 
 class Interpolations {
  public:
-  explicit Interpolations(const Arguments& arguments)
+  Interpolations(const Arguments& arguments, const std::vector<SetupOptions>& setups)
       : draws_(parse_integer(arguments.text("--draws", "64"), arguments.where("--draws"), 2, 10000)),
         output_(arguments),
-        records_(output_.records(columns, Output::to_read)) {}
+        records_(arguments, setups, output_, columns, Output::to_read) {}
 
   const Shard& shard() const { return output_.shard(); }
   Analyses& work() const { return *work_; }
@@ -133,12 +132,12 @@ class Interpolations {
     const std::string force = kForces[row];
     const std::string unit =
         row < 3 ? (column < 3 ? "1/s" : "m/(rad s)") : (column < 3 ? "rad/(m s)" : "1/s");
-    records_.add({as_given(flight.mast_deg), as_given(flight.flight.speed), force + "_" + "uvwpqr"[column],
-                  unit, c1, linear, c2, high - low, rounding, percent * std::abs(c1) / whole,
-                  percent * (high - low) / whole, percent * rounding / whole,
-                  std::string(trim_status_word(flight.trim.status)), as_given(flight.setting("altitude_m")),
-                  as_given(flight.setting("mass_kg")), as_given(flight.setting("cg_sl_in")),
-                  as_given(flight.setting("flap_deg"))});
+    records_.add(flight, {as_given(flight.mast_deg), as_given(flight.flight.speed),
+                          force + "_" + "uvwpqr"[column], unit, c1, linear, c2, high - low, rounding,
+                          percent * std::abs(c1) / whole, percent * (high - low) / whole,
+                          percent * rounding / whole, std::string(trim_status_word(flight.trim.status)),
+                          as_given(flight.setting("altitude_m")), as_given(flight.setting("mass_kg")),
+                          as_given(flight.setting("cg_sl_in")), as_given(flight.setting("flap_deg"))});
   }
 
   int add_failed(const TrimmedFlight& flight, const char* status) {
@@ -147,7 +146,7 @@ class Interpolations {
     row.emplace_back(std::string(status));
     for (const char* setting : {"altitude_m", "mass_kg", "cg_sl_in", "flap_deg"})
       row.emplace_back(as_given(flight.setting(setting)));
-    records_.add(row);
+    records_.add(flight, row);
     return exit_case_failed;
   }
   int fail(const TrimmedFlight& flight, const char* tables) {
@@ -158,7 +157,7 @@ class Interpolations {
 
   long draws_;
   Output output_;  // last of what arguments can refuse
-  Records records_;
+  FlightRecords records_;
   AnalysesWorkspace work_;
 };
 
@@ -170,7 +169,7 @@ int run(const Arguments& arguments) {
   if (setup.switches().tables != Interpolation::c1 || has_c2_tables(setup.aircraft()))
     throw UsageError("interpolation: compares all kinds of tables: leave --tables and --option tables out");
   flight_cases(arguments, setups.size());
-  Interpolations rows(arguments);
+  Interpolations rows(arguments, setups);
   const int exit_status = for_each_trim(arguments, setups, rows.shard(), rows.work(),
                                         [&](const TrimmedFlight& flight) -> int { return rows.add(flight); });
   rows.finish();

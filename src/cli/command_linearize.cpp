@@ -1,18 +1,18 @@
 // `tiltrotor linearize`: A and B at trim or at given states.
 
+#include <algorithm>
 #include <cstdio>
 #include <memory>
 
 #include "cli/command.hpp"
 #include "cli/derived_columns.hpp"
 #include "cli/feedback.hpp"
+#include "cli/flight_records.hpp"
 #include "cli/governed.hpp"
 #include "cli/linear_options.hpp"
 #include "cli/linear_output.hpp"
 #include "cli/named_outputs.hpp"
-#include "cli/output.hpp"
 #include "cli/states_option.hpp"
-#include "cli/trimmed_flights.hpp"
 
 namespace tiltrotor::cli {
 
@@ -21,14 +21,15 @@ namespace {
 // One linear model after another, written to the output.
 class Linearizer {
  public:
-  Linearizer(const Arguments& arguments, const Options& options, bool single)
+  Linearizer(const Arguments& arguments, const Options& options, bool single,
+             const std::vector<std::string>& swept = {})
       : rigid_(wants_rigid(arguments)),
         order_(reduction_order(arguments)),
         controls_(control_set(arguments)),
         scas_(wants_scas(arguments)),
         feedback_(arguments, options, scas_),
         chosen_(chosen_outputs(arguments)),
-        output_(arguments, single),
+        output_(arguments, single, swept),
         model_(std::make_unique<LinearModel<double>>()),
         matrices_(std::make_unique<VehicleMatrices>()),
         outputs_(std::make_unique<OutputMatrices>()) {
@@ -151,12 +152,14 @@ int at_given_states(const Arguments& arguments, const SetupOptions& setup) {
 }
 
 int at_trim(const Arguments& arguments, const SetupOptions& setup) {
-  Linearizer linearizer(arguments, setup.switches(), flight_cases(arguments).size() == 1);
+  const SweptColumns swept(arguments, {setup}, {"mast_deg", "speed_mps"});
+  Linearizer linearizer(arguments, setup.switches(), flight_cases(arguments).size() == 1, swept.names());
   const int exit_status = for_each_trim(
       arguments, {setup}, linearizer.shard(), linearizer.work(), [&](const TrimmedFlight& flight) -> int {
         const bool trimmed = is_trimmed(flight.trim.status);
-        const LinearCase which{std::to_string(flight.number),        flight.mast_deg, flight.flight.speed,
-                               trim_status_word(flight.trim.status), trimmed,         {}};
+        LinearCase which{std::to_string(flight.number),        flight.mast_deg, flight.flight.speed,
+                         trim_status_word(flight.trim.status), trimmed,         {}};
+        which.swept = swept.values(flight);
         if (trimmed)
           return linearizer.add(which, flight.configuration, flight.trim.state, flight.trim.controls,
                                 &flight);

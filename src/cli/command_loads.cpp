@@ -2,12 +2,12 @@
 
 #include <cmath>
 #include <cstdio>
+#include <functional>
 
 #include "cli/command.hpp"
 #include "cli/errors.hpp"
-#include "cli/output.hpp"
+#include "cli/flight_records.hpp"
 #include "cli/states_option.hpp"
-#include "cli/trimmed_flights.hpp"
 #include "text/rounding.hpp"
 #include "tiltrotor/model/derivative.hpp"
 
@@ -18,14 +18,16 @@ namespace {
 const std::vector<std::string> columns = {"case", "mast_deg", "component", "x_n", "y_n",
                                           "z_n",  "l_nm",     "m_nm",      "n_nm"};
 
-void add_row(Records& records, const std::string& name, double mast_deg, const char* component,
+using AddRow = std::function<void(const Row&)>;
+
+void add_row(const AddRow& add, const std::string& name, double mast_deg, const char* component,
              const Loads<double>& loads) {
   const Vec3<double>& f = loads.force;
   const Vec3<double>& m = loads.moment;
-  records.add({name, as_given(mast_deg), component, f.x, f.y, f.z, m.x, m.y, m.z});
+  add({name, as_given(mast_deg), component, f.x, f.y, f.z, m.x, m.y, m.z});
 }
 
-int add_state(Records& records, const std::string& name, const Configuration<double>& configuration,
+int add_state(const AddRow& add_to_rows, const std::string& name, const Configuration<double>& configuration,
               const State<double>& state, const Controls<double>& controls) {
   Evaluation<double> evaluation;
   evaluate_aircraft(configuration, state, controls, evaluation);
@@ -38,7 +40,7 @@ int add_state(Records& records, const std::string& name, const Configuration<dou
     moments += std::sqrt(dot(l.moment, l.moment));
   }
   const auto add = [&](const char* component, const Loads<double>& l) {
-    add_row(records, name, configuration.setup.mast_deg, component,
+    add_row(add_to_rows, name, configuration.setup.mast_deg, component,
             {without_rounding(l.force, forces), without_rounding(l.moment, moments)});
   };
   const bool jets = configuration.setup.options.engine_jets;
@@ -64,7 +66,7 @@ int loads_at_given_states(const Arguments& arguments, const SetupOptions& setup)
   Records records = output.records(columns, Output::to_compare);
   const auto visit = [&](const StateRow& row, const Configuration<double>& configuration) -> int {
     if (!row.fault.empty()) return exit_case_failed;
-    return add_state(records, row.name, configuration, row.state, row.controls);
+    return add_state([&](const Row& r) { records.add(r); }, row.name, configuration, row.state, row.controls);
   };
   const int exit_status = given.each(output.shard(), visit);
   records.finish();
@@ -74,13 +76,13 @@ int loads_at_given_states(const Arguments& arguments, const SetupOptions& setup)
 int loads_at_trim(const Arguments& arguments, const SetupOptions& setup) {
   flight_cases(arguments);
   Output output(arguments);
-  Records records = output.records(columns, Output::to_compare);
+  FlightRecords records(arguments, {setup}, output, columns, Output::to_compare);
   const AnalysesWorkspace work;
   const int exit_status =
       for_each_trim(arguments, {setup}, output.shard(), *work, [&](const TrimmedFlight& flight) -> int {
         if (!is_trimmed(flight.trim.status)) return exit_case_failed;
-        return add_state(records, std::to_string(flight.number), flight.configuration, flight.trim.state,
-                         flight.trim.controls);
+        return add_state([&](const Row& row) { records.add(flight, row); }, std::to_string(flight.number),
+                         flight.configuration, flight.trim.state, flight.trim.controls);
       });
   records.finish();
   return exit_status;

@@ -10,11 +10,10 @@
 #include "cli/errors.hpp"
 #include "cli/feedback.hpp"
 #include "cli/figure.hpp"
+#include "cli/flight_records.hpp"
 #include "cli/governed.hpp"
 #include "cli/linear_options.hpp"
 #include "cli/mode_shapes.hpp"
-#include "cli/output.hpp"
-#include "cli/trimmed_flights.hpp"
 #include "tiltrotor/analysis/linear/mode_tracker.hpp"
 #include "tiltrotor/analysis/linear/rigid_model.hpp"
 
@@ -63,7 +62,7 @@ bool neighbours(const TrimmedFlight& flight, double mast_deg, double speed) {
          std::abs(flight.mast_deg - mast_deg) <= longest_mast_step;
 }
 
-void add_row(Records& records, const TrimmedFlight& flight, const char* status,
+void add_row(FlightRecords& records, const TrimmedFlight& flight, const char* status,
              const Mode<double>* mode = nullptr, const char* axis = nullptr,
              const std::vector<double>& beside = {}) {
   constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
@@ -83,18 +82,18 @@ void add_row(Records& records, const TrimmedFlight& flight, const char* status,
            as_given(flight.setting("cg_sl_in")), branch, as_given(flight.setting("flap_deg"))})
     row.push_back(cell);
   row.insert(row.end(), beside.begin(), beside.end());
-  records.add(row);
+  records.add(flight, row);
 }
 
 // What can be written of a flight, in the columns that were chosen.
 class ModeRows {
  public:
-  ModeRows(const Arguments& arguments, Output& output)
+  ModeRows(const Arguments& arguments, const std::vector<SetupOptions>& setups, Output& output)
       : show_(static_cast<Show>(arguments.choice("--show", "modes", {"modes", "shapes"}))),
         reduced_(wants_rigid(arguments)),
         normalising_(normalising_state(arguments)),
         figure_(arguments),
-        records_(output.records(columns_of(show_, reduced_), Output::to_read)) {
+        records_(arguments, setups, output, columns_of(show_, reduced_), Output::to_read) {
     if (arguments.given("--normalise") && show_ != Show::shapes && !figure_.wanted())
       throw UsageError(arguments.where("--normalise") + ": goes with --show shapes or --figure");
   }
@@ -165,18 +164,18 @@ class ModeRows {
 
   void add_shape_row(const TrimmedFlight& flight, const NamedShape& shape, const ShapeEntry& entry,
                      const char* status) {
-    records_.add({as_given(flight.mast_deg), as_given(flight.flight.speed), shape.axis, shape.mode,
-                  shape.real, shape.imag, entry.state, entry.unit, entry.magnitude, entry.angle_deg,
-                  entry.participation, status, as_given(flight.setting("altitude_m")),
-                  as_given(flight.setting("mass_kg")), as_given(flight.setting("cg_sl_in")),
-                  as_given(flight.setting("flap_deg")), shape.reference});
+    records_.add(flight, {as_given(flight.mast_deg), as_given(flight.flight.speed), shape.axis, shape.mode,
+                          shape.real, shape.imag, entry.state, entry.unit, entry.magnitude, entry.angle_deg,
+                          entry.participation, status, as_given(flight.setting("altitude_m")),
+                          as_given(flight.setting("mass_kg")), as_given(flight.setting("cg_sl_in")),
+                          as_given(flight.setting("flap_deg")), shape.reference});
   }
 
   Show show_;
   bool reduced_;
   int normalising_;
   Figure figure_;
-  Records records_;
+  FlightRecords records_;
   std::vector<plot::Plot> diagrams_;
 };
 
@@ -234,7 +233,7 @@ int run(const Arguments& arguments) {
   flight_cases(arguments, setups.size());
   const Feedback feedback(arguments, setups.front().switches(), scas);
   Output output(arguments);
-  ModeRows rows(arguments, output);
+  ModeRows rows(arguments, setups, output);
   const AnalysesWorkspace work;
   const SystemModes with_systems{feedback};
   AirframeModes airframe(arguments, feedback);

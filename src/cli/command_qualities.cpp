@@ -7,6 +7,7 @@
 #include "cli/errors.hpp"
 #include "cli/feedback.hpp"
 #include "cli/figure.hpp"
+#include "cli/flight_records.hpp"
 #include "cli/governed.hpp"
 #include "cli/handling_figure.hpp"
 #include "cli/linear_options.hpp"
@@ -24,14 +25,14 @@ const std::vector<std::string> columns = {"mast_deg",   "speed_mps", "criterion"
 
 class Qualities {
  public:
-  Qualities(const Arguments& arguments, const Options& options)
+  Qualities(const Arguments& arguments, const std::vector<SetupOptions>& setups)
       : criteria_(handling_criteria("ABC"[arguments.choice("--category", "B", {"A", "B", "C"})],
                                     arguments.command())),
         scas_(wants_scas(arguments)),
-        feedback_(arguments, options, scas_),
+        feedback_(arguments, setups.front().switches(), scas_),
         output_(arguments),
         figure_(arguments),
-        records_(output_.records(columns, Output::to_read)) {}
+        records_(arguments, setups, output_, columns, Output::to_read) {}
 
   const Shard& shard() const { return output_.shard(); }
 
@@ -91,7 +92,7 @@ class Qualities {
     for (const char* setting : {"altitude_m", "mass_kg", "cg_sl_in", "flap_deg"})
       row.emplace_back(as_given(flight.setting(setting)));
     row.emplace_back(c.source);
-    records_.add(row);
+    records_.add(flight, row);
   }
 
   std::vector<Criterion> criteria_;
@@ -99,7 +100,7 @@ class Qualities {
   Feedback feedback_;
   Output output_;  // last of what arguments can refuse
   Figure figure_;
-  Records records_;
+  FlightRecords records_;
   std::vector<JudgedFlight> flights_;
   std::unique_ptr<VehicleMatrices> matrices_ = std::make_unique<VehicleMatrices>();
 };
@@ -108,7 +109,7 @@ int run(const Arguments& arguments) {
   const std::vector<SetupOptions> setups = SetupOptions::every_combination(arguments);
   require_no_positions(setups.front().switches(), arguments);
   flight_cases(arguments, setups.size());
-  Qualities qualities(arguments, setups.front().switches());
+  Qualities qualities(arguments, setups);
   const AnalysesWorkspace work;
   const int exit_status =
       for_each_trim(arguments, setups, qualities.shard(), *work,

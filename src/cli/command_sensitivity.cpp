@@ -8,6 +8,7 @@
 
 #include "cli/command.hpp"
 #include "cli/errors.hpp"
+#include "cli/flight_records.hpp"
 #include "cli/governed.hpp"
 #include "cli/linear_options.hpp"
 #include "cli/output.hpp"
@@ -56,26 +57,31 @@ struct Sorted {
 
 class SensitivityRows {
  public:
-  SensitivityRows(const Arguments& arguments, const SensitivitySystems& systems)
+  SensitivityRows(const Arguments& arguments, const std::vector<SetupOptions>& setups,
+                  const SensitivitySystems& systems)
       : of_(static_cast<Of>(arguments.choice("--of", "modes", {"modes", "trim"}))),
         parameters_(chosen_parameters(arguments.text("--to", "all"), arguments.where("--to"), systems)),
         modes_(arguments.text("--mode", "body")),
+        where_(arguments.where("--mode")),
         output_(arguments),
-        records_(output_.records(of_ == Of::modes ? mode_columns : trim_columns, Output::to_read)),
+        records_(arguments, setups, output_, of_ == Of::modes ? mode_columns : trim_columns, Output::to_read),
         sensitivity_(systems) {}
 
   const Shard& shard() const { return output_.shard(); }
-  // A name that no flight had is a slip of the hand.
+  // Throws UsageError for a name that no flight had: a slip of the hand. A shard does not see every flight.
   int finish() {
-    records_.finish();
-    int exit_status = exit_success;
-    for (const std::string& name : split(modes_, ',')) {
-      if (modes_ == "all" || modes_ == "body" || !has_begun_ || seen_.count(name) == 1) continue;
-      std::fprintf(stderr, "tiltrotor: sensitivity: --mode: no flight has a mode called %s%s\n",
-                   quoted(name).c_str(), did_you_mean(name, {seen_.begin(), seen_.end()}).c_str());
-      exit_status = exit_case_failed;
+    const std::vector<std::string> missing = unseen();
+    if (!missing.empty() && has_begun_) {
+      const std::set<std::string>& all = seen_;
+      const std::string fault = "no flight has a mode called " + quoted(missing.front()) +
+                                did_you_mean(missing.front(), {all.begin(), all.end()});
+      if (shard().parts == 1)
+        throw UsageError(where_ + ": " + fault + "; choose all, body, " + one_of({all.begin(), all.end()}));
+      waiting_.messages += "tiltrotor: " + where_ + ": " + fault + "\n";
     }
-    return exit_status;
+    write_waiting();
+    records_.finish();
+    return missing.empty() || !has_begun_ ? exit_success : exit_case_failed;
   }
 
   int add(const TrimmedFlight& flight, Analyses& work) {
@@ -87,8 +93,8 @@ class SensitivityRows {
     for (const NamedRoot& root : sensitivity_.roots()) seen_.insert(root.name);
     const std::vector<std::size_t> shown = shown_roots();
     if (of_ == Of::modes && shown.empty()) {
-      std::fprintf(stderr, "tiltrotor: %s: no mode called %s here: %s\n", flight.where.c_str(),
-                   modes_.c_str(), root_names().c_str());
+      waiting_.messages +=
+          "tiltrotor: " + flight.where + ": no mode called " + modes_ + " here: " + root_names() + "\n";
       return add_failed(flight, "no_such_mode");
     }
     std::vector<std::vector<Sorted>> rows(of_ == Of::modes ? shown.size() : 1);
@@ -108,12 +114,31 @@ class SensitivityRows {
     for (std::vector<Sorted>& part : rows) {
       std::stable_sort(part.begin(), part.end(),
                        [](const Sorted& a, const Sorted& b) { return a.size > b.size; });
-      for (const Sorted& sorted : part) records_.add(sorted.row);
+      for (const Sorted& sorted : part) write(flight, sorted.row);
     }
     return exit_status;
   }
 
  private:
+  // Names of --mode that no flight had so far.
+  std::vector<std::string> unseen() const {
+    std::vector<std::string> names;
+    if (modes_ == "all" || modes_ == "body") return names;
+    for (const std::string& name : split(modes_, ','))
+      if (seen_.count(name) == 0) names.push_back(name);
+    return names;
+  }
+  // Rows and messages wait until every name has been seen, since nothing is written where one is none.
+  void write(const TrimmedFlight& flight, const Row& row) {
+    waiting_.rows.push_back(records_.complete(flight, row));
+    if (unseen().empty()) write_waiting();
+  }
+  void write_waiting() {
+    std::fputs(waiting_.messages.c_str(), stderr);
+    for (const Row& row : waiting_.rows) records_.add(row);
+    waiting_ = {};
+  }
+
   std::vector<std::size_t> shown_roots() const {
     const std::vector<std::string> names = split(modes_, ',');
     const std::vector<NamedRoot>& roots = sensitivity_.roots();
@@ -178,7 +203,7 @@ class SensitivityRows {
     row.insert(row.end(), {parameter, kNothing, "", ""});
     row.insert(row.end(), of_modes ? 8 : 7, kNothing);
     end(flight, status, row);
-    records_.add(row);
+    write(flight, row);
     return exit_case_failed;
   }
   int fail(const TrimmedFlight& flight, Status status, const char* parameter) {
@@ -189,10 +214,14 @@ class SensitivityRows {
 
   Of of_;
   std::vector<const SensitivityParameter*> parameters_;
-  std::string modes_;
+  std::string modes_, where_;
   Output output_;  // last of what arguments can refuse
-  Records records_;
+  FlightRecords records_;
   Sensitivity sensitivity_;
+  struct {
+    std::vector<Row> rows;
+    std::string messages;
+  } waiting_;
   bool has_begun_ = false;
   std::set<std::string> seen_;  // names of modes, in any flight
 };
@@ -207,7 +236,7 @@ int run(const Arguments& arguments) {
     if (arguments.given(option) && of_trim)
       throw UsageError(arguments.where(option) + ": goes with --of modes");
   flight_cases(arguments, setups.size());
-  SensitivityRows rows(arguments, systems);
+  SensitivityRows rows(arguments, setups, systems);
   const AnalysesWorkspace work;
   const int exit_status =
       for_each_trim(arguments, setups, rows.shard(), *work,

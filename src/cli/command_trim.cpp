@@ -6,10 +6,12 @@
 #include "cli/chosen_columns.hpp"
 #include "cli/command.hpp"
 #include "cli/flight_range.hpp"
+#include "cli/flight_records.hpp"
 #include "cli/model_options.hpp"
 #include "cli/output.hpp"
 #include "cli/state_columns.hpp"
 #include "cli/trim_columns.hpp"
+#include "cli/trim_readings.hpp"
 #include "cli/trimmed_flights.hpp"
 
 namespace tiltrotor::cli {
@@ -131,31 +133,26 @@ Row chosen_row(const ChosenColumns& columns, const Row& own, Flight flight) {
   Instruments<double> readings = no_readings();
   std::vector<double> airframe;
   const bool reads = columns.have_readings() || !columns.airframe().empty();
-  if (reads && is_trimmed(flight.trim.status)) {
-    const Configuration<double>& c = flight.configuration;
-    const State<double>& x = flight.trim.state;
-    DerivativeSteps<double> steps;
-    State<double> rates;
-    derivative(c, x, flight.trim.controls, steps, rates, 0.0);
-    read_instruments(c, x, steps, rates, readings);
-    airframe = airframe_readings(c, x, steps, rates, columns.airframe());
-  }
+  if (reads && is_trimmed(flight.trim.status)) read_trim(flight, columns.airframe(), readings, airframe);
   return columns.row(own, readings, airframe);
 }
 
 int run(const Arguments& arguments) {
   const std::vector<SetupOptions> setups = SetupOptions::every_combination(arguments);
-  flight_cases(arguments, setups.size());
   std::vector<std::string> names = column_names();
   const std::vector<std::string> completing = completing_columns(names, setups.front().switches(), false);
   names.insert(names.end(), completing.begin(), completing.end());
   names.emplace_back(kModelColumn);
+  const SweptColumns swept(arguments, setups, names);
+  names.insert(names.end(), swept.names().begin(), swept.names().end());
   const ChosenColumns columns(arguments, names);
   Output output(arguments);
   Records records = output.records(columns.names(), Output::to_read);
   const AnalysesWorkspace work;
   const int exit_status = for_each_trim(arguments, setups, output.shard(), *work, [&](Flight flight) {
-    records.add(chosen_row(columns, row(flight, completing), flight));
+    Row own = row(flight, completing);
+    for (const Cell& cell : swept.cells(flight)) own.push_back(cell);
+    records.add(chosen_row(columns, own, flight));
     return 0;
   });
   records.finish();

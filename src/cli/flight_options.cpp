@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "cli/errors.hpp"
+#include "cli/impossible_flight.hpp"
 #include "cli/model_options.hpp"
 #include "tiltrotor/model/aircraft/aircraft_data.hpp"
 #include "tiltrotor/model/aircraft/c2_aircraft.hpp"
@@ -261,11 +262,9 @@ void SetupOptions::surround(Configuration<double>& c) const {
 }
 
 std::optional<double> SetupOptions::given(const std::string& column) const {
-  const std::pair<const char*, std::optional<double>> settings[] = {{"altitude_m", altitude_},
-                                                                    {"flap_deg", flap_deg_},
-                                                                    {"rotor_rpm", rotor_rpm_},
-                                                                    {"mass_kg", mass_},
-                                                                    {"cg_sl_in", cg_sl_in_}};
+  const std::pair<const char*, std::optional<double>> settings[] = {
+      {"altitude_m", altitude_}, {"flap_deg", flap_deg_}, {"rotor_rpm", rotor_rpm_},
+      {"mass_kg", mass_},        {"cg_sl_in", cg_sl_in_}, {kWarmerColumn, isa_offset_}};
   for (const auto& [name, value] : settings)
     if (column == name) return value;
   return std::nullopt;
@@ -295,7 +294,7 @@ OptionList flight_list() {
       {"--climb", "DEG", "angle of the flight path, -90..90, at speed 0, below 1e-15, it\nmust be 0 (0)"},
       {"--sideslip", "DEG", "wind from the right, -60..60, at speed 0 and climb +-90 it must\nbe 0 (0)"},
       {"--azimuth", "DEG",
-       "instead: where the wind comes from, -180..360, level with the\nground: 0 ahead, 90 right, 180 behind"},
+       "instead: where the wind comes from, -180..360, level with the\nground: 0 ahead, 90 right, 180 behind; not at climb +-90"},
       {"--turn-rate", "DEGPS", "of the heading, + right, -60..60 (0)"},
   };
   return flight + target_list();
@@ -342,6 +341,7 @@ std::vector<FlightCase> flight_cases(const Arguments& arguments, std::size_t set
       }
     }
   }
+  if (cases.size() == 1) require_possible(arguments, cases.front());
   return cases;
 }
 

@@ -32,6 +32,9 @@ inline constexpr Range kClimbRange{-90, 90, "deg"};
 inline constexpr Range kTurnRateRange{-60, 60, "deg/s"};
 inline constexpr Range kAzimuthRange{-180, 360, "deg"};
 
+// The column of --isa-offset.
+inline constexpr const char* kWarmerColumn = "isa_offset_k";
+
 // The same configuration for any mast angle.
 class SetupOptions {
  public:
@@ -59,7 +62,7 @@ class SetupOptions {
   int engines() const;                                       // that run
   const Options& switches() const { return switches_; }
   const Aircraft<double>& aircraft() const;  // with the tables that --tables chooses
-  // What was given for a column of settings, in its unit: 300 for cg_sl_in.
+  // What was given for a column of settings or kWarmerColumn, in its unit: 300 for cg_sl_in.
   std::optional<double> given(const std::string& column) const;
 
  private:
@@ -94,7 +97,7 @@ struct FlightCase {
 };
 
 // Every combination of so many setups, --climb, --sideslip or --azimuth, --turn-rate, targets, --mast and --speed, in
-// that order.
+// that order. Throws UsageError for a single flight that cannot be (impossible_flight.hpp).
 OptionList flight_list();
 std::vector<FlightCase> flight_cases(const Arguments& arguments, std::size_t setups = 1);
 

@@ -60,19 +60,22 @@ OptionList LinearOutput::list() {
   };
 }
 
-LinearOutput::LinearOutput(const Arguments& arguments, bool single)
+LinearOutput::LinearOutput(const Arguments& arguments, bool single, const std::vector<std::string>& swept)
     : sink_(arguments.text("--output", "-"), arguments.where("--output")),
       shard_(parse_shard(arguments.text("--shard", "1/1"), arguments.where("--shard"))),
       kind_(static_cast<Kind>(
           arguments.choice("--format", sink_.is_terminal() && !arguments.given("--shard") ? "table" : "csv",
                            {"table", "csv", "json", "matlab"}))),
       single_(single),
-      stamp_(stamp_of(arguments, arguments.text("--format", "csv"))) {
+      stamp_(stamp_of(arguments, arguments.text("--format", "csv"))),
+      swept_(swept) {
   if (shard_.parts > 1 && kind_ != Kind::csv) {
     throw UsageError(arguments.where("--shard") + ": parts can be joined with --format csv only");
   }
   if (kind_ == Kind::csv && shard_.first()) {
-    sink_.write(stamp_ + "case,mast_deg,speed_mps,status,matrix,row,row_unit,column,column_unit,value\n");
+    std::string header = "case,mast_deg,speed_mps,status,matrix,row,row_unit,column,column_unit,value";
+    for (const std::string& name : swept_) header += "," + name;
+    sink_.write(stamp_ + header + "\n");
   }
   if (kind_ == Kind::table) sink_.write(stamp_);
   if (kind_ == Kind::json && !single_) sink_.write("[\n");
@@ -94,15 +97,17 @@ void LinearOutput::finish() {
 void LinearOutput::add_csv(const LinearCase& which, const Model& model) {
   const std::string begin = csv_cell(which.name) + "," + number_text(which.mast_deg) + "," +
                             number_text(which.speed) + "," + which.status + ",";
+  std::string end;
+  for (const double value : which.swept) end += "," + number_text(value);
   if (!which.valid) {
-    sink_.write(begin + ",,,,,\n");
+    sink_.write(begin + ",,,,," + end + "\n");
     return;
   }
   std::string text;
   const auto line = [&](const char* matrix, const char* row, const char* row_unit, const char* column,
                         const char* column_unit, double value) {
     text += begin + matrix + "," + row + "," + row_unit + "," + column + "," + column_unit + "," +
-            number_text(value) + "\n";
+            number_text(value) + end + "\n";
   };
   for (int i = 0; i < model.states; ++i)
     line("x0", model.state_name(i), model.state_unit(i), "", "", model.x[static_cast<std::size_t>(i)]);
@@ -201,9 +206,12 @@ void LinearOutput::add_table(const LinearCase& which, const Model& model) {
   const auto cell = [](const std::string& text) {
     return std::string(text.size() < width ? width - text.size() : 1, ' ') + text;
   };
+  std::string also;
+  for (std::size_t k = 0; k < which.swept.size(); ++k)
+    also += ", " + swept_[k] + " " + number_text(which.swept[k]);
   std::string text = (count_ > 0 ? "\n" : "") + std::string("case ") + which.name + ": mast " +
-                     number_text(which.mast_deg) + " deg, " + number_text(which.speed) +
-                     " m/s: " + which.status + "\n";
+                     number_text(which.mast_deg) + " deg, " + number_text(which.speed) + " m/s" + also +
+                     ": " + which.status + "\n";
   if (which.valid) {
     text += cell("state") + cell("unit") + cell("x0") + " |" +
             joined(model.states, "", [&](int j) { return cell(model.state_name(j)); }) + " |" +

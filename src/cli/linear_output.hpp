@@ -18,13 +18,15 @@ struct LinearCase {
   std::string status;
   bool valid;  // there is a model
   LinearSettings settings;
+  std::vector<double> swept = {};  // of the columns behind the others
 };
 
 class LinearOutput {
  public:
   static OptionList list();
-  // `single`: one case in all, which JSON then writes as an object instead of an array.
-  LinearOutput(const Arguments& arguments, bool single);
+  // `single`: one case in all, which JSON then writes as an object instead of an array. `swept`: columns of CSV behind
+  // the others, and in the headings of a table.
+  LinearOutput(const Arguments& arguments, bool single, const std::vector<std::string>& swept);
 
   const Shard& shard() const { return shard_; }
   // Whether the file has outputs, C and D: json and matlab.
@@ -44,6 +46,7 @@ class LinearOutput {
   Kind kind_;
   bool single_;
   std::string stamp_;
+  std::vector<std::string> swept_;
   std::size_t count_ = 0;
 };
 

@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "cli/flight_options.hpp"
+#include "cli/flight_records.hpp"
 #include "cli/model_options.hpp"
 #include "cli/output_names.hpp"
 #include "cli/response_columns.hpp"
@@ -160,6 +161,8 @@ const std::vector<std::string>& derived_columns() {
     governed.governor = Governor::pi;
     for (const std::string& name : response_columns(true, governed)) all.push_back(name);
     for (const OutputName& output : kOutputNames) all.emplace_back(output.name);
+    for (const std::string& name : swept_names()) all.push_back(name);
+    all.emplace_back("ny");  // swept by --hold
     return all;
   }();
   return names;

@@ -3,24 +3,28 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cli/axis_search.hpp"
+#include "cli/named_outputs.hpp"
+#include "cli/output_names.hpp"
 #include "cli/state_columns.hpp"
 #include "cli/trim_columns.hpp"
+#include "cli/trim_readings.hpp"
 
 namespace tiltrotor::cli {
 
 namespace {
 
 constexpr double radian = kRadPerDeg<double>;
-constexpr int most_steps = 40;       // away from the start, each way
-constexpr int most_shortenings = 8;  // of a step to where there is no trim
-constexpr int most_worse = 4;        // steps that lead away from the target
-constexpr int most_falsi = 60;
-constexpr double step_growth = 1.5;
 constexpr double tolerance = 1e-10;  // of a target, over its size or 1
 constexpr double jump = 1e-6;        // the same: what is left where the quantity is not continuous
+constexpr int most_trims = 3000;     // in all, of one flight
+constexpr double window = 8;  // steps to each side, of a search inside another that has been done before
 
 double quantity(const std::string& name, const TrimmedFlight& flight) {
-  return name == "ny" ? side_force(flight.trim.state) : trim_quantity(name)(flight);
+  if (name == "ny") return side_force(flight.trim.state);
+  const std::vector<std::string> own = trim_quantities();
+  if (std::find(own.begin(), own.end(), name) != own.end()) return trim_quantity(name)(flight);
+  return reading_of(flight, *output_named(name, name));
 }
 
 void set(const std::string& freed, double value, TrimmedFlight& f) {
@@ -56,120 +60,95 @@ class Search {
  public:
   Search(const TrimTargets& targets, Analyses& work, TrimmedFlight& flight)
       : targets_(targets), work_(work), flight_(flight) {
-    for (const TrimTarget& target : targets)
-      levels_.push_back({start_of(target, flight), freed_quantity(target.freed).step});
+    for (const TrimTarget& target : targets) levels_.push_back({start_of(target, flight), 0, false});
   }
 
-  std::string run() {
-    if (reach(0)) return "";
-    return fault_;
-  }
+  std::string run() { return reach(0) ? "" : fault_; }
 
  private:
   struct Level {
-    double start, step;
+    double start, first;
+    bool has_run;
   };
-  struct Point {
-    double at, miss;
-  };
+
+  // --load-factor by a turn to the right, whatever is to the left.
+  Range range_of(std::size_t level) const {
+    const FreedQuantity& freed = freed_quantity(targets_[level].freed);
+    Range range = freed.range;
+    if (targets_[level].option == "--load-factor") range.low = 0;
+    const Level& here = levels_[level];
+    if (level == 0 || !here.has_run) return range;
+    return {std::max(range.low, here.start - window * freed.step),
+            std::min(range.high, here.start + window * freed.step), range.unit};
+  }
 
   // Whether the targets from `level` on are reached; the flight is then the one that reaches them.
   bool reach(std::size_t level) {
-    if (level == targets_.size()) {
-      trim_flight(flight_, work_);
-      if (!is_trimmed(flight_.trim.status)) fault_ = trim_explanation(flight_.trim);
-      return is_trimmed(flight_.trim.status);
-    }
+    if (level == targets_.size()) return is_found();
     Level& here = levels_[level];
     const TrimTarget& target = targets_[level];
+    const FreedQuantity& freed = freed_quantity(target.freed);
     const double size = std::max(std::fabs(target.value), 1.0);
-    Point start{here.start, 0}, beyond{};
-    if (!miss_at(level, start)) return false;
-    Point nearest = start;
-    bool found = std::fabs(start.miss) <= tolerance * size;
-    if (!found && bracket(level, start, beyond, nearest)) found = close(level, start, beyond, nearest, size);
-    if (!found) {
-      set(target.freed, nearest.at, flight_);
-      flight_.trim.status = TrimStatus::not_converged;
-      fault_ = unreached(target, nearest);
+    const Range range = range_of(level);
+    here.has_run = true;
+    const double start = here.start = std::clamp(here.start, range.low, range.high);
+    const bool outermost = level == 0;
+    TrimmedFlight kept{};
+    // Of those inside the nearest alone, so that it moves steadily with what is outside.
+    AxisSearch search(
+        {range.low, range.high, freed.step, start, here.first, tolerance * size, jump * size, outermost,
+         !outermost},
+        [&](double at) -> SearchPoint {
+          return {at, miss_at(level, at), flight_.trim.status == TrimStatus::ok};
+        },
+        [&] { kept = flight_; });
+    if (search.run()) {
+      flight_ = kept;
+      here = {search.best().at, freed.step / closer, true};  // the next search begins near
+      return true;
+    }
+    if (!std::isfinite(search.best().miss)) {  // the fault is that of the flight as it was given
+      if (outermost) (void)miss_at(level, start);
       return false;
     }
-    here.start = nearest.at;  // the next search begins near
-    here.step = freed_quantity(target.freed).step / 4;
-    return true;
-  }
-
-  bool miss_at(std::size_t level, Point& point) {
-    set(targets_[level].freed, point.at, flight_);
-    if (!reach(level + 1)) return false;
-    point.miss = quantity(targets_[level].held, flight_) - targets_[level].value;
-    return std::isfinite(point.miss);
-  }
-
-  // Two neighbouring points with the target between them: first in the direction in which it comes nearer.
-  bool bracket(std::size_t level, Point& low, Point& high, Point& nearest) {
-    const Point start = low;
-    const double step = levels_[level].step;
-    const Range range = freed_quantity(targets_[level].freed).range;
-    Point ahead{std::min(start.at + step, range.high), 0};
-    const bool up = ahead.at > start.at && miss_at(level, ahead) &&
-                    ((ahead.miss > 0) != (start.miss > 0) || std::fabs(ahead.miss) < std::fabs(start.miss));
-    for (const double direction : {up ? 1.0 : -1.0, up ? -1.0 : 1.0}) {
-      double size = step;
-      int shortened = 0, worse = 0;
-      low = start;
-      for (int k = 0; k < most_steps && worse < most_worse && shortened < most_shortenings; ++k) {
-        high.at = std::clamp(low.at + direction * size, range.low, range.high);
-        if (high.at == low.at) break;
-        if (!miss_at(level, high)) {
-          size /= 2;
-          ++shortened;
-          continue;
-        }
-        if (std::fabs(high.miss) < std::fabs(nearest.miss)) nearest = high;
-        if ((high.miss > 0) != (low.miss > 0)) return true;
-        worse = std::fabs(high.miss) > std::fabs(low.miss) ? worse + 1 : 0;
-        low = high;
-        if (shortened == 0) size *= step_growth;
-      }
-    }
+    set(target.freed, search.best().at, flight_);
+    flight_.trim.status = TrimStatus::not_converged;
+    fault_ = unreached(target, search.best(), range);
     return false;
   }
 
-  // Regula falsi between the two; the last point tried is the one that is taken.
-  bool close(std::size_t level, Point a, Point b, Point& nearest, double size) {
-    double weight_a = 1;
-    for (int k = 0; k < most_falsi; ++k) {
-      const double miss_a = weight_a * a.miss;
-      Point next{(a.at * b.miss - b.at * miss_a) / (b.miss - miss_a), 0};
-      if (!miss_at(level, next)) return false;
-      nearest = next;
-      const bool stands = next.at == b.at || next.at == a.at;
-      if (std::fabs(next.miss) <= tolerance * size || stands) break;
-      if ((next.miss > 0) == (b.miss > 0)) {
-        weight_a *= 0.5;
-      } else {
-        a = b;
-        weight_a = 1;
-      }
-      b = next;
+  bool is_found() {
+    if (++trims_ > most_trims) {
+      flight_.trim.status = TrimStatus::not_converged;
+      return false;
     }
-    return std::fabs(nearest.miss) <= jump * size;
+    trim_flight(flight_, work_);
+    if (!is_trimmed(flight_.trim.status)) fault_ = trim_explanation(flight_.trim);
+    return is_trimmed(flight_.trim.status);
   }
 
-  std::string unreached(const TrimTarget& target, const Point& nearest) const {
+  double miss_at(std::size_t level, double at) {
+    set(targets_[level].freed, at, flight_);
+    if (!reach(level + 1)) return std::nan("");
+    return quantity(targets_[level].held, flight_) - targets_[level].value;
+  }
+
+  std::string unreached(const TrimTarget& target, const SearchPoint& nearest, const Range& range) const {
     constexpr int digits = 6;
-    const FreedQuantity& freed = freed_quantity(target.freed);
     return target.held + " " + number_text(target.value, digits) + " is not reached: nearest " +
            number_text(target.value + nearest.miss, digits) + " at " + target.freed + " " +
-           number_text(nearest.at, digits) + ", searched in " + range_text(freed.range);
+           number_text(nearest.at, digits) + ", searched in " + range_text(range) + " by " +
+           std::to_string(std::min(trims_, most_trims)) + " trims" +
+           (trims_ > most_trims ? ", where the search ends" : "");
   }
 
+  static constexpr double closer = 8;
   const TrimTargets& targets_;
   Analyses& work_;
   TrimmedFlight& flight_;
   std::vector<Level> levels_;
   std::string fault_;
+  int trims_ = 0;
 };
 
 }  // namespace
@@ -177,6 +156,8 @@ class Search {
 std::vector<std::string> held_quantities() {
   std::vector<std::string> names = trim_quantities();
   names.emplace_back("ny");
+  for (const OutputName& output : kOutputNames)
+    if (std::find(names.begin(), names.end(), output.name) == names.end()) names.emplace_back(output.name);
   return names;
 }
 

@@ -1,15 +1,16 @@
 // A trim that reaches given results: each is held by a quantity of the flight that is searched.
 //
-// Search of one quantity: steps that grow, from where it is given, towards the target; then regula falsi (Illinois)
-// between two trims on either side of it. Several are searched one inside the other. Every trim is one from a cold
-// start, so that what is found does not depend on the way. At most some 100 trims for one target.
+// One quantity is searched all through its range, outward from where it is given (axis_search.hpp); of several solutions
+// the nearest whose trim is within the limits, else the nearest. Several quantities are searched one inside the other;
+// those inside begin where they were found last, look eight steps to each side and take the nearest. Every trim is one from a cold start, so that what is found does not
+// depend on the way. One target takes some 20 to 300 trims, several at most 3000 together.
 #pragma once
 
 #include "cli/trimmed_flights.hpp"
 
 namespace tiltrotor::cli {
 
-// Names that can be held.
+// Names that can be held, apart from loads of components and load factors at stations (output_named()).
 std::vector<std::string> held_quantities();
 
 // `flight` comes in as it is given and goes out as it was found, trimmed; the sentence is then empty. Otherwise the

@@ -4,6 +4,7 @@
 
 #include "cli/errors.hpp"
 #include "cli/flight_options.hpp"
+#include "cli/named_outputs.hpp"
 #include "cli/targeted_trim.hpp"
 
 namespace tiltrotor::cli {
@@ -43,7 +44,8 @@ Choices held_values(const Arguments& arguments, const std::string& text, const s
   if (equals == std::string::npos) throw UsageError(where + ": not NAME=VALUE, for example power_kw=0");
   const std::vector<std::string> names = held_quantities();
   const InUnit in = own_name(text.substr(0, equals), names);
-  const std::string held = names[place_of(in.name, names, where)];
+  const bool is_load = output_named(in.name, where).has_value();
+  const std::string held = is_load ? in.name : names[place_of(in.name, names, where)];
   constexpr Range any{-1e9, 1e9, "in the unit of the name"};
   Choices choices;
   for (const double value : parse_sweep(text.substr(equals + 1), where, any))
@@ -104,7 +106,7 @@ OptionList target_list() {
       {"--load-factor", "N", "0..5, by a turn to the right; the turn rate follows"},
       {"--ball", "STATE", "centred: no side force (ny = 0); the sideslip follows"},
       {"--hold", "NAME=VALUE",
-       "a result of trim in its unit (power_kw, collective75_deg, ny, ...),\neach with its --free; repeatable",
+       "a result of trim in its unit (power_kw, collective75_deg, ny, ...) or an\noutput as --columns knows it (power_right, nz@230/0/75), each with its\n--free; repeatable",
        true},
       {"--free", "NAME",
        "what follows instead: speed_mps, climb_deg, sideslip_deg,\nturn_rate_degps, rotor_rpm, altitude_m, "

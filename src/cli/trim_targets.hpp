@@ -9,7 +9,7 @@
 
 namespace tiltrotor::cli {
 
-// `held`: a column of `trim` that follows from the trim, or ny. `freed`: see freed_quantities().
+// `held`: a column of `trim` that follows from the trim, ny, or an output (named_outputs.hpp). `freed`: see freed_quantities().
 struct TrimTarget {
   std::string held;
   double value;

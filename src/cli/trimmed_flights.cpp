@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "cli/errors.hpp"
+#include "cli/impossible_flight.hpp"
 #include "cli/state_columns.hpp"
 #include "cli/targeted_trim.hpp"
 #include "cli/wind_trim.hpp"
@@ -73,7 +74,7 @@ int for_each_trim(const Arguments& arguments, const std::vector<SetupOptions>& s
     const TrimStatus status = trimmed.trim.status;
     if (status != TrimStatus::ok && !trimmed.is_preliminary) {
       progress.message(trimmed.where + ": " + trim_status_word(status) + ": " +
-                       (unreached.empty() ? trim_explanation(trimmed.trim) : unreached));
+                       (has_no_azimuth(trimmed.flight, trimmed.azimuth_deg) ? kNoAzimuth : unreached));
       exit_status = exit_case_failed;
     }
     const int visited = visit(trimmed);

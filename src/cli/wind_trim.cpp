@@ -50,10 +50,11 @@ study::Track track_in_wind(const SteadyFlight<double>& flight, double azimuth) {
 void trim_in_wind(const Configuration<double>& c, const SteadyFlight<double>& flight, double azimuth,
                   Analyses& work, TrimResult<double>& result) {
   SteadyFlight<double> ahead = flight;
-  ahead.sideslip = 0;
+  // In vertical flight the wind has no side: refused, as a sideslip is.
+  ahead.sideslip = is_vertical(flight) ? widest_sideslip : 0;
   const bool at_rest = flight.speed < kLeastSpeed<double>;
   // Also where the flight cannot be asked for.
-  if (trim(c, ahead, work, result) == TrimStatus::out_of_range || at_rest || is_vertical(ahead)) return;
+  if (trim(c, ahead, work, result) == TrimStatus::out_of_range || at_rest) return;
   const TrimResult<double> straight = result;
   const study::Track track = track_in_wind(flight, azimuth);
   study::SidewardFlight found{};
