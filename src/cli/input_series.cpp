@@ -11,6 +11,7 @@
 #include "tiltrotor/math/differentiation/preaccumulate.hpp"
 #include "tiltrotor/model/aircraft/aircraft_data.hpp"
 #include "tiltrotor/model/variables/control_range.hpp"
+#include "tiltrotor/systems/system_state.hpp"
 
 namespace tiltrotor::cli {
 
