@@ -55,8 +55,8 @@ std::vector<ChannelChoice> outputs_of_channels(const Arguments& arguments, const
     }
     const std::optional<NamedOutput> named = output_named(word, where);
     if (!named) {
-      for (const std::string& name : output_names()) known.push_back(name);
-      refuse(where, word, known, std::string("; or ") + kStationForm);
+      for (const std::string& name : short_output_names()) known.push_back(name);
+      refuse(where, word, known, std::string("; or ") + kOtherOutputs);
     }
     out.push_back({-1, 0, named});
   }
