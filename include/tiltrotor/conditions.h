@@ -44,7 +44,8 @@ enum { TR_AT_RIGHT_ROTOR, TR_AT_LEFT_ROTOR, TR_AT_WING, TR_AT_TAIL, TR_PLACES };
 
 /* Air and ground; held during a step. The undisturbed air is carried along by the wind: velocities of the state are
  * relative to it, positions are over the ground. Gusts are of the air at a place relative to the undisturbed air,
- * and add to TR_GUST_U..TR_GUST_W, which are felt everywhere; instruments of tr_outputs know the latter alone. */
+ * and add to TR_GUST_U..TR_GUST_W, which are felt everywhere; instruments of tr_outputs know the latter alone, probes
+ * (tr_air_data_at) those of the wing too. */
 typedef struct tr_environment {
   tr_real wind_mps[3];            /* north east down, each within 100; along height see tr_wind_shear */
   tr_real gust_mps[TR_PLACES][3]; /* body axes, each within 50 */

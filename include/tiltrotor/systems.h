@@ -101,7 +101,7 @@ tr_status tr_get_systems(const tr_sim* sim, tr_systems* systems);
  *
  * With systems on: a step takes 3 or 4 derivatives a part as before and a twentieth of one more for each, with an ideal
  * governor some five times as many. tr_linearize covers their states; where masts, rotor speed, air or ground move it
- * takes some 6 derivatives more. tr_trim takes up to 6 of its trims where gear or ground count. tr_directional
+ * takes some 6 derivatives more, and holds the turbulence, whose scale follows the height. tr_trim takes up to 6 of its trims where gear or ground count. tr_directional
  * takes some 4 derivatives, tr_linearize_outputs as many for every 7 of its columns; both then know every state of
  * tr_state, fuel, position and attitude that is held included, and hold the turbulence alone. Where an
  * ideal governor finds no collective all of these are TR_NOT_CONVERGED. Modes of systems are named after the state that

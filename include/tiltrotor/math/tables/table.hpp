@@ -190,6 +190,15 @@ TILTROTOR_INLINE T lookup(const Table<Real<T>, 2, 0, Nodes>& table, const Bracke
   return table_detail::block_value<2, T>(table.smooth, table.node, at);
 }
 
+// The cell of located arguments, for tables over the same axes.
+template <class T>
+using TableCell = table_detail::Cell<T, 2, const Real<T>*>;
+template <class T>
+TILTROTOR_INLINE T lookup(const Table<Real<T>, 2>& table, const TableCell<T>& cell,
+                          const Bracket<T>* const (&at)[2]) {
+  return table_detail::cell_value<2, T>(cell, table.node, at);
+}
+
 // Look-up in a table without linear axes.
 template <class T, class Nodes>
 T lookup(const Table<Real<T>, 1, 0, Nodes>& table, Interpolation mode, const T& x) {

@@ -20,7 +20,6 @@ TILTROTOR_INLINE SectionCoefficients<T> section_coefficients(const RotorTables<R
                                                              Interpolation mode, int region, const T& alpha,
                                                              const T& mach) {
   using R = Real<T>;
-  using Cell = table_detail::Cell<T, 2, const R*>;
   const Table<R, 2>& lift = rotor.section_lift[region];
   const Table<R, 2>& drag = rotor.section_drag[region];
   const T alpha_deg = alpha * kDegPerRad<R>;
@@ -33,14 +32,14 @@ TILTROTOR_INLINE SectionCoefficients<T> section_coefficients(const RotorTables<R
   }
   SectionCoefficients<T> c;
   const Bracket<T>* const at[] = {&at_alpha, &at_mach};
-  Cell cell(lift.smooth, at);
-  c.lift = table_detail::cell_value<2, T>(cell, lift.node, at);
+  TableCell<T> cell(lift.smooth, at);
+  c.lift = lookup(lift, cell, at);
   if (drag.smooth[0].knot != lift.smooth[0].knot || drag.smooth[1].knot != lift.smooth[1].knot) {
     at_alpha = bracket(drag.smooth[0], mode, alpha_deg);
     at_mach = bracket(drag.smooth[1], mode, mach);
-    cell = Cell(drag.smooth, at);
+    cell = TableCell<T>(drag.smooth, at);
   }
-  c.drag = table_detail::cell_value<2, T>(cell, drag.node, at);
+  c.drag = lookup(drag, cell, at);
 
   const Axis<R>& range = lift.smooth[0];
   const R low_deg = range.knot[0];
