@@ -126,9 +126,8 @@ typedef enum tr_grid {
   TR_GRID_SPECIFICATION = 2 /* 20 radial by 24 azimuth stations a rotor */
 } tr_grid;
 typedef enum tr_tables {
-  TR_TABLES_SMOOTH =
-      1, /* continuous slopes; along mast and flap linear, on a setting the slope towards more */
-  TR_TABLES_LINEAR = 2 /* the tables' own linear interpolation */
+  TR_TABLES_SMOOTH = 1, /* continuous slopes; along mast and flap linear */
+  TR_TABLES_LINEAR = 2  /* the tables' own linear interpolation */
 } tr_tables;
 
 /* What a flight begins with. tr_default_setup fills it; change fields afterwards. Ranges are the

@@ -133,7 +133,8 @@ void AxisSearch::look_at_end(const Side& outward) {
 // The least distance from zero between a and c, where b is nearer to zero than both.
 void AxisSearch::refine(SearchPoint a, SearchPoint b, SearchPoint c) {
   if (!is_there(a) || !is_there(b) || !is_there(c) || differ(a, c)) return;
-  if (!differ(a, b) && (size(b) > size(a) || size(b) > size(c))) return;
+  const bool is_flat = std::max(size(a), size(c)) - size(b) <= axis_.tolerance;
+  if (!differ(a, b) && (is_flat || size(b) > size(a) || size(b) > size(c))) return;
   for (int k = 0; k < most_refinements; ++k) {
     if (differ(a, b)) {
       close(a, b);

@@ -68,14 +68,15 @@ class SensitivityRows {
         sensitivity_(systems) {}
 
   const Shard& shard() const { return output_.shard(); }
-  // Throws UsageError for a name that no flight had: a slip of the hand. A shard does not see every flight.
+  // A name that no flight had is a slip of the hand: throws UsageError where there is no other. A shard does not see every
+  // flight.
   int finish() {
     const std::vector<std::string> missing = unseen();
     if (!missing.empty() && has_begun_) {
       const std::set<std::string>& all = seen_;
       const std::string fault = "no flight has a mode called " + quoted(missing.front()) +
                                 did_you_mean(missing.front(), {all.begin(), all.end()});
-      if (shard().parts == 1)
+      if (none_seen() && shard().parts == 1)
         throw UsageError(where_ + ": " + fault + "; choose all, body, " + one_of({all.begin(), all.end()}));
       waiting_.messages += "tiltrotor: " + where_ + ": " + fault + "\n";
     }
@@ -128,10 +129,14 @@ class SensitivityRows {
       if (seen_.count(name) == 0) names.push_back(name);
     return names;
   }
-  // Rows and messages wait until every name has been seen, since nothing is written where one is none.
+  bool none_seen() const {
+    const bool named = modes_ != "all" && modes_ != "body";
+    return named && unseen().size() == split(modes_, ',').size();
+  }
+  // Rows and messages wait until a name has been seen, since nothing is written where none is one.
   void write(const TrimmedFlight& flight, const Row& row) {
     waiting_.rows.push_back(records_.complete(flight, row));
-    if (unseen().empty()) write_waiting();
+    if (!none_seen()) write_waiting();
   }
   void write_waiting() {
     std::fputs(waiting_.messages.c_str(), stderr);

@@ -74,7 +74,9 @@ int for_each_trim(const Arguments& arguments, const std::vector<SetupOptions>& s
     const TrimStatus status = trimmed.trim.status;
     if (status != TrimStatus::ok && !trimmed.is_preliminary) {
       progress.message(trimmed.where + ": " + trim_status_word(status) + ": " +
-                       (has_no_azimuth(trimmed.flight, trimmed.azimuth_deg) ? kNoAzimuth : unreached));
+                       (has_no_azimuth(trimmed.flight, trimmed.azimuth_deg) ? kNoAzimuth
+                        : unreached.empty()                                 ? trim_explanation(trimmed.trim)
+                                                                            : unreached));
       exit_status = exit_case_failed;
     }
     const int visited = visit(trimmed);

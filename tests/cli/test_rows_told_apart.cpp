@@ -67,9 +67,14 @@ TEST(cli_modes_rows_tell_every_list_apart) {
     const std::string flight = " --grid realtime --mast 90 --speed 90";
     check_list("modes" + flight, list);
     check_list("bode --show margins --from elevator --to theta" + flight, list);
-    check_list("qualities" + flight, list);
     check_list("sensitivity --mode dutch_roll --to fin_area,mass" + flight, list);
     check_list("modes --show shapes" + flight, list);
+    const std::string equals = list.column == std::string("power_kw") ? " power_kw=" : "=";
+    const std::string levels = run_tiltrotor("qualities --format json" + flight + " " + list.option + equals +
+                                             list.value[0] + "," + list.value[1])
+                                   .out;
+    for (const char* value : list.value)
+      CHECK(levels.find(std::string("\"") + list.column + "\": " + value + ",") != std::string::npos);
   }
   const std::string json =
       run_tiltrotor("modes --format json --grid realtime --mast 90 --speed 90 --isa-offset 0,10").out;
@@ -126,7 +131,7 @@ TEST(cli_trim_refuses_a_flight_that_cannot_be) {
 TEST(cli_sensitivity_refuses_a_mode_that_no_flight_has) {
   const std::string flight = "sensitivity --format csv --grid realtime --mast 90 --speed 90,100 --to mass ";
   check_refused(flight + "--mode dutchroll", "did you mean dutch_roll?); choose all, body, ");
-  check_refused(flight + "--mode dutch_roll,typo", "no flight has a mode called 'typo'; choose ");
+  check_refused(flight + "--mode typo,typos", "no flight has a mode called 'typo'; choose ");
   const CsvText rows(run_tiltrotor(flight + "--mode dutch_roll").out);
   CHECK_EQ(rows.rows.size(), 2u);
 }
