@@ -31,8 +31,8 @@ T load_factor_at(const Configuration<T>& c, const State<T>& x, const Loads<T>& t
 
 // Of the path through the undisturbed air. Straight up or down, and at rest, it has no slopes.
 template <class T>
-T flight_path_angle(const Configuration<T>& c, const State<T>& rates) {
-  const Vec3<T> way = minus_fixed(rates.position, c.around.wind_n);
+T flight_path_angle(const State<T>& x) {
+  const Vec3<T> way = earth_to_body(EulerAngles<T>{x.roll, x.pitch, x.yaw}).apply_inverse(x.velocity);
   if (value(length(way)) < kLeastSpeed<double>) return T(0.0);
   const T level = length(Vec3<T>{way.x, way.y, T(0.0)});
   if (value(level) < kLeastSpeed<double>) return T(value(way.z) < 0 ? kPi<double> / 2 : -kPi<double> / 2);
@@ -77,7 +77,7 @@ T reading(const Configuration<T>& c, const State<T>& x, const DerivativeSteps<T>
     case Kind::load_factor_at_cg:
       return load_factor_at(c, x, steps.total, rates, output);
     case Kind::flight_path_angle:
-      return flight_path_angle(c, rates);
+      return flight_path_angle(x);
     case Kind::wing_angle_of_attack:
       return found.airframe.wing_alpha;
     case Kind::htail_angle_of_attack:

@@ -225,7 +225,7 @@ struct ScriptFlight::Parts : ScriptCommander {
     m.velocity_n = over_ground(x, wind());
     m.height = height();
     m.airspeed = length(x.velocity - u.gust);
-    m.load_factor = m.readings.load_factor;
+    m.load_factor = -steps.total.force.z / (here.mass.mass * kGravity<double>);
     m.mast_deg = c.setup.mast_deg;
     m.rotor_speed = c.setup.rotor_speed;
     m.flap_deg = c.setup.flap_deg;

@@ -169,7 +169,6 @@ tr_status follow_systems(Sim& s) {
         mast_motion(c.aircraft->systems, s.systems.vehicle.commands.mast, x.mast, x.mast_rate).acceleration;
     if (x.flap != setting.flap_deg * kRadPerDeg<R>) setting.flap_deg = x.flap * kDegPerRad<R>;
   }
-  if (on.engines && x.fuel < R(0)) return TR_OUT_OF_RANGE;
   if (on.engines) setting.mass = s.systems.vehicle.loaded_mass - x.fuel;
   if (on.governor == Governor::pi) {
     setting.rotor_speed = x.rotor_speed;
