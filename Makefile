@@ -30,7 +30,10 @@ V        ?=
 # On every core unless told otherwise (make -j1): a given -j wins over this one.
 CORES := $(shell nproc 2>/dev/null || getconf _NPROCESSORS_ONLN)
 ifeq ($(MAKELEVEL),0)
-MAKEFLAGS += -j$(CORES)
+MAKEFLAGS += -j$(or $(CORES),1)
+endif
+ifneq ($(filter clean,$(MAKECMDGOALS)),)
+.NOTPARALLEL:
 endif
 
 # $(call one_of,NAME,VALUES): what is no value of the list is refused

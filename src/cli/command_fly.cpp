@@ -51,7 +51,8 @@ FlightStart read_start(const Arguments& arguments) {
   if (!chooses_grid(arguments)) start.setup.options.grid = BladeGrid::realtime;
   start.setup.options.position_states = true;
   start.warmer = options.warmer();
-  for (const Side side : {right, left}) start.engine_failed[side] = options.engines() <= side;
+  for (const Side side : {right, left})
+    start.engine_failed[side] = options.some_engines_stand() && options.engines() <= side;
   start.speed = arguments.number("--speed", 0, kSpeedRange);
   start.height = arguments.number("--height", kUsualHeight, kHeights);
   start.dt = arguments.number("--dt", 0.01, kSteps);

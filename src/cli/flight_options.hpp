@@ -60,6 +60,7 @@ class SetupOptions {
   SetupOptions on_day(double isa_offset, int engines) const;
   double warmer() const { return isa_offset_.value_or(0); }  // air, than the standard atmosphere, K
   int engines() const;                                       // that run
+  bool some_engines_stand() const;
   const Options& switches() const { return switches_; }
   const Aircraft<double>& aircraft() const;  // with the tables that --tables chooses
   // What was given for a column of settings or kWarmerColumn, in its unit: 300 for cg_sl_in.
@@ -68,7 +69,6 @@ class SetupOptions {
  private:
   struct Common {};
   SetupOptions(const Arguments& arguments, Common);
-  bool some_engines_stand() const;
 
   std::optional<double> altitude_;
   std::optional<double> flap_deg_;

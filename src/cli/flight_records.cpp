@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "cli/state_columns.hpp"
+
 namespace tiltrotor::cli {
 
 namespace {
@@ -49,6 +51,14 @@ double value_of(const std::string& name, const TrimmedFlight& flight) {
   return flight.setting(name);
 }
 
+// A state by the name of the model whose printed column stands there already.
+bool is_printed_state(const std::string& name, const std::vector<std::string>& columns) {
+  for (int i = 0; i < state_count; ++i)
+    if (name == kStateVariables[i].name)
+      return std::find(columns.begin(), columns.end(), state_columns(i).back()) != columns.end();
+  return false;
+}
+
 }  // namespace
 
 SweptColumns::SweptColumns(const Arguments& arguments, const std::vector<SetupOptions>& setups,
@@ -62,7 +72,8 @@ SweptColumns::SweptColumns(const Arguments& arguments, const std::vector<SetupOp
   for (const Condition& condition : conditions)
     if (differ(cases, condition.of_case)) add(condition.column);
   for (std::size_t k = 0; k < cases.front().targets.size(); ++k)
-    if (differ(cases, [&](const FlightCase& f) { return f.targets[k].value; }))
+    if (differ(cases, [&](const FlightCase& f) { return f.targets[k].value; }) &&
+        !is_printed_state(cases.front().targets[k].held, own))
       add(cases.front().targets[k].held);
 }
 

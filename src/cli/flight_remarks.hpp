@@ -11,7 +11,7 @@ namespace tiltrotor::cli {
 
 class FlightRemarks {
  public:
-  // "gear up at 12 s: ignored, with weight on the wheels"; a command and a reason once.
+  // "gear up at 12 s: ignored, with weight on the wheels", each time.
   void ignored(const std::string& command, double time, const std::string& why);
   // A command that counts when the aircraft takes off, if it ever does.
   void waits(const std::string& command, double time);

@@ -53,7 +53,7 @@ std::optional<Target> find_input(const std::string& name) {
 Column find_column(const std::string& name, const std::string& where) {
   if (name == kTime) return {name, -1, 1, 0, kTimeRange};
   const std::vector<std::string> throttles = throttle_names();
-  for (std::size_t i = 0; i < throttles.size(); ++i)
+  for (std::size_t i = 0; i < throttles.size() && i < 2; ++i)
     if (name == throttles[i] || name == kCommandVariables.row[kCommandIndex.throttle[i]].name)
       return {name, kFirstThrottle + static_cast<int>(i), 1, 0, {0, 1, ""}};
   const std::optional<Target> target = find_input(name);

@@ -7,6 +7,7 @@
 #include "cli/flight_options.hpp"
 #include "cli/flight_records.hpp"
 #include "cli/model_options.hpp"
+#include "cli/named_outputs.hpp"
 #include "cli/output_names.hpp"
 #include "cli/response_columns.hpp"
 #include "cli/trim_columns.hpp"
@@ -182,7 +183,8 @@ std::optional<Target> find_own_target(const std::string& column) {
       return Target{Target::Kind::state, i, unit_size(printed.unit), 0, printed.unit};
   }
   if (const std::optional<Target> control = find_control(column)) return control;
-  if (contains(derived_columns(), column)) return Target{Target::Kind::derived};
+  if (contains(derived_columns(), column) || output_named(column, "column " + column))
+    return Target{Target::Kind::derived};
   return std::nullopt;
 }
 

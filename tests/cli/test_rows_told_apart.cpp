@@ -97,7 +97,9 @@ TEST(cli_linearize_rows_tell_lists_apart) {
 TEST(cli_trim_rows_of_lists_are_states) {
   const check::ScratchFolder folder;
   const std::string file = folder.path("trims.csv");
-  for (const char* list : {"--azimuth 0,90", "--isa-offset 0,0.5"}) {
+  for (const char* list :
+       {"--azimuth 0,90", "--isa-offset 0,0.5", "--hold htail_force_z=0,20 --free climb_deg",
+        "--hold nz@230/0/75=1.01,1.02 --free turn_rate_degps", "--hold theta=0.01,0.015 --free speed_mps"}) {
     (void)run_tiltrotor(std::string("trim --format csv --grid realtime --speed 5 --output ") + file + " " +
                         list);
     const auto run = run_tiltrotor("derivative --grid realtime --states " + file);

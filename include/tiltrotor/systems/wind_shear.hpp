@@ -94,7 +94,7 @@ Vec3<T> wind_at(const MeanWind<R>& wind, const T& down) {
 template <class T>
 Vec3<T> velocity_over_ground(const MeanWind<Real<T>>& wind, const State<T>& x) {
   using R = Real<T>;
-  const Vec3<T> even = x.velocity + wind_in_body(wind.told_n, x);
+  Vec3<T> even = x.velocity + wind_in_body(wind.told_n, x);
   if (wind.shear == WindShear::none) return even;
   const T share = wind_profile(wind.gust, wind.shear, T(wind.ground_down - x.position.z)).share;
   return even + (share - R(1)) * wind_in_body(Vec3<R>{wind.told_n.x, wind.told_n.y, R(0)}, x);
