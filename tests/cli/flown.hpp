@@ -34,4 +34,25 @@ inline double summary(const Flown& flown, const std::string& name) {
   return std::strtod(text.c_str() + number, nullptr);
 }
 
+/// Of the matrices A along a flight, written every 2 s, and of the roots beside them: rows, trace, its size, sum of the roots.
+struct Traces {
+  int rows[3] = {};
+  double trace[3] = {}, size[3] = {}, sum[3] = {};
+};
+inline Traces traces(const CsvText& a, const CsvText& modes) {
+  const auto place = [](const CsvText& table, std::size_t row) {
+    return static_cast<std::size_t>(std::lround(table.number(row, "time_s") / 2));
+  };
+  Traces t;
+  for (std::size_t i = 0; i < a.rows.size(); ++i) {
+    const double own = a.number(i, a.text(i, "row"));
+    ++t.rows[place(a, i)];
+    t.trace[place(a, i)] += own;
+    t.size[place(a, i)] += std::fabs(own);
+  }
+  for (std::size_t i = 0; i < modes.rows.size(); ++i)
+    t.sum[place(modes, i)] += modes.number(i, "real") * (modes.number(i, "imag") > 0 ? 2 : 1);
+  return t;
+}
+
 }  // namespace check

@@ -7,10 +7,12 @@
 
 #include "check.hpp"
 #include "cli/csv_text.hpp"
+#include "cli/refused.hpp"
 #include "cli/scratch_folder.hpp"
 #include "run_program.hpp"
 #include "this_aircraft.hpp"
 
+using check::check_refused;
 using check::CsvText;
 using check::run_tiltrotor;
 using check::ScratchFolder;
@@ -46,14 +48,6 @@ double side_force(const CsvText& t) {
   const double u = v * std::cos(beta) * std::cos(alpha), w = v * std::cos(beta) * std::sin(alpha);
   const double p = -turn * std::sin(pitch), r = turn * std::cos(pitch) * std::cos(roll);
   return (r * u - p * w) / gravity - std::sin(roll) * std::cos(pitch);
-}
-
-void check_refused(const std::string& arguments, const std::string& message) {
-  const check::ProgramResult result = run_tiltrotor(arguments);
-  const bool passed = result.exit_status == 2 && result.out.empty() &&
-                      std::count(result.err.begin(), result.err.end(), '\n') == 1 &&
-                      result.err.find(message) != std::string::npos;
-  if (!CHECK(passed)) NOTE(arguments << ": exit " << result.exit_status << ", stderr: " << result.err);
 }
 
 }  // namespace

@@ -3,9 +3,11 @@
 #include <algorithm>
 
 #include "check.hpp"
+#include "cli/refused.hpp"
 #include "cli/scratch_folder.hpp"
 #include "run_program.hpp"
 
+using check::check_refused;
 using check::run_tiltrotor;
 using check::ScratchFolder;
 
@@ -15,15 +17,6 @@ struct BadUsage {
   const char* arguments;
   const char* message;  // part of the line
 };
-
-void check_refused(const std::string& arguments, const std::string& message) {
-  const check::ProgramResult result = run_tiltrotor(arguments);
-  const bool passed = result.exit_status == 2 && result.out.empty() &&
-                      std::count(result.err.begin(), result.err.end(), '\n') == 1 &&
-                      result.err.compare(0, 11, "tiltrotor: ") == 0 &&
-                      result.err.find(message) != std::string::npos;
-  if (!CHECK(passed)) NOTE(arguments << ": exit " << result.exit_status << ", stderr: " << result.err);
-}
 
 // A complete states file, its header and one row apart.
 struct States {

@@ -9,6 +9,7 @@
 #include "cli/csv_text.hpp"
 #include "cli/exported_model.hpp"
 #include "cli/feedback_law.hpp"
+#include "cli/refused.hpp"
 #include "cli/scratch_folder.hpp"
 #include "run_program.hpp"
 #include "this_aircraft.hpp"
@@ -180,18 +181,12 @@ TEST_OF_XV15(cli_bode_margins_that_do_not_exist_are_empty) {
 }
 
 TEST(cli_bad_outputs_of_bode_are_refused) {
-  const auto refused = [](const std::string& command, const std::string& message) {
-    const check::ProgramResult result = run_tiltrotor(command);
-    CHECK_EQ(result.exit_status, 2);
-    CHECK_EQ(result.out, std::string());
-    if (!CHECK(result.err.find(message) != std::string::npos)) NOTE(result.err);
-    CHECK_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1);
-  };
-  refused("bode --to load_facter", "'load_facter' is not in this model (did you mean load_factor?)");
-  refused("bode --to nz@1/2", "'nz@1/2': a station is SL/BL/WL in inches: nz@230/0/75");
-  refused("bode --to theta,nz@1/2/99999", "-10000..10000");
+  check::check_refused("bode --to load_facter",
+                       "'load_facter' is not in this model (did you mean load_factor?)");
+  check::check_refused("bode --to nz@1/2", "'nz@1/2': a station is SL/BL/WL in inches: nz@230/0/75");
+  check::check_refused("bode --to theta,nz@1/2/99999", "-10000..10000");
   for (const std::string command : {"bode", "linearize", "modes", "qualities", "qlpv", "sensitivity"})
-    refused(command + " --option position_states=on", "positions are not in a linear model");
-  refused("qlpv --stamp", "json has no place for comments");
-  refused("respond --scas on", "`tiltrotor fly");
+    check::check_refused(command + " --option position_states=on", "positions are not in a linear model");
+  check::check_refused("qlpv --stamp", "json has no place for comments");
+  check::check_refused("respond --scas on", "`tiltrotor fly");
 }

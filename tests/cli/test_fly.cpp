@@ -318,21 +318,9 @@ TEST(fly_writes_matrices_of_the_whole_vehicle) {
   CHECK_EQ(f.result.exit_status, 0);
   const CsvText a(folder.read("m/a.csv")), b(folder.read("m/b.csv")), modes(folder.read("modes.csv"));
   CHECK_EQ(b.rows.size(), a.rows.size());
-  int rows[3] = {};
-  double trace[3] = {}, size[3] = {}, sum[3] = {};
-  for (std::size_t i = 0; i < a.rows.size(); ++i) {
-    const auto k = static_cast<std::size_t>(std::lround(a.number(i, "time_s") / 2));
-    const double own = a.number(i, a.text(i, "row"));
-    ++rows[k];
-    trace[k] += own;
-    size[k] += std::fabs(own);
-  }
-  for (std::size_t i = 0; i < modes.rows.size(); ++i) {
-    const auto k = static_cast<std::size_t>(std::lround(modes.number(i, "time_s") / 2));
-    sum[k] += modes.number(i, "real") * (modes.number(i, "imag") > 0 ? 2 : 1);
-  }
-  for (int k = 0; k < 3; ++k) CHECK_NEAR(trace[k], sum[k], 1e-8 * size[k]);
-  CHECK_EQ(rows[0] - rows[2], 6);  // three series actuators and the washout, rotor speed and governor
+  const check::Traces t = check::traces(a, modes);
+  for (int k = 0; k < 3; ++k) CHECK_NEAR(t.trace[k], t.sum[k], 1e-8 * t.size[k]);
+  CHECK_EQ(t.rows[0] - t.rows[2], 6);  // three series actuators and the washout, rotor speed and governor
   CHECK(a.text(a.rows.size() - 1, "scas_pitch").empty() && !a.text(0, "scas_pitch").empty());
   CHECK_NEAR(b.number(0, "rotor_command"), 0, 1e-12);
   double lag = 0;

@@ -140,25 +140,14 @@ TEST(fly_matrices_have_the_twist_of_the_shaft) {
                                         check::quoted(folder.path("m")) + " " + flights[flight].options);
     CHECK_EQ(f.result.exit_status, 0);
     const CsvText a(folder.read("m/a.csv")), modes(folder.read("modes.csv"));
-    int rows[3] = {};
-    double trace[3] = {}, size[3] = {}, sum[3] = {};
-    for (std::size_t i = 0; i < a.rows.size(); ++i) {
-      const auto k = static_cast<std::size_t>(std::lround(a.number(i, "time_s") / 2));
-      const double own = a.number(i, a.text(i, "row"));
-      ++rows[k];
-      trace[k] += own;
-      size[k] += std::fabs(own);
+    const check::Traces t = check::traces(a, modes);
+    for (std::size_t i = 0; i < a.rows.size(); ++i)
       if (a.text(i, "row") == "shaft_twist") CHECK_EQ(a.number(i, "twist_rate"), 1);
-    }
-    for (std::size_t i = 0; i < modes.rows.size(); ++i) {
-      const auto k = static_cast<std::size_t>(std::lround(modes.number(i, "time_s") / 2));
-      sum[k] += modes.number(i, "real") * (modes.number(i, "imag") > 0 ? 2 : 1);
-    }
-    if (flight == 3) rigid = rows[0];
+    if (flight == 3) rigid = t.rows[0];
     bool right = true;
     for (int k = 0; k < 3; ++k)
-      right = right & CHECK_EQ(rows[k], rigid + flights[flight].rows[k]) &
-              CHECK_NEAR(trace[k], sum[k], 1e-8 * size[k]);
+      right = right & CHECK_EQ(t.rows[k], rigid + flights[flight].rows[k]) &
+              CHECK_NEAR(t.trace[k], t.sum[k], 1e-8 * t.size[k]);
     if (!right) NOTE(flights[flight].script);
   }
 }

@@ -5,8 +5,10 @@
 #include "analysis/analysis_case.hpp"
 #include "check.hpp"
 #include "cli/csv_text.hpp"
+#include "cli/refused.hpp"
 #include "run_program.hpp"
 
+using check::check_refused;
 using check::CsvText;
 using check::run_tiltrotor;
 
@@ -14,13 +16,6 @@ namespace {
 
 CsvText respond(const std::string& arguments) {
   return CsvText(run_tiltrotor("respond --mast 60 --speed 60 --grid realtime --format csv " + arguments).out);
-}
-
-void check_refused(const std::string& arguments, const std::string& message) {
-  const check::ProgramResult result = run_tiltrotor("respond " + arguments);
-  CHECK_EQ(result.exit_status, 2);
-  CHECK(result.out.empty());
-  if (!CHECK(result.err.find(message) != std::string::npos)) NOTE(arguments << ": " << result.err);
 }
 
 }  // namespace
@@ -76,12 +71,15 @@ TEST(cli_respond_moves_masts_as_the_library_does) {
 }
 
 TEST_OF_XV15(cli_bad_moves_of_masts_are_refused) {
-  check_refused("--input mast=30deg@1", "not mast=CHANGE[deg]@START..END, for example mast=30deg@1..5");
-  check_refused("--input mast=x@1..2", "'x' is not a number");
-  check_refused("--input mast=100@1..2", "100 lies outside -90..90 deg");
-  check_refused("--input mast=10@2..1", "the end is not after the start");
-  check_refused("--input mast=60@1..2", "a rate of 60 deg/s lies outside -57.2958..57.2958 deg/s");
-  check_refused("--input mast=2@0..1 --input mast=2@0.5..2", "two moves of the masts at the same time");
-  check_refused("--duration 2 --input mast=2@3..4", "starts after the end of the flight, 2 s");
-  check_refused("--mast 89 --speed 80 --input mast=2@0..1", "leads the masts to 91 deg, outside 0..90 deg");
+  check_refused("respond --input mast=30deg@1",
+                "not mast=CHANGE[deg]@START..END, for example mast=30deg@1..5");
+  check_refused("respond --input mast=x@1..2", "'x' is not a number");
+  check_refused("respond --input mast=100@1..2", "100 lies outside -90..90 deg");
+  check_refused("respond --input mast=10@2..1", "the end is not after the start");
+  check_refused("respond --input mast=60@1..2", "a rate of 60 deg/s lies outside -57.2958..57.2958 deg/s");
+  check_refused("respond --input mast=2@0..1 --input mast=2@0.5..2",
+                "two moves of the masts at the same time");
+  check_refused("respond --duration 2 --input mast=2@3..4", "starts after the end of the flight, 2 s");
+  check_refused("respond --mast 89 --speed 80 --input mast=2@0..1",
+                "leads the masts to 91 deg, outside 0..90 deg");
 }

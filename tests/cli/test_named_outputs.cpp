@@ -14,6 +14,7 @@
 #include "cli/feedback_law.hpp"
 #include "cli/governed.hpp"
 #include "cli/named_outputs.hpp"
+#include "cli/refused.hpp"
 #include "cli/scratch_folder.hpp"
 #include "run_program.hpp"
 #include "this_aircraft.hpp"
@@ -346,22 +347,18 @@ TEST(cli_columns_of_stations_follow_the_flight) {
 }
 
 TEST(cli_bad_outputs_are_refused) {
-  const auto refused = [](const std::string& command, const std::string& message) {
-    const check::ProgramResult result = run_tiltrotor(command);
-    CHECK_EQ(result.exit_status, 2);
-    if (!CHECK(result.err.find(message) != std::string::npos)) NOTE(result.err);
-    CHECK_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1);
-  };
-  refused("linearize --outputs htail_momnt_y", "no output 'htail_momnt_y' (did you mean htail_moment_y?)");
-  refused("linearize --outputs nz@1/2", "'nz@1/2': a station is SL/BL/WL in inches: nz@230/0/75");
-  refused("linearize --outputs nz@1/x/2", "'x' is not a number");
-  refused("linearize --outputs nz@1/2/99999", "-10000..10000");
-  refused("linearize --outputs nq@1/2/3", "no output 'nq@1/2/3'");
-  refused("linearize --outputs airspeed,airspeed", "airspeed stands there twice");
-  refused("trim --columns nz@1/2", "a station is SL/BL/WL in inches");
-  refused("trim --columns pitch_deg,htail_force_w",
-          "no column 'htail_force_w' (did you mean htail_force_x?)");
-  refused("respond --columns nz@1/2/3,nz@1/2/3", "stands there twice");
+  check::check_refused("linearize --outputs htail_momnt_y",
+                       "no output 'htail_momnt_y' (did you mean htail_moment_y?)");
+  check::check_refused("linearize --outputs nz@1/2",
+                       "'nz@1/2': a station is SL/BL/WL in inches: nz@230/0/75");
+  check::check_refused("linearize --outputs nz@1/x/2", "'x' is not a number");
+  check::check_refused("linearize --outputs nz@1/2/99999", "-10000..10000");
+  check::check_refused("linearize --outputs nq@1/2/3", "no output 'nq@1/2/3'");
+  check::check_refused("linearize --outputs airspeed,airspeed", "airspeed stands there twice");
+  check::check_refused("trim --columns nz@1/2", "a station is SL/BL/WL in inches");
+  check::check_refused("trim --columns pitch_deg,htail_force_w",
+                       "no column 'htail_force_w' (did you mean htail_force_x?)");
+  check::check_refused("respond --columns nz@1/2/3,nz@1/2/3", "stands there twice");
 }
 
 // Of the whole vehicle: at its CG the load factor along z is that of the accelerometer.

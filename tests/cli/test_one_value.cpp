@@ -6,24 +6,18 @@
 #include <cstdio>
 
 #include "check.hpp"
+#include "cli/refused.hpp"
 #include "cli/scratch_folder.hpp"
 #include "run_program.hpp"
 #include "this_aircraft.hpp"
 
+using check::check_refused;
 using check::run_tiltrotor;
 
 namespace {
 
 bool contains(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
-}
-
-void check_refused(const std::string& arguments, const std::string& message) {
-  const check::ProgramResult result = run_tiltrotor(arguments);
-  const bool passed = result.exit_status == 2 && result.out.empty() &&
-                      std::count(result.err.begin(), result.err.end(), '\n') == 1 &&
-                      contains(result.err, message);
-  if (!CHECK(passed)) NOTE(arguments << ": exit " << result.exit_status << ", stderr: " << result.err);
 }
 
 // An option of a command; @ is where its value stands.

@@ -8,6 +8,7 @@
 #include "cli/csv_text.hpp"
 #include "cli/exported_model.hpp"
 #include "cli/json_grammar.hpp"
+#include "cli/refused.hpp"
 #include "run_program.hpp"
 #include "this_aircraft.hpp"
 #include "tiltrotor/math/algebra/eigen.hpp"
@@ -165,20 +166,13 @@ TEST_OF_XV15(cli_qlpv_errors_fall_with_the_square_of_the_cell) {
 }
 
 TEST(cli_bad_qlpv_is_refused_in_one_line) {
-  const auto refused = [](const std::string& options, const std::string& words) {
-    const auto run = check::run_tiltrotor("qlpv " + options);
-    CHECK_EQ(run.exit_status, 2);
-    CHECK(run.out.empty());
-    CHECK_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1);
-    if (!CHECK(run.err.find(words) != std::string::npos)) NOTE(run.err);
-  };
-  refused("--speed 100,90", "--speed: the values of a grid must increase");
-  refused("--mast 30,30", "--mast: the values of a grid must increase");
-  refused("--speed 90,100 --climb 0,2", "everything else takes one value");
-  refused("--speed 90,100 --cg-sl 299,300", "everything else takes one value");
-  refused("--show check", "needs two values");
-  refused("--show other", "model or check");
-  refused("--format csv", "json");
-  refused("--option governor=pi --reduce rigid", "goes with governor=off alone");
-  refused("--scas on --reduce rigid", "goes with --scas off alone");
+  check::check_refused("qlpv --speed 100,90", "--speed: the values of a grid must increase");
+  check::check_refused("qlpv --mast 30,30", "--mast: the values of a grid must increase");
+  check::check_refused("qlpv --speed 90,100 --climb 0,2", "everything else takes one value");
+  check::check_refused("qlpv --speed 90,100 --cg-sl 299,300", "everything else takes one value");
+  check::check_refused("qlpv --show check", "needs two values");
+  check::check_refused("qlpv --show other", "model or check");
+  check::check_refused("qlpv --format csv", "json");
+  check::check_refused("qlpv --option governor=pi --reduce rigid", "goes with governor=off alone");
+  check::check_refused("qlpv --scas on --reduce rigid", "goes with --scas off alone");
 }

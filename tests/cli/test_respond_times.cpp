@@ -5,9 +5,11 @@
 
 #include "check.hpp"
 #include "cli/csv_text.hpp"
+#include "cli/refused.hpp"
 #include "cli/scratch_folder.hpp"
 #include "run_program.hpp"
 
+using check::check_refused;
 using check::CsvText;
 using check::run_tiltrotor;
 
@@ -19,13 +21,6 @@ CsvText respond(const std::string& arguments) {
 
 double change(const CsvText& flight, const char* column) {
   return flight.number(flight.rows.size() - 1, column) - flight.number(0, column);
-}
-
-void check_refused(const std::string& arguments, const std::string& message) {
-  const check::ProgramResult result = run_tiltrotor("respond " + arguments);
-  CHECK_EQ(result.exit_status, 2);
-  CHECK(result.out.empty());
-  if (!CHECK(result.err.find(message) != std::string::npos)) NOTE(arguments << ": " << result.err);
 }
 
 }  // namespace
@@ -69,12 +64,12 @@ TEST(cli_respond_keeps_its_intervals_beside_a_shorter_last_step) {
 }
 
 TEST(cli_bad_times_of_respond_are_refused) {
-  check_refused("--modes-every 0.007",
+  check_refused("respond --modes-every 0.007",
                 "--modes-every: 0.007 is no multiple of the time step; the nearest are 0.005 and 0.01 s");
-  check_refused("--duration 1 --input pedal=1@0 --input collective=1deg@1.5",
+  check_refused("respond --duration 1 --input pedal=1@0 --input collective=1deg@1.5",
                 "--input collective=1deg@1.5: starts after the end of the flight, 1 s");
-  check_refused("--input collective=1deg@0.5..0.5", "the end is not after the start");
-  check_refused("--dt 0.2", "--dt: 0.2 lies outside");
+  check_refused("respond --input collective=1deg@0.5..0.5", "the end is not after the start");
+  check_refused("respond --dt 0.2", "--dt: 0.2 lies outside");
 }
 
 // Steps beyond what the methods can do: the flight stays in trim.

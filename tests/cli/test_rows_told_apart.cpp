@@ -4,9 +4,11 @@
 
 #include "check.hpp"
 #include "cli/csv_text.hpp"
+#include "cli/refused.hpp"
 #include "cli/scratch_folder.hpp"
 #include "run_program.hpp"
 
+using check::check_refused;
 using check::CsvText;
 using check::run_tiltrotor;
 
@@ -46,14 +48,6 @@ void check_list(const std::string& command, const List& list) {
     }
   }
   CHECK_EQ(row, rows.rows.size());
-}
-
-void check_refused(const std::string& arguments, const std::string& message) {
-  const check::ProgramResult result = run_tiltrotor(arguments);
-  const bool passed = result.exit_status == 2 && result.out.empty() &&
-                      std::count(result.err.begin(), result.err.end(), '\n') == 1 &&
-                      result.err.find(message) != std::string::npos;
-  if (!CHECK(passed)) NOTE(arguments << ": exit " << result.exit_status << ", stderr: " << result.err);
 }
 
 }  // namespace

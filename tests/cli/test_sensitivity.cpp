@@ -10,6 +10,7 @@
 #include "cli/csv_text.hpp"
 #include "cli/governed.hpp"
 #include "cli/json_grammar.hpp"
+#include "cli/refused.hpp"
 #include "cli/sensitivity.hpp"
 #include "run_program.hpp"
 #include "this_aircraft.hpp"
@@ -362,22 +363,17 @@ TEST(cli_sensitivity_is_a_sorted_table) {
 }
 
 TEST(cli_bad_sensitivity_is_refused_in_one_line) {
-  const auto refused = [](const std::string& options, const std::string& words) {
-    const auto run = run_tiltrotor("sensitivity --grid realtime " + options);
-    CHECK_EQ(run.exit_status, 2);
-    CHECK(run.out.empty());
-    CHECK_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1);
-    if (!CHECK(run.err.find(words) != std::string::npos)) NOTE(run.err);
-  };
-  refused("--to masss", "did you mean mass?");
-  refused("--to mass,mass", "twice");
-  refused("--to ''", "is none of the parameters");
-  refused("--of roots", "modes or trim");
-  refused("--to scas_yaw_gain", "goes with --of modes --scas on");
-  refused("--of trim --to scas_yaw_gain", "goes with --of modes --scas on");
-  refused("--scas on --to governor_integral_gain", "goes with --of modes --option governor=pi");
-  refused("--of trim --scas on", "goes with --of modes");
-  refused("--of trim --mode roll", "goes with --of modes");
+  check::check_refused("sensitivity --grid realtime --to masss", "did you mean mass?");
+  check::check_refused("sensitivity --grid realtime --to mass,mass", "twice");
+  check::check_refused("sensitivity --grid realtime --to ''", "is none of the parameters");
+  check::check_refused("sensitivity --grid realtime --of roots", "modes or trim");
+  check::check_refused("sensitivity --grid realtime --to scas_yaw_gain", "goes with --of modes --scas on");
+  check::check_refused("sensitivity --grid realtime --of trim --to scas_yaw_gain",
+                       "goes with --of modes --scas on");
+  check::check_refused("sensitivity --grid realtime --scas on --to governor_integral_gain",
+                       "goes with --of modes --option governor=pi");
+  check::check_refused("sensitivity --grid realtime --of trim --scas on", "goes with --of modes");
+  check::check_refused("sensitivity --grid realtime --of trim --mode roll", "goes with --of modes");
   const auto none = run_tiltrotor(
       this_aircraft::flown("sensitivity --grid realtime --mode no_mode --to mass --format csv"));
   CHECK_EQ(none.exit_status, 2);
