@@ -92,7 +92,8 @@ tr_status tr_get_systems(const tr_sim* sim, tr_systems* systems);
 /* In force from the next step. A system that is switched on begins where the aircraft is: masts, flaps and rotor speed
  * as set, actuators at what is asked of them, engines at the power that is demanded, augmentation at neutral with the
  * sticks where they are. While the conversion drive is on, rates of tr_configuration are its own; while the rotor speed
- * is a state, its acceleration is. tr_trim sets states, commands of masts, flaps and rotor speed, and throttles so that
+ * is a state, its acceleration is. A governor that takes over from another goes on from the collective that it had added;
+ * one that is switched off leaves it to the caller, who adds TR_GOVERNOR of tr_state to its own. tr_trim sets states, commands of masts, flaps and rotor speed, and throttles so that
  * all stand still where the flight does, in a wind that does not grow with height; engines share the power. Drag of the gear and ground effect belong to a trim,
  * wheels on the ground do not.
  * When wind_shear changes the aircraft keeps its velocity over the ground, as with tr_set_environment. A gear that is

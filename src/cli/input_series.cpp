@@ -11,6 +11,7 @@
 #include "tiltrotor/math/differentiation/preaccumulate.hpp"
 #include "tiltrotor/model/aircraft/aircraft_data.hpp"
 #include "tiltrotor/model/variables/control_range.hpp"
+#include "tiltrotor/systems/drive.hpp"
 #include "tiltrotor/systems/system_state.hpp"
 
 namespace tiltrotor::cli {
@@ -55,7 +56,7 @@ Column find_column(const std::string& name, const std::string& where) {
   const std::vector<std::string> throttles = throttle_names();
   for (std::size_t i = 0; i < throttles.size() && i < 2; ++i)
     if (name == throttles[i] || name == kCommandVariables.row[kCommandIndex.throttle[i]].name)
-      return {name, kFirstThrottle + static_cast<int>(i), 1, 0, {0, 1, ""}};
+      return {name, kFirstThrottle + static_cast<int>(i), 1, 0, {0, kMostThrottle<double>, ""}};
   const std::optional<Target> target = find_input(name);
   if (!target || target->kind != Target::Kind::control)
     throw UsageError(where + ": unknown column " + quoted(name) + did_you_mean(name, series_columns()) +

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "cli/script_flight_state.hpp"
+#include "tiltrotor/systems/vehicle_events.hpp"
 
 namespace tiltrotor::cli {
 
@@ -54,12 +55,12 @@ struct ScriptCommander : ScriptFlightState {
     Vehicle<double>& v = flight.vehicle;
     SystemState<double>& s = flight.state;
     if (v.on.governor == to) return;
-    // The lever takes over what the governor had added, and the rotors turn as they do.
-    if (to == Governor::off) memory.last.collective += s.governor;
-    s.governor = 0;
+    // The lever takes over what a governor had added that is off now, and the rotors turn as they do.
+    const double left_over = hand_over(v, s, to);
+    (parked ? ground.hands : memory.last).collective += left_over;
+    inputs.shift(kControlIndex.collective, left_over);
     s.rotor_speed = v.commands.rotor_speed = c.setup.rotor_speed;
     c.setup.rotor_acceleration = 0;
-    v.on.governor = to;
   }
 
   // From the flight as it is, unless it is still on its way out.

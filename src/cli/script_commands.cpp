@@ -11,6 +11,7 @@
 #include "tiltrotor/model/aircraft/aircraft_data.hpp"
 #include "tiltrotor/model/airframe/airflow.hpp"
 #include "tiltrotor/model/variables/control_range.hpp"
+#include "tiltrotor/systems/drive.hpp"
 
 namespace tiltrotor::cli {
 
@@ -111,8 +112,9 @@ std::vector<ScriptRule> make_rules() {
        "517"},
       {"throttle",
        C::throttle,
-       {number("RIGHT", kPart, 0, 1), optional(number("LEFT", kPart, 0, 1))},
-       "part of take-off power of each engine, or of both",
+       {number("RIGHT", kPart, 0, kMostThrottle<double>),
+        optional(number("LEFT", kPart, 0, kMostThrottle<double>))},
+       "part of take-off power of each engine, or of both; above 1 contingency power",
        "0.5"},
       {"hold speed",
        C::hold_speed,
@@ -141,7 +143,11 @@ std::vector<ScriptRule> make_rules() {
        "along the line through where he is, wind or not",
        "90"},
       {"hold position", C::hold_position, {}, "over where he is; instead of a speed", ""},
-      {"turn", C::turn, {number("RATE", kTurning, -kMostTurn, kMostTurn)}, "right is positive", "3"},
+      {"turn",
+       C::turn,
+       {number("RATE", kTurning, -kMostTurn, kMostTurn)},
+       "right is positive; he turns by at most 12 deg/s and 20 deg of bank",
+       "3"},
       {"release",
        C::release,
        {word("LOOP", {"speed", "height", "heading", "position", "all"})},

@@ -124,8 +124,10 @@ struct ScriptFlight::Parts : ScriptCommander {
   pilot::PilotOutput hands() {
     if (parked) {
       const double torque = answer.torque[right] + answer.torque[left];
-      return ground.hold({c.setup.rotor_speed, flight.vehicle.commands.rotor_speed, torque, full_power()},
-                         reach, start.dt);
+      return ground.hold(
+          {c.setup.rotor_speed, flight.vehicle.commands.rotor_speed, torque, full_power(),
+           flight.vehicle.on.governor == Governor::ideal, ground.hands.collective + moment.systems.governor},
+          reach, start.dt);
     }
     pilot::PilotReach now = reach;
     const pilot::PilotSees sees = look();
@@ -237,9 +239,17 @@ struct ScriptFlight::Parts : ScriptCommander {
     m.power_allowed = full_power();
     m.weight_on_wheels = demand.gear.weight_on_wheels;
     const bool holds = !parked && aims.vertical == Vertical::height;
-    constexpr double arrived = 0.5;  // m
     m.wanted_height = holds ? aims.height : std::numeric_limits<double>::quiet_NaN();
-    m.height_settles = holds && std::fabs(memory.height - aims.height) < arrived;
+    m.height_settles = has_settled();
+  }
+
+  // A height counts as held from when the aircraft was there, until another is wanted.
+  bool has_settled() {
+    constexpr double near = 0.5;  // m
+    if (moment.wanted_height != settled_at) is_there = false;
+    settled_at = moment.wanted_height;
+    is_there |= moment.weight_on_wheels == 0 && std::fabs(height() - moment.wanted_height) < near;
+    return is_there;
   }
 
   // A shaft that twists begins at the twist with which neither rotor gains on the other, with their torques as they are now.

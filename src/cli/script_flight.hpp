@@ -53,7 +53,7 @@ struct FlightMoment {
   double power_allowed;  // of one engine, take-off power here, W
   double weight_on_wheels;
   double wanted_height;  // m; not a number where none is held
-  bool height_settles;   // its reference has arrived
+  bool height_settles;   // the aircraft has been there
   Instruments<double> readings;
   std::vector<double> airframe;  // FlightStart::outputs
 };

@@ -58,6 +58,8 @@ struct ScriptFlightState {
   ScriptInputs inputs;
   bool parked = false, lands = false, struck = false;
   FlightRemarks remarks;
+  bool is_there = false;    // once at the height that is held
+  double settled_at = 0;    // that height, m
   double followed = 0;      // by the engines, of the throttle
   double rotor_target = 0;  // rad/s
   std::size_t next = 0;     // event

@@ -25,6 +25,10 @@ void forget(std::vector<ScriptEvent>& events, double time, std::size_t duration)
 
 void ScriptInputs::take(int input, double place) { taken_[input] = {true, place, nullptr, 0}; }
 
+void ScriptInputs::shift(int input, double way) {
+  if (taken_[input].is_taken && taken_[input].series == nullptr) taken_[input].place += way;
+}
+
 void ScriptInputs::release(std::initializer_list<int> inputs) {
   for (const int input : inputs) taken_[input] = {};
 }

@@ -14,6 +14,7 @@ class ScriptInputs {
   explicit ScriptInputs(const FlightScript& script) : script_(script) {}
 
   void take(int input, double place);
+  void shift(int input, double way);  // of a place that was taken
   void release(std::initializer_list<int> inputs);
   void add(const ScriptEvent& signal);   // step or doublet
   void play(const ScriptEvent& series);  // from its time on

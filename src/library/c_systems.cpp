@@ -53,7 +53,6 @@ TILTROTOR_NOINLINE void begin_systems(const SystemSwitches& before, Sim& s) {
     x.flap = setup.flap_deg * kRadPerDeg<R>;
   }
   if (on.governor == Governor::pi && before.governor != Governor::pi) x.rotor_speed = setup.rotor_speed;
-  if (on.governor != before.governor) x.governor = R(0);
   if (on.engines && !before.engines) {
     v.loaded_mass = setup.mass;
     for (const Side side : {right, left})
@@ -302,7 +301,7 @@ bool keep_over_ground(const Sim& s, const Vec3<R>& change_n, Vec3<R>& velocity) 
 
 void put_switches(const tr_systems& systems, Sim& s) {
   Vehicle<R>& v = s.systems.vehicle;
-  v.on.governor = static_cast<Governor>(systems.governor);
+  hand_over(v, s.systems.state, static_cast<Governor>(systems.governor));
   v.on.conversion = systems.conversion == 1;
   v.on.engines = systems.engines == 1;
   v.on.actuators = systems.actuators == 1;

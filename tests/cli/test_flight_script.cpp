@@ -268,7 +268,7 @@ TEST_OF_XV15(cli_bad_scripts_with_bad_series_are_refused_by_line) {
   refused("time_s,pedal_in\n2,1\n1,1\n",
           "inputs.csv:3: column time_s: 1 s does not come after the 2 s of the row above");
   refused("time_s,pedal_in\n0\n", "inputs.csv:2: 1 cells, but the header names 2 columns");
-  refused("time_s,throttle_1\n0,1.5\n", "inputs.csv:2: column throttle_1: 1.5 lies outside 0..1");
+  refused("time_s,throttle_1\n0,1.5\n", "inputs.csv:2: column throttle_1: 1.5 lies outside 0..1.2");
   refused("pedal_in\n0\n", "inputs.csv:1: missing column time_s");
   refused("time_s,time_s\n0,0\n", "inputs.csv:1: columns 'time_s' and 'time_s' give the same quantity");
   refused("time_s,pedal_in\n", "inputs.csv: no rows below the header");

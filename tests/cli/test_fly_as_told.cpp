@@ -221,3 +221,59 @@ TEST_OF_XV15(fly_names_what_leaves_its_range) {
   CHECK_EQ(slow.result.exit_status, 1);
   CHECK(says(slow, "s, rotor_speed: leaves 20..80 rad/s (20."));
 }
+
+// A collective that was taken goes on as the governor has made it, and so do blades under another governor: no step, and
+// hardly one of the power.
+TEST(fly_hands_on_what_a_governor_has_added) {
+  const struct {
+    const char *from, *to;
+  } changes[] = {{"pi", "off"}, {"ideal", "off"}, {"ideal", "pi"}, {"pi", "ideal"}};
+  for (const auto& change : changes) {
+    const Flown f =
+        fly(std::string("0 governor ") + change.from +
+                "\n0 collective 30\n0 mast 90\n1 step long 1 1\n5 governor " + change.to + "\n5.1 end\n",
+            "--mast 90 --speed 90 --every 0.01 --columns "
+            "time_s,collective75_deg,governor_deg,collective_right,rotor_power_kw");
+    CHECK_EQ(f.result.exit_status, 0);
+    CHECK_LT(0.1, std::fabs(f(499, "governor_deg")));
+    const auto lever = [&f](std::size_t row) { return f(row, "collective75_deg") + f(row, "governor_deg"); };
+    CHECK_NEAR(lever(500), lever(499), 0.05);
+    CHECK_NEAR(f(500, "collective_right"), f(499, "collective_right"), 1e-3);
+    CHECK_NEAR(f(500, "rotor_power_kw"), f(499, "rotor_power_kw"), 0.02 * f(499, "rotor_power_kw"));
+    if (change.to == std::string("off")) CHECK_EQ(f(500, "governor_deg"), 0);
+  }
+}
+
+// Under an ideal governor the pilot takes off the power until the blades are near flat.
+TEST(fly_lands_under_an_ideal_governor) {
+  const Flown f = fly("0 gear down\n0 governor ideal\n9 land 0.6\n70 end\n",
+                      "--height 5 --every 1 --columns time_s,weight_on_wheels,collective75_deg,governor_deg");
+  CHECK_EQ(f.result.exit_status, 0);
+  const std::size_t last = f.count() - 1;
+  CHECK_LT(0.5, f(last, "weight_on_wheels"));
+  CHECK_NEAR(f(last, "collective75_deg") + f(last, "governor_deg"), 0.07 * 180 / 3.14159265358979, 0.05);
+}
+
+// A take-off to 3 m is no error of the 3 m that are held; a height that was held and is lost is one.
+TEST(fly_counts_a_held_height_from_when_it_is_there) {
+  const Flown f = fly("0 spool\n34 hold height 3\n60 end\n", "");
+  CHECK_EQ(f.result.exit_status, 0);
+  CHECK_LT(summary(f, "height held"), 0.51);
+  const Flown low = fly("0 hold height 60 5\n20 throttle 0.3\n40 end\n",
+                        "--speed 40 --height 50 --every 1 --columns time_s,height_m");
+  const double lost = 60 - low(low.count() - 1, "height_m");
+  CHECK_LT(10, lost);
+  CHECK_NEAR(summary(low, "height held"), lost, 0.01);
+}
+
+TEST(fly_takes_contingency_power) {
+  const Flown f = fly("0 engine 2 fail\n0 throttle 1.2\n20 end\n",
+                      "--speed 40 --columns time_s,power_1_kw,takeoff_power_kw");
+  const auto& t = aircraft_data<double>();
+  CHECK_REL(f(f.count() - 1, "power_1_kw"),
+            f(f.count() - 1, "takeoff_power_kw") * t.systems.drive.contingency / t.controls.engine_power,
+            1e-3);
+  const check::ProgramResult more = fly("0 throttle 1.21\n1 end\n", "--speed 40").result;
+  CHECK_EQ(more.exit_status, 2);
+  CHECK(more.err.find("0..1.2") != std::string::npos);
+}

@@ -52,6 +52,22 @@ bool begin_step(const Aircraft<R>& aircraft, const State<R>& x, const Controls<R
   return happened || s.holds_pitch != before[0] || s.holds_roll != before[1];
 }
 
+// Another governor takes over in flight, with the blades where they are. One that leads goes on from the collective that
+// the other had added; switched off, it leaves that to the lever: the answer, rad. An ideal governor adds it behind the
+// actuators, one of kind pi before them.
+template <class R>
+R hand_over(Vehicle<R>& v, SystemState<R>& s, Governor to) {
+  const Governor from = v.on.governor;
+  const R added = s.governor;
+  if (v.on.actuators && from != to)
+    for (R& blades : s.collective)
+      blades += from == Governor::ideal ? added : to == Governor::ideal ? -added : R(0);
+  v.on.governor = to;
+  if (to != Governor::off) return R(0);
+  s.governor = R(0);
+  return added;
+}
+
 // Extension of the gear `dt` later: unlocked at once when it is told to go up, locked where it arrives.
 template <class R>
 R moved_gear(const GearTables<R>& gear, const Vehicle<R>& v, R extension, R dt) {
