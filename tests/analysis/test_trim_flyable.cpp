@@ -70,6 +70,23 @@ TEST(trim_power_lapses_with_altitude) {
   CHECK_REL(shaft_power(c, 1.0), t.engines * t.transmission_efficiency * 0.7531 / 0.97337, 1e-3);
 }
 
+// A level flight is trimmed on the engines that run as on any, and told where their power is not enough.
+TEST_OF_XV15(trim_power_is_that_of_the_engines_that_run) {
+  const Configuration<double> c = realtime(0);
+  for (const double speed : {0.0, 20.0, 40.0}) {
+    const TrimResult<double> all = trimmed(c, level(speed));
+    const double needed = all.power[right] + all.power[left];
+    for (const int engines : {0, 1, 2}) {
+      TrimOptions options;
+      options.engines = engines;
+      const TrimResult<double> r = trimmed(c, level(speed), options);
+      CHECK(r.status ==
+            (needed > engines * 1550 * kHorsepower * 0.93 ? TrimStatus::power_limit : TrimStatus::ok));
+      CHECK_EQ(r.power[right], all.power[right]);
+    }
+  }
+}
+
 // 2332 m (7650 ft) is the hover ceiling at take-off power of TM-81244 fig. 12.
 TEST_OF_XV15(trim_power_has_a_hover_ceiling) {
   CHECK(!names(trimmed(realtime(0, 1500), level(0)), TrimLimit::power));

@@ -84,6 +84,11 @@ TEST(trim_refuses_bad_input) {
     CHECK(trimmed(c, level(10), options).status == TrimStatus::out_of_range);
     CHECK(explanation(trimmed(c, level(10), options)) == "bad input: configuration or options");
   }
+  options = {};
+  for (const int bad : {kAllEngines - 1, c.aircraft->controls.engines + 1}) {
+    options.engines = bad;
+    CHECK(trimmed(c, level(10), options).status == TrimStatus::out_of_range);
+  }
   const Configuration<double> unprepared{};
   CHECK(trimmed(unprepared, level(10)).status == TrimStatus::out_of_range);
 }

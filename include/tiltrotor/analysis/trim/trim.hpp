@@ -59,7 +59,7 @@ inline constexpr int kMaxTrimIterations = 200;
 struct TrimOptions {
   int max_iterations = 40;    // of one Newton attempt, 1..kMaxTrimIterations
   bool continuation = true;   // when the cold start fails: approach from an easier flight
-  int engines = kAllEngines;  // that run: what power_limit is about
+  int engines = kAllEngines;  // that run, 0 to those of the aircraft: what power_limit is about
 };
 
 // Trim from a cold start. The result is defined whatever is returned; when is_trimmed(status) it fulfils the
@@ -205,7 +205,9 @@ bool accepts(const Configuration<R>& c, const SteadyFlight<R>& flight, const Tri
   result.invalid = prepared ? first_invalid(*c.aircraft, flight) : SteadyFlightField::none;
   result.largest_speed = prepared ? c.aircraft->limits.speed : R(0);
   result.largest_gust = prepared ? c.aircraft->limits.gust : R(0);
-  const bool options_valid = options.max_iterations >= 1 && options.max_iterations <= kMaxTrimIterations;
+  const bool options_valid =
+      is_within(options.max_iterations, 1, kMaxTrimIterations) &&
+      is_within(options.engines, kAllEngines, prepared ? c.aircraft->controls.engines : kAllEngines);
   result.status = all_finite(flight) ? TrimStatus::out_of_range : TrimStatus::not_finite;
   if (result.invalid != SteadyFlightField::none || !options_valid || !prepared) return false;
   trim_equations(c, work.equations);

@@ -215,7 +215,7 @@ LimitCheck<R> check_limits(const Configuration<R>& c, R speed, R wing_angle, con
   const R power = (rotor[right].loads.torque + rotor[left].loads.torque + spin_up) * c.setup.rotor_speed;
   const R available = shaft_power(c, t.engine_power, engines);
   if (power > available) check.add(TrimStatus::power_limit, TrimLimit::power, power, available);
-  // Rotors that drive the shafts speed up: nothing takes more than the losses of the transmission.
+  // Rotors that drive the shafts speed up: nothing takes more than the losses of the transmission, whatever engines run.
   const R absorbed = static_cast<R>(t.engines) * t.engine_power * (R(1) - t.transmission_efficiency);
   if (power < -absorbed) check.add(TrimStatus::power_limit, TrimLimit::windmill_power, power, -absorbed);
   for (int side = 0; side < 2; ++side) {
