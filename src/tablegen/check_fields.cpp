@@ -39,6 +39,8 @@ void check_fields(const Entries& entries) {
   constexpr double most = 12;
   if (!(blades >= fewest && blades <= most) || blades != static_cast<int>(blades))
     entries.refuse("rotor_blades", "a gimballed rotor has 3 to 12 blades");
+  if (entries.in("engine_count", "count") != 2)
+    entries.refuse("engine_count", "the systems have an engine beside each rotor: 2");
 }
 
 }  // namespace tablegen

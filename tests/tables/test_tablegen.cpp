@@ -150,6 +150,8 @@ TEST(tablegen_refuses_an_aircraft_without_identity) {
 TEST(tablegen_refuses_numbers_that_the_model_cannot_take) {
   expect_refusal_of_line("aircraft.csv", "rotor_blades,", "rotor_blades,2,count,2,count,source,high",
                          "3 to 12 blades");
+  expect_refusal_of_line("aircraft.csv", "engine_count,", "engine_count,3,count,3,count,source,high",
+                         "an engine beside each rotor");
   expect_refusal_of_line("choices.csv", "mass_max,", "mass_max,2000,kg,reason", "not above 'mass_min'");
   expect_refusal_of_line("aircraft.csv", "rotor_rpm_airplane,",
                          "rotor_rpm_airplane,51.7,rpm,5.414011,rad/s,source,high",
