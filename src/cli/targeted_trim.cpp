@@ -90,7 +90,6 @@ class Search {
     const FreedQuantity& freed = freed_quantity(target.freed);
     const double size = std::max(std::fabs(target.value), 1.0);
     const Range range = range_of(level);
-    here.has_run = true;
     const double start = here.start = std::clamp(here.start, range.low, range.high);
     const bool outermost = level == 0;
     TrimmedFlight kept{};
@@ -107,14 +106,23 @@ class Search {
       here = {search.best().at, freed.step / closer, true};  // the next search begins near
       return true;
     }
-    if (!std::isfinite(search.best().miss)) {  // the fault is that of the flight as it was given
-      if (outermost) (void)miss_at(level, start);
+    if (!std::isfinite(search.best().miss)) {
+      if (outermost) tell_nothing_found(target, start);
       return false;
     }
     set(target.freed, search.best().at, flight_);
     flight_.trim.status = TrimStatus::not_converged;
     fault_ = unreached(target, search.best(), range);
     return false;
+  }
+
+  // The fault is that of the flight as it was given, unless no trim is left to say it.
+  void tell_nothing_found(const TrimTarget& target, double start) {
+    if (trims_ < most_trims) return (void)miss_at(0, start);
+    set(target.freed, start, flight_);
+    flight_.trim.status = TrimStatus::not_converged;
+    fault_ = target.held + " " + number_text(target.value, 6) + " is not reached: nothing was found by " +
+             std::to_string(most_trims) + " trims, where the search ends";
   }
 
   bool is_found() {
