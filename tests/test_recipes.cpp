@@ -196,7 +196,8 @@ TEST(house_every_call_is_tried) {
                               content("include/tiltrotor/measure.h") +
                               content("include/tiltrotor/systems.h") + content("include/tiltrotor/sensors.h");
   all_in(found(headers, "\\ntr_status (tr_\\w+)\\("), "tests/fuzz/test_c_interface.cpp");
-  all_in(found(content("src/library/c_entry.cpp") + content("src/library/c_entry_sensors.cpp"),
+  all_in(found(content("src/library/c_entry.cpp") + content("src/library/c_entry_sensors.cpp") +
+                   content("src/library/c_entry_checks.cpp"),
                "decltype\\(::(tr_\\w+)\\)"),
          "tests/toolchain/every_call.c");
 }

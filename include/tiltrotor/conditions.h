@@ -70,6 +70,15 @@ tr_status tr_default_environment(tr_environment* environment);
  * tr_set_configuration. */
 tr_status tr_set_environment(tr_sim* sim, const tr_environment* environment);
 
+/* Which field tr_set_configuration or tr_set_environment would refuse, in one line: "mast_deg 95 lies outside 0..90",
+ * "wind_mps[0] is no finite number, which lies in -100..100"; its status, but for what follows from the state (altitude
+ * and velocity). `text` and `length` as with tr_check_setup. TR_WRONG_VERSION, TR_BAD_ARGUMENT, TR_NOT_FINITE,
+ * TR_OUT_OF_RANGE. Cost: a few comparisons. */
+tr_status tr_check_configuration(const tr_configuration* configuration, uint32_t version, char* text,
+                                 size_t length);
+tr_status tr_check_environment(const tr_environment* environment, uint32_t version, char* text,
+                               size_t length);
+
 /* A load from outside: slung, towed, thrown. */
 #define TR_MOST_LOADS 8
 typedef struct tr_load {

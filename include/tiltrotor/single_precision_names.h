@@ -48,6 +48,9 @@
 #define tr_default_systems tr_default_systems_single
 #define tr_get_systems tr_get_systems_single
 #define tr_set_systems tr_set_systems_single
+#define tr_check_systems tr_check_systems_single
+#define tr_check_environment tr_check_environment_single
+#define tr_check_configuration tr_check_configuration_single
 #define tr_geodetic_at tr_geodetic_at_single
 #define tr_radio_height_at tr_radio_height_at_single
 #define tr_step_lag tr_step_lag_single

@@ -110,6 +110,12 @@ tr_status tr_get_systems(const tr_sim* sim, tr_systems* systems);
  * there, tr_eigenvalues has the roots. */
 tr_status tr_set_systems(tr_sim* sim, const tr_systems* systems);
 
+/* Which field tr_set_systems would refuse, in one line: "throttle[1] 1.5 lies outside 0..1.2", "throttle[1] is no finite
+ * number, which lies in 0..1.2"; its status, the velocity apart. `text` and `length` as with tr_check_setup.
+ * TR_WRONG_VERSION, TR_BAD_ARGUMENT (also of an unknown choice, which the line names), TR_NOT_FINITE, TR_OUT_OF_RANGE.
+ * Cost: a few comparisons. */
+tr_status tr_check_systems(const tr_systems* systems, uint32_t version, char* text, size_t length);
+
 /* tr_directional with the commands of tr_systems as well: `du` holds TR_INPUTS numbers, controls and then commands as
  * tr_linearize counts them with TR_ALL_INPUTS, mast and flap in rad. Commands of systems that are off change nothing. */
 tr_status tr_directional_inputs(const tr_sim* sim, tr_work* work, const tr_real* dx, const tr_real* du,

@@ -52,6 +52,9 @@ fmi3Status put_environment(Instance& i) {
   e.pressure_ratio = f.setting[kPressureRatio];
   if (is_on(f, kGear) || is_on(f, kGroundEffect) || is_on(f, kWindShear))
     e.ground_down_m = f.setting[kGroundDown];
+  char text[120];
+  if (tr_check_environment(&e, TR_API_VERSION, text, sizeof text) != TR_OK)
+    return say(i, fmi3Error, "environment: %s", text);
   return answer(i, tr_set_environment(&i.flight.sim, &e), "environment", fmi3Error);
 }
 
@@ -90,6 +93,9 @@ fmi3Status put_systems(Instance& i, bool with_commands) {
     s.throttle[0] = command[3];
     s.throttle[1] = command[4];
   }
+  char text[120];
+  if (tr_check_systems(&s, TR_API_VERSION, text, sizeof text) != TR_OK)
+    return say(i, fmi3Error, "systems: %s", text);
   const fmi3Status status = answer(i, tr_set_systems(&i.flight.sim, &s), "systems", fmi3Error);
   if (status != fmi3OK || i.co_simulation || !is_on(f, kGear)) return status;
   // No step moves it there.

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <limits>
 
+#include "library/c_ranges.hpp"
 #include "library/c_state.hpp"
 #include "library/c_systems.hpp"
 #include "library/c_words.hpp"
@@ -103,23 +104,6 @@ tr_status put_configuration(const tr_configuration& from, Sim& s) {
 void keep(const Configuration<R>& c, Sim& s) {
   s.configuration = c;
   s.configuration.aircraft = nullptr;
-}
-
-tr_status check_environment(const tr_environment& e) {
-  const LimitTables<R>& limits = aircraft_data<R>().limits;
-  const bool is_ground = is_finite(e.ground_down_m) || e.ground_down_m == std::numeric_limits<R>::infinity();
-  bool finite = is_ground && all_finite(e.wind_mps, 3) && all_finite(e.gust_rates_radps, 3) &&
-                is_finite(e.altitude_origin_m) && is_finite(e.temperature_offset_k) &&
-                is_finite(e.pressure_ratio);
-  bool inside = within(vector(e.wind_mps), limits.wind) &&
-                within(vector(e.gust_rates_radps), limits.gust_rate) &&
-                std::fabs(e.temperature_offset_k) <= limits.warmer &&
-                is_within(e.pressure_ratio, R(1) - limits.pressure_above, R(1) + limits.pressure_above);
-  for (const auto& gust : e.gust_mps) {
-    finite = finite && all_finite(gust, 3);
-    inside = inside && within(vector(gust), limits.gust);
-  }
-  return !finite ? TR_NOT_FINITE : inside ? TR_OK : TR_OUT_OF_RANGE;
 }
 
 bool within_limits(const Loads<R>& outside) {

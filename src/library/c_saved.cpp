@@ -7,6 +7,7 @@
 #include <cstring>
 #include <type_traits>
 
+#include "library/c_ranges.hpp"
 #include "library/c_state.hpp"
 #include "library/c_systems.hpp"
 #include "library/c_words.hpp"

@@ -28,7 +28,6 @@ void put_state(const tr_state& state, Sim& s);
 void keep(const Configuration<R>& c, Sim& s);
 // What may change in flight, checked and set; unless TR_OK, nothing is changed. `follows`: whether the air follows the
 // altitude. The velocity of the state stays as it is.
-tr_status check_environment(const tr_environment& environment);
 bool within_limits(const Loads<R>& outside);
 void get_environment(const Sim& s, tr_environment& environment);
 tr_status put_environment(const tr_environment& environment, bool follows, Sim& s);

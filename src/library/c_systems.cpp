@@ -3,6 +3,7 @@
 
 #include <utility>
 
+#include "library/c_ranges.hpp"
 #include "library/c_state.hpp"
 #include "library/c_words.hpp"
 #include "tiltrotor/analysis/flight/attitude.hpp"
@@ -18,10 +19,6 @@ static_assert(TR_ACTUATORS == state_count + kSystemIndex.collective[right]);
 static_assert(TR_WASHOUT == state_count + kSystemIndex.washout && TR_GEAR + 17 == TR_STATES);
 static_assert(TR_GOVERNOR_PI == static_cast<int>(Governor::pi));
 static_assert(TR_SHEAR_OTHER == static_cast<int>(WindShear::other));
-
-constexpr R kMostTurbulence = R(50);  // m/s
-
-bool is_switch(std::int32_t value) { return value == 0 || value == 1; }
 
 // The twist of the shaft with which neither rotor gains on the other, of the aircraft with its systems as it flies.
 TILTROTOR_NOINLINE void balance_shaft(Sim& s) {
@@ -234,29 +231,6 @@ Vec3<R> gust_at(const Sim& s, const Vec3<R>& arm) {
 int engines_that_run(const Sim& s) {
   const bool(&failed)[2] = s.systems.vehicle.engine_failed;
   return failed[right] || failed[left] ? vehicle_parts::engines_running(failed) : kAllEngines;
-}
-
-tr_status check_systems(const tr_systems& systems) {
-  const LimitTables<R>& limits = aircraft_data<R>().limits;
-  if (systems.governor < TR_GOVERNOR_OFF || systems.governor > TR_GOVERNOR_PI) return TR_BAD_ARGUMENT;
-  if (systems.wind_shear < TR_SHEAR_NONE || systems.wind_shear > TR_SHEAR_OTHER) return TR_BAD_ARGUMENT;
-  for (const std::int32_t on : {systems.conversion, systems.engines, systems.actuators, systems.scas,
-                                systems.gear, systems.ground_effect, systems.turbulence, systems.interconnect,
-                                systems.gear_down, systems.engine_failed[0], systems.engine_failed[1]})
-    if (!is_switch(on)) return TR_BAD_ARGUMENT;
-  const R numbers[] = {systems.mast_command_deg, systems.flap_command_deg, systems.rotor_command_radps,
-                       systems.throttle[0],      systems.throttle[1],      systems.turbulence_w20_mps,
-                       systems.brake[0],         systems.brake[1]};
-  if (!all_finite(numbers, sizeof numbers / sizeof numbers[0])) return TR_NOT_FINITE;
-  const auto within = [](R x, const Bounds<R>& bounds) { return is_within(x, bounds.low, bounds.high); };
-  const bool inside = within(systems.mast_command_deg, limits.mast_deg) &&
-                      within(systems.flap_command_deg, limits.flap_deg) &&
-                      within(systems.rotor_command_radps, limits.rotor_speed) &&
-                      is_within(systems.throttle[0], R(0), kMostThrottle<R>) &&
-                      is_within(systems.throttle[1], R(0), kMostThrottle<R>) &&
-                      is_within(systems.turbulence_w20_mps, R(0), kMostTurbulence) &&
-                      is_within(systems.brake[0], R(0), R(1)) && is_within(systems.brake[1], R(0), R(1));
-  return inside ? TR_OK : TR_OUT_OF_RANGE;
 }
 
 void get_systems(const Sim& s, tr_systems& systems) {

@@ -37,7 +37,6 @@ Vec3<R> gust_at(const Sim& s, const Vec3<R>& arm);
 // A failed engine gives nothing whether the engines are among the systems or not.
 int engines_that_run(const Sim& s);
 
-tr_status check_systems(const tr_systems& systems);
 void get_systems(const Sim& s, tr_systems& systems);
 // Wind over the ground at the aircraft, north east down, m/s, with the ground and the shear of `v`, from the one told.
 Vec3<R> wind_there(const Sim& s, const Vehicle<R>& v, const Vec3<R>& told_n);

@@ -204,13 +204,10 @@ tr_status tr_load_saved(tr_sim* sim, uint32_t version, const void* bytes, size_t
 tr_status tr_derivative(const tr_sim* sim, tr_real* rates, size_t length);
 tr_status tr_get_outputs(const tr_sim* sim, tr_outputs* outputs);
 tr_status tr_trim(tr_sim* sim, tr_work* work, const tr_flight* flight, tr_trim_result* result);
-tr_status tr_linearize(const tr_sim* sim, tr_work* work, int32_t columns, tr_linear_shape* shape, tr_real* a, size_t a_length, tr_real* b,
-  size_t b_length);
-tr_status tr_linearize_and_step(tr_sim* sim, tr_work* work, tr_real dt, int32_t columns, tr_linear_shape* shape, tr_real* a, size_t
-  a_length, tr_real* b, size_t b_length);
+tr_status tr_linearize(const tr_sim* sim, tr_work* work, int32_t columns, tr_linear_shape* shape, tr_real* a, size_t a_length, tr_real* b, size_t b_length);
+tr_status tr_linearize_and_step(tr_sim* sim, tr_work* work, tr_real dt, int32_t columns, tr_linear_shape* shape, tr_real* a, size_t a_length, tr_real* b, size_t b_length);
 tr_status tr_eigenvalues(tr_work* work, const tr_real* a, size_t n, tr_real* real, tr_real* imag, size_t length);
-tr_status tr_modes(tr_work* work, const tr_linear_shape* shape, const tr_real* a, size_t a_length, tr_mode* modes, size_t capacity,
-  size_t* count);
+tr_status tr_modes(tr_work* work, const tr_linear_shape* shape, const tr_real* a, size_t a_length, tr_mode* modes, size_t capacity, size_t* count);
 const char* tr_status_word(int32_t status);
 const char* tr_status_text(int32_t status);
 const char* tr_state_name(int32_t index);
@@ -232,17 +229,16 @@ tr_status tr_get_mass(const tr_sim* sim, tr_mass* mass);
 tr_status tr_motion_at(const tr_sim* sim, const tr_real station_m[3], tr_motion* motion);
 tr_status tr_air_data_at(const tr_sim* sim, const tr_real station_m[3], tr_air_data* air);
 tr_status tr_directional(const tr_sim* sim, tr_work* work, const tr_real* dx, const tr_real* du, tr_real* dxdot, tr_outputs* doutputs);
-tr_status tr_linearize_outputs(const tr_sim* sim, tr_work* work, int32_t columns, tr_real* c, size_t c_length, tr_real* d, size_t
-  d_length);
-tr_status tr_rigid_model(tr_work* work, const tr_linear_shape* shape, const tr_real* a, size_t a_length, const tr_real* b, size_t
-  b_length, tr_linear_shape* reduced_shape, tr_real* reduced_a, size_t reduced_a_length, tr_real* reduced_b, size_t reduced_b_length);
-tr_status tr_linearize_and_step_exponential(tr_sim* sim, tr_work* work, tr_real dt, const tr_real* control_rates, int32_t columns,
-  tr_linear_shape* shape, tr_real* a, size_t a_length, tr_real* b, size_t b_length);
+tr_status tr_linearize_outputs(const tr_sim* sim, tr_work* work, int32_t columns, tr_real* c, size_t c_length, tr_real* d, size_t d_length);
+tr_status tr_rigid_model(tr_work* work, const tr_linear_shape* shape, const tr_real* a, size_t a_length, const tr_real* b, size_t b_length, tr_linear_shape* reduced_shape, tr_real* reduced_a, size_t reduced_a_length, tr_real* reduced_b, size_t reduced_b_length);
+tr_status tr_linearize_and_step_exponential(tr_sim* sim, tr_work* work, tr_real dt, const tr_real* control_rates, int32_t columns, tr_linear_shape* shape, tr_real* a, size_t a_length, tr_real* b, size_t b_length);
 tr_status tr_default_systems(tr_systems* systems);
 tr_status tr_get_systems(const tr_sim* sim, tr_systems* systems);
 tr_status tr_set_systems(tr_sim* sim, const tr_systems* systems);
-tr_status tr_directional_inputs(const tr_sim* sim, tr_work* work, const tr_real* dx, const tr_real* du, tr_real* dxdot, tr_outputs*
-  doutputs);
+tr_status tr_check_systems(const tr_systems* systems, uint32_t version, char* text, size_t length);
+tr_status tr_check_environment(const tr_environment* environment, uint32_t version, char* text, size_t length);
+tr_status tr_check_configuration(const tr_configuration* configuration, uint32_t version, char* text, size_t length);
+tr_status tr_directional_inputs(const tr_sim* sim, tr_work* work, const tr_real* dx, const tr_real* du, tr_real* dxdot, tr_outputs* doutputs);
 tr_status tr_geodetic_at(const tr_geodetic* origin, const double position_m[3], tr_geodetic* place);
 tr_status tr_radio_height_at(const tr_sim* sim, const tr_real station_m[3], tr_real* height_m);
 tr_status tr_step_lag(tr_lag* lag, tr_real input, tr_real dt_s);
@@ -307,7 +303,10 @@ class Aircraft:
         if status != TR_OK and tr_last_fault(self.sim, fault) == TR_OK:
             name = (tr_state_name(fault.state) if fault.state >= 0 else tr_control_name(fault.control)).decode()
             raise Error(status, called + (f", {name}" if fault.status == status and name != "unknown" else ""))
-        check(status, called)
+        text, explain = ctypes.create_string_buffer(160), called.startswith("tr_set_") and globals().get("tr_check_" + called[7:])
+        if status != TR_OK and explain:  # says which field, and its range
+            explain(arguments[0], TR_API_VERSION, text, len(text))
+        check(status, called, text.value.decode())
 
     def get(self, function, structure):
         """What a function writes into a structure: get(tr_get_outputs, tr_outputs)."""
@@ -377,7 +376,7 @@ class Aircraft:
             for changed in [s] * bool(of_systems) + [c] * (len(of_systems) < len(fields)):
                 self.call(tr_set_systems if changed is s else tr_set_configuration, changed)
         except Error as error:
-            self.sim, why = before, f"{tr_status_text(error.status).decode()}; {changed.__doc__.splitlines()[0]}"
+            self.sim, why = before, f"{error}; {changed.__doc__.splitlines()[0]}"
             raise Error(error.status, f"change({', '.join(f'{name}={value}' for name, value in fields.items())})", why) from None
 
     def save(self):

@@ -24,5 +24,8 @@ inline void change_systems(tr_sim& sim, fuzz::Bytes& in) {
   s.turbulence_seed = in.raw<std::uint32_t>();
   const tr_status set = tr_set_systems(&sim, &s);
   REQUIRE(set >= TR_OK && set < TR_STATUS_COUNT && (ready || set == TR_NOT_INITIALIZED));
+  char line[100];
+  const tr_status possible = tr_check_systems(&s, TR_API_VERSION, line, in.byte() % sizeof line);
+  if (ready && possible != TR_OK) REQUIRE(set == possible);
   if (set == TR_NOT_INITIALIZED) REQUIRE(std::memcmp(&sim, &before, sizeof sim) == 0);
 }

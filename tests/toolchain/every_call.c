@@ -68,6 +68,9 @@ int main(void) {
   print("default_systems", tr_default_systems(&systems));
   print("get_systems", tr_get_systems(&sim, &systems));
   print("set_systems", tr_set_systems(&sim, &systems));
+  print("check_systems", tr_check_systems(&systems, TR_API_VERSION, 0, 0));
+  print("check_environment", tr_check_environment(&environment, TR_API_VERSION, 0, 0));
+  print("check_configuration", tr_check_configuration(&configuration, TR_API_VERSION, 0, 0));
   print("save", tr_save(&sim, saved, sizeof saved, &used));
   print("load_saved", tr_load_saved(&sim, TR_API_VERSION, saved, sizeof saved));
   print("derivative", tr_derivative(&sim, rates, TR_STATES));
