@@ -11,6 +11,7 @@
 #             AIRCRAFT=xv15            folder below tables/ that is compiled in: xv15, scaled_xv15 or one of your own
 #             BUILD=build              give each variant (sanitizers, clang, cross) its own
 #             TESTS=                   arguments of the test runner: names to select, --skip, --verbose
+#             PRECOMPILED=yes          or no: one header compiled once for the program and the tests; no with ccache
 #             WERROR=1                 warnings are errors
 #             V=1                      show complete commands
 #             PREFIX, DESTDIR          where `make install` copies to
@@ -140,14 +141,15 @@ TABLEGEN_OBJECTS   := $(TABLEGEN_SOURCE:src/%.cpp=$(BUILD)/host/%.o)
 C_SOURCE           := $(filter %/aircraft_data.cpp,$(LIBRARY_SOURCE)) $(filter src/library/c_%.cpp,$(LIBRARY_SOURCE))
 AIRCRAFT_OBJECT    := $(BUILD)/cpp/library/headers_aircraft.o
 C2_OBJECT          := $(BUILD)/cpp/library/headers_c2_aircraft.o
-COMMON_OBJECTS     := $(patsubst %,$(BUILD)/cpp/library/%.o,analysis_double analysis_float analysis_closed_loop analysis_motion \
+COMMON_OBJECTS     := $(patsubst %,$(BUILD)/cpp/library/%.o,analysis_double analysis_closed_loop analysis_motion \
                         analysis_vehicle_outputs c_processor c_compiled) $(AIRCRAFT_OBJECT) $(C2_OBJECT)
 C_OBJECTS          := $(C_SOURCE:src/%.cpp=$(BUILD)/ad/%.o)
 LIBRARY_OBJECTS    := $(C_OBJECTS) $(AIRCRAFT_OBJECT)
 LIBRARY_ND_OBJECTS := $(BUILD)/ad/library/aircraft_data.o $(AIRCRAFT_OBJECT) \
                       $(patsubst src/%.cpp,$(BUILD)/nd/%.o,$(filter src/library/c_%.cpp,$(C_SOURCE)))
+FLOAT_OBJECT       := $(BUILD)/cpp/library/analysis_float.o
 ANALYSES           := $(BUILD)/libanalyses.a $(BUILD)/libanalyses-nd.a
-ANALYSES_OBJECTS   := $(COMMON_OBJECTS) $(BUILD)/cpp/library/analyses.o $(BUILD)/cpp-nd/library/analyses.o
+ANALYSES_OBJECTS   := $(COMMON_OBJECTS) $(BUILD)/cpp/library/analyses.o $(BUILD)/cpp-nd/library/analyses.o $(FLOAT_OBJECT)
 PROGRAM_OBJECTS    := $(PROGRAM_SOURCE:src/%.cpp=$(BUILD)/program/%.o)
 TEST_OBJECTS       := $(TEST_SOURCE:tests/%.cpp=$(BUILD)/tests/%.o)
 BENCH_OBJECTS      := $(BENCH_SOURCE:bench/%.cpp=$(BUILD)/bench/%.o)
@@ -171,7 +173,7 @@ BENCHMARKS := $(BENCH_SOURCE:bench/%.cpp=$(BUILD)/bench_%)
 .DELETE_ON_ERROR:
 Q := $(if $(V),,@)
 
-all: $(LIBRARIES) $(SHARED) $(PROGRAMS) ## build the libraries, static and shared, and both programs (the default)
+all: $(if $(TARGET),,$(ANALYSES)) $(LIBRARIES) $(SHARED) $(PROGRAMS) ## build the libraries, static and shared, and both programs (the default)
 
 run: all ## run the whole study; figures and numbers go to build/report
 	$(Q)$(RUNNER) $(BUILD)/tiltrotor report --output '$(abspath $(BUILD))/report'
@@ -315,8 +317,8 @@ $(BUILD)/libtiltrotor.so.$(INTERFACE): $(C_OBJECTS) src/library/exported.map $(B
 
 $(BUILD)/tiltrotor: $(PROGRAM_OBJECTS) $(BUILD)/libanalyses.a
 $(BUILD)/tiltrotor-nd: $(PROGRAM_OBJECTS) $(BUILD)/libanalyses-nd.a
-$(BUILD)/run_tests: $(TEST_OBJECTS) $(PROGRAM_PARTS) $(BUILD)/libanalyses.a $(BUILD)/libtiltrotor.a
-$(BENCHMARKS): $(BUILD)/bench_%: $(BUILD)/bench/%.o $(BUILD)/libanalyses.a $(BUILD)/libtiltrotor.a
+$(BUILD)/run_tests: $(TEST_OBJECTS) $(PROGRAM_PARTS) $(FLOAT_OBJECT) $(BUILD)/libanalyses.a $(BUILD)/libtiltrotor.a
+$(BENCHMARKS): $(BUILD)/bench_%: $(BUILD)/bench/%.o $(FLOAT_OBJECT) $(BUILD)/libanalyses.a $(BUILD)/libtiltrotor.a
 $(BUILD)/tiltrotor $(BUILD)/tiltrotor-nd $(BUILD)/run_tests $(BENCHMARKS): $(BUILD)/sources.stamp
 	$(link)
 	$(Q)$(CXX) $(FLAGS) $(LDFLAGS) $(filter %.o %.a,$^) $(LDLIBS) -o $@
@@ -335,14 +337,13 @@ $(sort $(LIBRARY_OBJECTS) $(LIBRARY_ND_OBJECTS) $(ANALYSES_OBJECTS)) $(PROGRAM_O
 $(TEST_OBJECTS): $(BUILD)/tests.stamp
 $(BENCH_OBJECTS): $(BUILD)/bench.stamp
 # Ask what the processor can do: must themselves run on every one.
-$(addprefix %/,c_processor.o c_entry.o c_entry_sensors.o c_words.o c_plain_names.o processor_check.o): ARCH_FLAGS := $(TARGET_$(TARGET))
+$(addprefix %/,c_processor.o c_entry.o c_entry_sensors.o c_entry_checks.o c_words.o c_plain_names.o processor_check.o): ARCH_FLAGS := $(TARGET_$(TARGET))
 
 # On a target, code that no step runs through is made small: its operations and their order stay.
 SMALL := $(if $(TARGET),aircraft conditions outputs saved system_model system_outputs systems trim)
 $(SMALL:%=$(BUILD)/ad/library/c_%.o): FLAGS += -Os
 $(BUILD)/ad/%.o: src/%.cpp
 	$(call compile,$(LIBRARY_FLAGS))
-
 $(BUILD)/nd/%.o: src/%.cpp
 	$(call compile,$(LIBRARY_FLAGS) $(ND_FLAGS),numerical differences)
 
@@ -352,11 +353,12 @@ $(BUILD)/cpp/%.o: src/%.cpp
 $(BUILD)/cpp-nd/%.o: src/%.cpp
 	$(call compile,$(CORE_FLAGS) $(EXTERN) $(ND_FLAGS),for the program; numerical differences)
 
-$(BUILD)/program/%.o: src/%.cpp
-	$(call compile,$(PROGRAM_FLAGS) $(EXTERN))
+include src/precompiled.mk
+$(BUILD)/program/%.o: src/%.cpp $(PRECOMPILED_HEADER:%=%.gch)
+	$(call compile,$(PROGRAM_FLAGS) $(EXTERN) $(PRECOMPILED_HEADER:%=-include %))
 
-$(BUILD)/tests/%.o: tests/%.cpp
-	$(call compile,$(PROGRAM_FLAGS) $(TEST_FLAGS) $(EXTERN))
+$(BUILD)/tests/%.o: tests/%.cpp $(PRECOMPILED_HEADER:%=%.gch)
+	$(call compile,$(PROGRAM_FLAGS) $(TEST_FLAGS) $(EXTERN) $(PRECOMPILED_HEADER:%=-include %))
 
 $(BUILD)/bench/%.o: bench/%.cpp
 	$(call compile,$(BENCH_FLAGS) $(EXTERN))

@@ -22,7 +22,7 @@ SHARD   ?= 1/1
 envelope: $(BUILD)/envelope ## STATES=1000000 random states, FLIGHTS=10000 random flights and MISSIONS=1000 missions of 60 s; SHARD=k/n: a part
 	$(Q)$(RUNNER) $(BUILD)/envelope $(STATES) $(FLIGHTS) $(MISSIONS) $(SHARD)
 
-$(BUILD)/envelope: $(ENVELOPE_OBJECTS) $(BUILD)/libanalyses.a $(BUILD)/libtiltrotor.a
+$(BUILD)/envelope: $(ENVELOPE_OBJECTS) $(FLOAT_OBJECT) $(BUILD)/libanalyses.a $(BUILD)/libtiltrotor.a
 	$(link)
 	$(Q)$(CXX) $(FLAGS) $(LDFLAGS) $(filter %.o %.a,$^) $(LDLIBS) -o $@
 
@@ -56,7 +56,7 @@ fuzz: ## SECONDS=60 of mutated input for every reader, solver and the C interfac
 fuzzers: $(FUZZ_TARGETS:%=$(BUILD)/fuzz_%)
 $(BUILD)/fuzz_tables: $(TABLEGEN_PARTS)
 $(BUILD)/fuzz_command_line $(BUILD)/fuzz_state_file $(BUILD)/fuzz_feedback_file: $(PROGRAM_PARTS)
-$(FUZZ_TARGETS:%=$(BUILD)/fuzz_%): $(BUILD)/fuzz_%: $(BUILD)/tests/fuzz/test_%.o $(BUILD)/libanalyses.a $(BUILD)/libtiltrotor.a
+$(FUZZ_TARGETS:%=$(BUILD)/fuzz_%): $(BUILD)/fuzz_%: $(BUILD)/tests/fuzz/test_%.o $(FLOAT_OBJECT) $(BUILD)/libanalyses.a $(BUILD)/libtiltrotor.a
 	$(link)
 	$(Q)$(CXX) $(FLAGS) $(LDFLAGS) -fsanitize=fuzzer $(filter %.o,$^) $(filter %.a,$^) $(LDLIBS) -o $@
 
