@@ -142,9 +142,10 @@ void follow_configuration(Sim& s) {
   const FlightSetup<R>& setup = s.configuration.setup;
   SystemState<R>& x = s.systems.state;
   if (on.conversion) {
-    x.mast = s.configuration.mast;
+    // What reads the same in degrees was not set: it keeps its bits.
+    if (x.mast * kDegPerRad<R> != setup.mast_deg) x.mast = s.configuration.mast;
     x.mast_rate = setup.mast_rate;
-    x.flap = setup.flap_deg * kRadPerDeg<R>;
+    if (x.flap * kDegPerRad<R> != setup.flap_deg) x.flap = setup.flap_deg * kRadPerDeg<R>;
   }
   if (on.governor == Governor::pi) x.rotor_speed = setup.rotor_speed;
   if (on.engines) s.systems.vehicle.loaded_mass = setup.mass + x.fuel;

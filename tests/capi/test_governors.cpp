@@ -56,3 +56,31 @@ TEST(capi_a_governor_takes_over_what_another_added) {
         CHECK_NEAR(after.thrust, before.thrust, (at_once ? 0.05 : 5e-3) * before.thrust);
       }
 }
+
+// Under way with everything on, masts and flaps moving: what was read and is set again changes no bit of the flight.
+TEST(capi_what_was_read_is_set_again_without_a_change) {
+  tr_sim sim = trimmed_sim(0, 30);
+  tr_systems systems = systems_of(sim);
+  systems.governor = TR_GOVERNOR_PI;
+  systems.conversion = systems.engines = systems.actuators = systems.scas = systems.gear = 1;
+  set_systems(sim, systems);
+  const auto work = new_work();
+  const tr_flight flight = {30, 0, 0, 0};
+  CHECK_EQ(tr_trim(&sim, work.get(), &flight, nullptr), TR_OK);
+  systems = systems_of(sim);
+  systems.mast_command_deg = 60;
+  systems.flap_command_deg = 20;
+  systems.gear_down = 0;
+  set_systems(sim, systems);
+  tr_sim twin = sim;
+  for (int k = 0; k < 400; ++k) {
+    fly(sim, 1);
+    fly(twin, 1);
+    tr_configuration configuration;
+    CHECK_EQ(tr_get_configuration(&twin, &configuration), TR_OK);
+    CHECK_EQ(tr_set_configuration(&twin, &configuration), TR_OK);
+    set_state(twin, state_of(twin));
+    set_systems(twin, systems_of(twin));
+    CHECK(same_bits(state_of(sim), state_of(twin)));
+  }
+}
