@@ -6,7 +6,7 @@
 
 namespace tiltrotor::cli {
 
-class ChangedAircraft : public study::CopiedTables {
+class ChangedAircraft : public study::CopiedTables<double> {
  public:
   // Of the configuration; `change(*this)` may write to `aircraft`, scale and shift.
   template <class Change>

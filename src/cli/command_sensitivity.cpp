@@ -23,31 +23,16 @@ namespace {
 constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
 enum class Of : unsigned char { modes, trim };
 
-const std::vector<std::string> mode_columns = {"mast_deg",
-                                               "speed_mps",
-                                               "axis",
-                                               "mode",
-                                               "parameter",
-                                               "change",
-                                               "unit",
-                                               "method",
-                                               "d_damping_ratio",
-                                               "d_frequency_rad_s",
-                                               "d_real",
-                                               "d_imag",
-                                               "damping_ratio",
-                                               "frequency_rad_s",
-                                               "real",
-                                               "imag",
-                                               "status",
-                                               "altitude_m",
-                                               "mass_kg",
-                                               "cg_sl_in",
-                                               "flap_deg"};
+const std::vector<std::string> mode_columns = {
+    "mast_deg",          "speed_mps", "axis",     "mode",
+    "parameter",         "change",    "unit",     "d_damping_ratio",
+    "d_frequency_rad_s", "d_real",    "d_imag",   "damping_ratio",
+    "frequency_rad_s",   "real",      "imag",     "status",
+    "altitude_m",        "mass_kg",   "cg_sl_in", "flap_deg"};
 const std::vector<std::string> trim_columns = {
-    "mast_deg",    "speed_mps",  "parameter",          "change",          "unit",           "method",
-    "d_pitch_deg", "d_roll_deg", "d_collective75_deg", "d_long_stick_in", "d_lat_stick_in", "d_pedal_in",
-    "d_power_kw",  "status",     "altitude_m",         "mass_kg",         "cg_sl_in",       "flap_deg"};
+    "mast_deg",   "speed_mps",          "parameter",       "change",         "unit",       "d_pitch_deg",
+    "d_roll_deg", "d_collective75_deg", "d_long_stick_in", "d_lat_stick_in", "d_pedal_in", "d_power_kw",
+    "status",     "altitude_m",         "mass_kg",         "cg_sl_in",       "flap_deg"};
 
 // A row before it has its place among the others.
 struct Sorted {
@@ -109,8 +94,8 @@ class SensitivityRows {
       }
       if (of_ == Of::trim) rows[0].push_back(trim_row(flight, *parameter, motion));
       for (std::size_t k = 0; k < shown.size() && of_ == Of::modes; ++k)
-        rows[k].push_back(mode_row(flight, *parameter, sensitivity_.roots()[shown[k]], motion.root[shown[k]],
-                                   motion.exact));
+        rows[k].push_back(
+            mode_row(flight, *parameter, sensitivity_.roots()[shown[k]], motion.root[shown[k]]));
     }
     for (std::vector<Sorted>& part : rows) {
       std::stable_sort(part.begin(), part.end(),
@@ -171,16 +156,16 @@ class SensitivityRows {
     for (const char* setting : {"altitude_m", "mass_kg", "cg_sl_in", "flap_deg"})
       row.emplace_back(as_given(flight.setting(setting)));
   }
-  static void add_parameter(const SensitivityParameter& p, bool exact, Row& row) {
-    row.insert(row.end(), {p.name, as_given(p.amount), p.unit, exact ? "exact" : "difference"});
+  static void add_parameter(const SensitivityParameter& p, Row& row) {
+    row.insert(row.end(), {p.name, as_given(p.amount), p.unit});
   }
 
   // Of a pair the damping ratio says what is better, of a real root the root.
   Sorted mode_row(const TrimmedFlight& flight, const SensitivityParameter& p, const NamedRoot& root,
-                  const RootMotion<double>& motion, bool exact) const {
+                  const RootMotion<double>& motion) const {
     Row row = head(flight);
     row.insert(row.end(), {root.axis, root.name});
-    add_parameter(p, exact, row);
+    add_parameter(p, row);
     for (const double number : {motion.damping_ratio, motion.frequency, motion.real, motion.imag,
                                 root.damping_ratio, root.frequency, root.real, root.imag})
       row.emplace_back(number);
@@ -192,7 +177,7 @@ class SensitivityRows {
                   const FlightMotion& motion) const {
     constexpr double radian = kRadPerDeg<double>;
     Row row = head(flight);
-    add_parameter(p, motion.exact, row);
+    add_parameter(p, row);
     for (const double number :
          {motion.trim.x.pitch / radian, motion.trim.x.roll / radian, motion.trim.u.collective / radian,
           motion.trim.u.long_stick, motion.trim.u.lat_stick, motion.trim.u.pedal, motion.power / 1000})
@@ -273,10 +258,9 @@ Command sensitivity_command() {
   static const std::string description =
       "For each mode, or for the trim, one row a parameter: what its usual `change`, in `unit`, does to first order, the\n"
       "largest effect first: of a pair on the damping ratio, of a real root on the root, of a trim on the power. The trim\n"
-      "moves with the parameter; speed, climb, turn rate, sideslip or azimuth and what --hold let go stay. method `exact`:\n"
-      "by second derivatives of the model and both eigenvectors. `difference`, for numbers of the aircraft: their own part by\n"
-      "extrapolated differences of exact matrices, the moving trim's exact; with a governor or --scas on, all of the matrix.\n"
-      "On a knot of a table along mast angle or flap it is that of the interval above.\n"
+      "moves with the parameter, and with a governor the balance of power; speed, climb, turn rate, sideslip or azimuth and\n"
+      "what --hold let go stay. Exact: second derivatives of the model, which carries the slope of the parameter through every\n"
+      "number and table, and both eigenvectors. On a knot of a table along mast angle or flap it is that of the interval above.\n"
       "Parameters: " +
       parameter_names() + ".\n";
   return {

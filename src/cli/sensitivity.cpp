@@ -1,6 +1,7 @@
 #include "cli/sensitivity.hpp"
 
 #include "cli/governed.hpp"
+#include "cli/model_slope.hpp"
 #include "cli/wind_trim.hpp"
 #include "tiltrotor/analysis/linear/model_motion.hpp"
 
@@ -8,67 +9,21 @@ namespace tiltrotor::cli {
 
 namespace {
 
-using Numbers = std::vector<double>;
-
-constexpr double kStep =
-    0.002;  // of a usual change: few elements change their place among the knots of a table
-
-template <int N>
-void append(const Matrix<double, N, N>& a, int n, Numbers& to) {
-  for (int i = 0; i < n; ++i)
-    for (int j = 0; j < n; ++j) to.push_back(a(i, j));
-}
-
-// State and controls of a trim on its way.
-std::pair<State<double>, Controls<double>> moved(const TrimResult<double>& trim,
-                                                 const TrimMotion<double>& motion, double by) {
-  double x[state_count], u[control_count], along_x[state_count], along_u[control_count];
-  flatten(trim.state, x);
-  flatten(trim.controls, u);
-  flatten(motion.x, along_x);
-  flatten(motion.u, along_u);
-  for (int i = 0; i < state_count; ++i) x[i] += by * along_x[i];
-  for (int j = 0; j < control_count; ++j) u[j] += by * along_u[j];
-  std::pair<State<double>, Controls<double>> at;
-  unflatten(x, at.first);
-  unflatten(u, at.second);
-  return at;
-}
-
-// Air of another density or speed of sound at the same altitude, as its temperature and pressure make it: systems that make
-// the configuration anew keep these.
-void move_air(Configuration<double>& c, ConfigurationParameter parameter, double by) {
-  double density = c.air.density;
-  double sound = c.air.speed_of_sound;
+// Air of another density or speed of sound at the same altitude, as its temperature and pressure make it.
+void move_air(const Configuration<double>& c, ConfigurationParameter parameter, Along by,
+              Surroundings<Along>& around) {
+  Along density = c.air.density;
+  Along sound = c.air.speed_of_sound;
   (parameter == ConfigurationParameter::air_density ? density : sound) += by;
-  const Air<double> standard = standard_air(c.setup.altitude);
-  const double ratio = (sound / standard.speed_of_sound) * (sound / standard.speed_of_sound);
-  c.around.warmer = standard.temperature * (ratio - 1);
-  c.around.pressure_above = density / standard.density * ratio - 1;
-  configure(c);
+  const Air<Along> standard = standard_air(Along(c.setup.altitude));
+  const Along ratio = square(sound / standard.speed_of_sound);
+  around.warmer = standard.temperature * (ratio - Along(1));
+  around.pressure_above = density / standard.density * ratio - Along(1);
 }
 
 bool is_of_air(const SensitivityParameter& p) {
   return p.parameter == ConfigurationParameter::air_density ||
          p.parameter == ConfigurationParameter::speed_of_sound;
-}
-
-// Along mast angle and flap tables are linear between their knots: the side to look to, as partials do; 0: both.
-int table_side(const SensitivityParameter& p, const Configuration<double>& c) {
-  const LimitTables<double>& limits = c.aircraft->limits;
-  if (p.parameter == ConfigurationParameter::mast) return c.setup.mast_deg < limits.mast_deg.high ? 1 : -1;
-  if (p.parameter == ConfigurationParameter::flap) return c.setup.flap_deg < limits.flap_deg.high ? 1 : -1;
-  return 0;
-}
-
-// Third order.
-template <class At>
-Numbers one_sided_slopes(At&& at, double h) {
-  const Numbers zero = at(0), one = at(h), two = at(2 * h), three = at(3 * h);
-  Numbers out(zero.size());
-  for (std::size_t i = 0; i < out.size(); ++i)
-    out[i] = (18 * one[i] - 11 * zero[i] - 9 * two[i] + 2 * three[i]) / (6 * h);
-  return out;
 }
 
 // The wind of a flight from its azimuth, at the speed, climb and turn of another.
@@ -85,13 +40,15 @@ void scale(double by, Shape& s) {
 }  // namespace
 
 struct Sensitivity::Memory {
-  LinearModel<double> model, changed;
+  LinearModel<double> model;
   ModesWorkspace<double> modes;
   ModeSet<double> set;
   VehicleMatrices matrices;
   VehicleModes<double> vehicle_modes;
   Eigensystem<double, kMaxVehicleStates> vehicle_system;
-  Matrix<double, kMaxVehicleStates, kMaxVehicleStates> closed_loop;  // its slope
+  ModelSlope slope;
+  ModelSlope::Airframe airframe;
+  ModelSlope::Square closed_loop;  // its slope
   SensitivityWorkspace<double> columns;
   ConfigurationSensitivity<double> column;
   TrimMotionWorkspace<double> trims;
@@ -99,9 +56,6 @@ struct Sensitivity::Memory {
   ModelMotion<double> motion;
   RootMotionWorkspace<double> roots;
   RootMotion<double> root[kMaxLinearStates];
-  DerivativeSteps<double> steps;
-  State<double> rates;
-  Configuration<double> moved;
 };
 
 Sensitivity::Sensitivity(const SensitivitySystems& systems)
@@ -110,7 +64,7 @@ Sensitivity::~Sensitivity() = default;
 
 // In systems the aircraft is changed where it can be: they make what follows from a setting anew.
 bool Sensitivity::changes_aircraft(const SensitivityParameter& p) const {
-  return p.change != nullptr && (p.parameter == ConfigurationParameter::count || systems_.any());
+  return p.change.along != nullptr && (p.parameter == ConfigurationParameter::count || systems_.any());
 }
 
 Status Sensitivity::begin(const TrimmedFlight& flight, Analyses& work) {
@@ -148,54 +102,16 @@ void Sensitivity::name_roots() {
   }
 }
 
-Numbers Sensitivity::airframe_numbers(const Configuration<double>& c, const TrimMotion<double>& motion,
-                                      double by, Status& status) {
-  Memory& m = *memory_;
-  const auto [x, u] = moved(flight_->trim, motion, by);
-  const Status found = linearize(c, x, u, ControlSet{}, *work_, m.changed);
-  if (found != Status::ok) status = found;
-  Numbers all(m.changed.xdot, m.changed.xdot + state_count);
-  derivative(c, x, u, m.steps, m.rates, 0.0);
-  all.push_back(c.setup.rotor_speed * (m.steps.rotor[right].loads.torque + m.steps.rotor[left].loads.torque));
-  append(m.changed.a, m.model.states, all);
-  return all;
-}
-
-Numbers Sensitivity::closed_loop_numbers(const Configuration<double>& c, const TrimMotion<double>& motion,
-                                         double by, Status& status) {
-  Memory& m = *memory_;
-  const auto [x, u] = moved(flight_->trim, motion, by);
-  const Status found = linearize_governed(c, x, u, ControlSet{}, *work_, m.matrices, systems_.scas);
-  if (found != Status::ok) status = found;
-  Numbers all;
-  append(m.matrices.a, m.matrices.shape.states, all);
-  return all;
-}
-
-// Central differences over h and h/2, extrapolated.
-Numbers Sensitivity::slopes(const SensitivityParameter& p, const TrimMotion<double>& motion, double h,
-                            NumbersOf numbers_of, Status& status) {
-  const auto at = [&](double by) {
-    if (p.held != nullptr) return (this->*numbers_of)(flight_->configuration, motion, by, status);
-    if (is_of_air(p)) {
-      memory_->moved = flight_->configuration;
-      move_air(memory_->moved, p.parameter, by);
-      return (this->*numbers_of)(memory_->moved, motion, by, status);
-    }
-    if (!changes_aircraft(p)) {
-      moved_configuration(flight_->configuration, &p.parameter, &by, 1, memory_->moved);
-      return (this->*numbers_of)(memory_->moved, motion, by, status);
-    }
-    const ChangedAircraft changed(flight_->configuration, [&](ChangedAircraft& a) { p.change(a, by); });
-    return (this->*numbers_of)(changed.configuration(), motion, by, status);
-  };
-  const int side = table_side(p, flight_->configuration);
-  if (side != 0) return one_sided_slopes(at, side * h);
-  const Numbers above = at(h), below = at(-h), near_above = at(0.5 * h), near_below = at(-0.5 * h);
-  Numbers out(above.size());
-  for (std::size_t i = 0; i < out.size(); ++i)
-    out[i] = (8 * (near_above[i] - near_below[i]) - (above[i] - below[i])) / (6 * h);
-  return out;
+// By one unit of the parameter.
+Status Sensitivity::begin_slope(const SensitivityParameter& p) {
+  const Configuration<double>& c = flight_->configuration;
+  return memory_->slope.begin(c, [&](Moved moved) {
+    const Along by(0, 1);
+    if (p.held != nullptr) return;
+    if (changes_aircraft(p)) return p.change.along(moved.aircraft, by);
+    if (is_of_air(p)) return move_air(c, p.parameter, by, moved.around);
+    sensitivity_detail::move_setting(p.parameter, by, moved.setting);
+  });
 }
 
 // At the attitude of the trim velocity is proportional to speed, and body rates to the turn rate.
@@ -212,15 +128,12 @@ State<double> Sensitivity::set_by_flight(const SensitivityParameter& p) const {
   return direct;
 }
 
-Numbers Sensitivity::rates_along(const State<double>& direct) const {
+void Sensitivity::rates_along(const State<double>& direct, double (&rates)[state_count]) const {
   const LinearModel<double>& model = memory_->model;
   double x[state_count];
   flatten(direct, x);
-  Numbers rates(state_count);
   for (int i = 0; i < model.states; ++i)
-    for (int j = 0; j < model.states; ++j)
-      rates[static_cast<std::size_t>(model.state[i])] += model.a(i, j) * x[model.state[j]];
-  return rates;
+    for (int j = 0; j < model.states; ++j) rates[model.state[i]] += model.a(i, j) * x[model.state[j]];
 }
 
 Status Sensitivity::move(const SensitivityParameter& p, FlightMotion& out) {
@@ -230,46 +143,41 @@ Status Sensitivity::move(const SensitivityParameter& p, FlightMotion& out) {
   const Controls<double>& u = flight_->trim.controls;
   const bool by_aircraft = changes_aircraft(p);
   const double change = by_aircraft ? p.amount : p.amount * p.in_si(c);
-  const double step = kStep * change;
-  out.exact = !by_aircraft && !systems_.any();
-  Status status = Status::ok;
+  Status status = by_aircraft || systems_.any() ? begin_slope(p) : Status::ok;
+  if (status != Status::ok) return status;
 
   // With state and controls held.
-  Numbers held;
+  double held[state_count] = {};
   State<double> direct{};  // what the flight sets itself
   if (p.held != nullptr) {
     direct = set_by_flight(p);
-    held = rates_along(direct);
+    rates_along(direct, held);
   } else if (by_aircraft) {
-    held = slopes(p, {}, step, &Sensitivity::airframe_numbers, status);
+    status = m.slope.rates(x, u, held);
   } else {
     status = configuration_sensitivity(c, x, u, {1, {p.parameter}}, m.columns, m.column);
-    for (int i = 0; i < state_count; ++i) held.push_back(m.column.rates(i, 0));
+    for (int i = 0; i < state_count; ++i) held[i] = m.column.rates(i, 0);
   }
-  if (status == Status::ok) status = trim_motion(held.data(), m.trims, out.trim);
+  if (status == Status::ok) status = trim_motion(held, m.trims, out.trim);
   if (status != Status::ok) return status;
   out.trim.x.velocity = out.trim.x.velocity + direct.velocity;
   out.trim.x.rates = out.trim.x.rates + direct.rates;
 
-  // And with the trim, of the airframe,
-  const int n = m.model.states;
-  const ConfigurationParameter parameter = by_aircraft ? ConfigurationParameter::count : p.parameter;
-  status = model_motion(c, x, u, m.model, parameter, out.trim, m.motions, m.motion);
-  if (status != Status::ok) return status;
-  out.power = m.motion.power[right] + m.motion.power[left];
+  // And with the trim: of the airframe,
   if (by_aircraft) {
-    out.power += held[state_count];
-    const double* own = held.data() + state_count + 1;
-    for (int i = 0; i < n; ++i)
-      for (int j = 0; j < n; ++j) m.motion.a(i, j) += *own++;
+    status = m.slope.airframe(x, u, out.trim, m.airframe);
+    out.power = m.airframe.power;
+    for (int i = 0; i < m.model.states; ++i)
+      for (int j = 0; j < m.model.states; ++j)
+        m.motion.a(i, j) = m.airframe.a[m.model.state[i]][m.model.state[j]];
+  } else {
+    status = model_motion(c, x, u, m.model, p.parameter, out.trim, m.motions, m.motion);
+    out.power = m.motion.power[right] + m.motion.power[left];
   }
   // or of the closed loop.
-  if (systems_.any()) {
-    const Numbers slope = slopes(p, out.trim, step, &Sensitivity::closed_loop_numbers, status);
-    const std::size_t states = static_cast<std::size_t>(m.matrices.shape.states);
-    for (std::size_t i = 0; i < slope.size(); ++i)
-      m.closed_loop(static_cast<int>(i / states), static_cast<int>(i % states)) = slope[i];
-  }
+  if (status == Status::ok && systems_.any())
+    status = m.slope.closed_loop(x, u, out.trim, systems_.scas, m.closed_loop);
+  if (status != Status::ok) return status;
   find_roots(out.root);
 
   scale(change, out.trim.x);

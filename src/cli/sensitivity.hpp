@@ -22,13 +22,10 @@ struct FlightMotion {
   TrimMotion<double> trim;
   double power;                          // of both rotors, W
   std::vector<RootMotion<double>> root;  // in the order of the roots
-  bool exact;
 };
 
-// Derivatives with respect to settings and what follows from them are exact. With respect to numbers of the aircraft
-// what the moving trim does is; the aircraft's own part is a difference of exact matrices over a small part of the usual
-// change and its half, extrapolated: to rounding where the loads are proportional to the number, as to coefficients.
-// With systems the matrices are such differences along the exact motion of the trim.
+// Exact: numbers of the aircraft, settings, what follows from them, gains and tables; the trim moves as well, and with
+// systems the balance of power.
 class Sensitivity {
  public:
   explicit Sensitivity(const SensitivitySystems& systems);
@@ -42,23 +39,12 @@ class Sensitivity {
 
  private:
   struct Memory;
-  using Numbers = std::vector<double>;
 
   void name_roots();
   void find_roots(std::vector<RootMotion<double>>& roots);
-  // Rates, power and A of the airframe, of a configuration with the trim moved by so many units of the parameter.
-  Numbers airframe_numbers(const Configuration<double>& c, const TrimMotion<double>& motion, double by,
-                           Status& status);
-  // A of the closed loop.
-  Numbers closed_loop_numbers(const Configuration<double>& c, const TrimMotion<double>& motion, double by,
-                              Status& status);
-  using NumbersOf = Numbers (Sensitivity::*)(const Configuration<double>&, const TrimMotion<double>&, double,
-                                             Status&);
-  // Of these numbers per unit of the parameter.
-  Numbers slopes(const SensitivityParameter& parameter, const TrimMotion<double>& motion, double step,
-                 NumbersOf numbers_of, Status& status);
+  Status begin_slope(const SensitivityParameter& parameter);
   State<double> set_by_flight(const SensitivityParameter& parameter) const;
-  Numbers rates_along(const State<double>& direct) const;
+  void rates_along(const State<double>& direct, double (&rates)[state_count]) const;
   bool changes_aircraft(const SensitivityParameter& parameter) const;
 
   SensitivitySystems systems_;

@@ -12,7 +12,6 @@ namespace tiltrotor::cli {
 namespace {
 
 using P = ConfigurationParameter;
-using A = ChangedAircraft;
 using Configured = Configuration<double>;
 using Kind = ParameterKind;
 
@@ -22,35 +21,50 @@ constexpr double kDegree = kRadPerDeg<double>;
 double one(const Configured&) { return 1; }
 double inch(const Configured&) { return kInch; }
 double degree(const Configured&) { return kDegree; }
-double factor(double percent) { return 1 + kPercent * percent; }
+template <class R>
+R factor(R percent) {
+  return R(1) + R(kPercent) * percent;
+}
 
 // Every set of inertia that a switch may choose.
-void scale_inertia(A& a, double Inertia<double>::*axis, double by) {
-  MassTables<double>& m = a.aircraft.mass;
-  for (Inertia<double>* set : {&m.inertia, &m.inertia_slope, &m.design_0, &m.design_90})
-    set->*axis *= factor(by);
+template <class A, class R>
+void scale_inertia(A& a, R Inertia<R>::*axis, R by) {
+  MassTables<R>& m = a.aircraft.mass;
+  for (Inertia<R>* set : {&m.inertia, &m.inertia_slope, &m.design_0, &m.design_90}) set->*axis *= factor(by);
 }
 
-using Change = void (*)(A& aircraft, double by);
 SensitivityParameter setting(const char* name, double amount, const char* unit, P parameter,
                              double (*in_si)(const Configured&)) {
-  return {name, amount, unit, Kind::setting, parameter, in_si, nullptr, nullptr};
+  return {name, amount, unit, Kind::setting, parameter, in_si, {nullptr, nullptr}, nullptr};
 }
 SensitivityParameter consequence(const char* name, double amount, const char* unit, P parameter,
-                                 double (*in_si)(const Configured&), Change change) {
+                                 double (*in_si)(const Configured&), AircraftChange change) {
   return {name, amount, unit, Kind::consequence, parameter, in_si, change, nullptr};
 }
-SensitivityParameter number(const char* name, double amount, const char* unit, Change change) {
-  return {name, amount, unit, Kind::aircraft, P::count, nullptr, change, nullptr};
+template <class Change>
+AircraftChange both(Change change) {
+  return {change, change};
 }
+template <class Change>
+SensitivityParameter number(const char* name, double amount, const char* unit, Change change) {
+  return {name, amount, unit, Kind::aircraft, P::count, nullptr, both(change), nullptr};
+}
+template <class Change>
 SensitivityParameter gain(Kind kind, const char* name, Change change) {
-  return {name, 5, "%", kind, P::count, nullptr, change, nullptr};
+  return {name, 5, "%", kind, P::count, nullptr, both(change), nullptr};
 }
 
 std::vector<SensitivityParameter> settings() {
   return {
-      {"speed", 1, "m/s", Kind::flight, P::count, one, nullptr, &SteadyFlight<double>::speed},
-      {"turn_rate", 1, "deg/s", Kind::flight, P::count, degree, nullptr, &SteadyFlight<double>::turn_rate},
+      {"speed", 1, "m/s", Kind::flight, P::count, one, {nullptr, nullptr}, &SteadyFlight<double>::speed},
+      {"turn_rate",
+       1,
+       "deg/s",
+       Kind::flight,
+       P::count,
+       degree,
+       {nullptr, nullptr},
+       &SteadyFlight<double>::turn_rate},
       setting("mass", 100, "kg", P::mass, one),
       setting("cg_station", 1, "in", P::sl_cg, inch),
       setting("cg_waterline", 1, "in", P::wl_cg, inch),
@@ -58,76 +72,74 @@ std::vector<SensitivityParameter> settings() {
       setting("flap", 1, "deg", P::flap, degree),
       setting("rotor_speed", 10, "rpm", P::rotor_speed, [](const Configured&) { return kRpm; }),
       setting("altitude", 300, "m", P::altitude, one),
-      consequence(
-          "air_density", 1, "%", P::air_density, [](const Configured& c) { return kPercent * c.air.density; },
-          nullptr),
-      consequence(
-          "speed_of_sound", 1, "%", P::speed_of_sound,
-          [](const Configured& c) { return kPercent * c.air.speed_of_sound; }, nullptr),
+      consequence("air_density", 1, "%", P::air_density,
+                  [](const Configured& c) { return kPercent * c.air.density; }, {nullptr, nullptr}),
+      consequence("speed_of_sound", 1, "%", P::speed_of_sound,
+                  [](const Configured& c) { return kPercent * c.air.speed_of_sound; }, {nullptr, nullptr}),
       consequence(
           "inertia_roll", 5, "%", P::inertia_xx,
           [](const Configured& c) { return kPercent * c.mass.inertia.xx; },
-          [](A& a, double by) { scale_inertia(a, &Inertia<double>::xx, by); }),
+          both([](auto& a, auto by) { scale_inertia(a, &Inertia<decltype(by)>::xx, by); })),
       consequence(
           "inertia_pitch", 5, "%", P::inertia_yy,
           [](const Configured& c) { return kPercent * c.mass.inertia.yy; },
-          [](A& a, double by) { scale_inertia(a, &Inertia<double>::yy, by); }),
+          both([](auto& a, auto by) { scale_inertia(a, &Inertia<decltype(by)>::yy, by); })),
       consequence(
           "inertia_yaw", 5, "%", P::inertia_zz,
           [](const Configured& c) { return kPercent * c.mass.inertia.zz; },
-          [](A& a, double by) { scale_inertia(a, &Inertia<double>::zz, by); }),
+          both([](auto& a, auto by) { scale_inertia(a, &Inertia<decltype(by)>::zz, by); })),
       consequence(
           "inertia_roll_yaw", 5, "%", P::inertia_xz,
           [](const Configured& c) { return kPercent * c.mass.inertia.xz; },
-          [](A& a, double by) { scale_inertia(a, &Inertia<double>::xz, by); }),
+          both([](auto& a, auto by) { scale_inertia(a, &Inertia<decltype(by)>::xz, by); })),
       // The factor is of the aircraft's spring, whatever a switch makes of it.
       consequence(
           "hub_spring", 10, "%", P::hub_spring_factor,
           [](const Configured& c) { return kPercent * c.hub_spring / c.aircraft->rotor.hub_spring; },
-          [](A& a, double by) { a.aircraft.rotor.hub_spring *= factor(by); }),
+          both([](auto& a, auto by) { a.aircraft.rotor.hub_spring *= factor(by); })),
   };
 }
 
 std::vector<SensitivityParameter> numbers() {
   return {
-      number("tail_area", 5, "%", [](A& a, double by) { a.aircraft.htail.surface.area *= factor(by); }),
+      number("tail_area", 5, "%", [](auto& a, auto by) { a.aircraft.htail.surface.area *= factor(by); }),
       number("tail_incidence", 1, "deg",
-             [](A& a, double by) { a.aircraft.htail.surface.incidence += by * kDegree; }),
-      number("tail_station", 5, "in", [](A& a, double by) { a.aircraft.htail.surface.sl += by * kInch; }),
-      number("tail_waterline", 5, "in", [](A& a, double by) { a.aircraft.htail.surface.wl += by * kInch; }),
+             [](auto& a, auto by) { a.aircraft.htail.surface.incidence += by * kDegree; }),
+      number("tail_station", 5, "in", [](auto& a, auto by) { a.aircraft.htail.surface.sl += by * kInch; }),
+      number("tail_waterline", 5, "in", [](auto& a, auto by) { a.aircraft.htail.surface.wl += by * kInch; }),
       number("fin_area", 5, "%",
-             [](A& a, double by) {
+             [](auto& a, auto by) {
                a.aircraft.fin.surface.area *= factor(by);
                a.aircraft.fin.area_report *= factor(by);
              }),
-      number("fin_station", 5, "in", [](A& a, double by) { a.aircraft.fin.surface.sl += by * kInch; }),
-      number("fin_waterline", 5, "in", [](A& a, double by) { a.aircraft.fin.surface.wl += by * kInch; }),
+      number("fin_station", 5, "in", [](auto& a, auto by) { a.aircraft.fin.surface.sl += by * kInch; }),
+      number("fin_waterline", 5, "in", [](auto& a, auto by) { a.aircraft.fin.surface.wl += by * kInch; }),
       number("nacelle_mass", 50, "kg",
-             [](A& a, double by) {
+             [](auto& a, auto by) {
                a.aircraft.mass.nacelles += by;
                a.aircraft.mass.nacelles_quoted += by;
              }),
-      number("mast_length", 1, "in", [](A& a, double by) { a.aircraft.mast.length += by * kInch; }),
-      number("mast_cant", 0.5, "deg", [](A& a, double by) { a.aircraft.mast.cant += by * kDegree; }),
-      number("blade_inertia", 5, "%", [](A& a, double by) { a.aircraft.rotor.flap_inertia *= factor(by); }),
-      number("delta3", 1, "deg", [](A& a, double by) { a.aircraft.rotor.delta3 += by * kDegree; }),
-      number("drag_area", 0.1, "m^2", [](A& a, double by) { a.aircraft.fuselage.extra_drag += by; }),
+      number("mast_length", 1, "in", [](auto& a, auto by) { a.aircraft.mast.length += by * kInch; }),
+      number("mast_cant", 0.5, "deg", [](auto& a, auto by) { a.aircraft.mast.cant += by * kDegree; }),
+      number("blade_inertia", 5, "%", [](auto& a, auto by) { a.aircraft.rotor.flap_inertia *= factor(by); }),
+      number("delta3", 1, "deg", [](auto& a, auto by) { a.aircraft.rotor.delta3 += by * kDegree; }),
+      number("drag_area", 0.1, "m^2", [](auto& a, auto by) { a.aircraft.fuselage.extra_drag += by; }),
       number("elevator_gearing", 5, "%",
-             [](A& a, double by) {
+             [](auto& a, auto by) {
                a.aircraft.controls.elevator *= factor(by);
                a.aircraft.controls.elevator_replay *= factor(by);
              }),
       number("cyclic_rigging", 0.5, "deg",
-             [](A& a, double by) { a.aircraft.controls.cyclic_rigging += by * kDegree; }),
+             [](auto& a, auto by) { a.aircraft.controls.cyclic_rigging += by * kDegree; }),
   };
 }
 
-template <std::size_t Count, class Table>
-void scale_all(A& a, Table (&tables)[Count], double by) {
+template <class A, std::size_t Count, class Table, class R>
+void scale_all(A& a, Table (&tables)[Count], R by) {
   for (Table& table : tables) a.scale(table, factor(by));
 }
-template <std::size_t Count, class Table>
-void shift_all(A& a, Table (&tables)[Count], double by) {
+template <class A, std::size_t Count, class Table, class R>
+void shift_all(A& a, Table (&tables)[Count], R by) {
   for (Table& table : tables) a.shift(table, by);
 }
 
@@ -135,98 +147,99 @@ void shift_all(A& a, Table (&tables)[Count], double by) {
 std::vector<SensitivityParameter> tables() {
   return {
       number("blade_lift_factor", 5, "%",
-             [](A& a, double by) { scale_all(a, a.aircraft.rotor.section_lift, by); }),
+             [](auto& a, auto by) { scale_all(a, a.aircraft.rotor.section_lift, by); }),
       number("blade_lift_shift", 0.01, "-",
-             [](A& a, double by) { shift_all(a, a.aircraft.rotor.section_lift, by); }),
+             [](auto& a, auto by) { shift_all(a, a.aircraft.rotor.section_lift, by); }),
       number("blade_drag_factor", 5, "%",
-             [](A& a, double by) { scale_all(a, a.aircraft.rotor.section_drag, by); }),
+             [](auto& a, auto by) { scale_all(a, a.aircraft.rotor.section_drag, by); }),
       number("blade_drag_shift", 0.001, "-",
-             [](A& a, double by) { shift_all(a, a.aircraft.rotor.section_drag, by); }),
+             [](auto& a, auto by) { shift_all(a, a.aircraft.rotor.section_drag, by); }),
       number("blade_twist_factor", 5, "%",
-             [](A& a, double by) { a.scale(a.aircraft.rotor.twist, factor(by)); }),
+             [](auto& a, auto by) { a.scale(a.aircraft.rotor.twist, factor(by)); }),
       number("wing_lift_factor", 5, "%",
-             [](A& a, double by) {
+             [](auto& a, auto by) {
                scale_all(a, a.aircraft.wing.lift_0, by);
                scale_all(a, a.aircraft.wing.lift_90, by);
              }),
       number("wing_lift_shift", 0.01, "-",
-             [](A& a, double by) {
+             [](auto& a, auto by) {
                shift_all(a, a.aircraft.wing.lift_0, by);
                shift_all(a, a.aircraft.wing.lift_90, by);
              }),
       number("wing_drag_factor", 5, "%",
-             [](A& a, double by) {
+             [](auto& a, auto by) {
                scale_all(a, a.aircraft.wing.drag_0, by);
                scale_all(a, a.aircraft.wing.drag_90, by);
              }),
       number("wing_drag_shift", 0.001, "-",
-             [](A& a, double by) {
+             [](auto& a, auto by) {
                shift_all(a, a.aircraft.wing.drag_0, by);
                shift_all(a, a.aircraft.wing.drag_90, by);
              }),
       number("wing_moment_factor", 5, "%",
-             [](A& a, double by) { a.scale(a.aircraft.wing.moment, factor(by)); }),
-      number("wing_moment_shift", 0.01, "-", [](A& a, double by) { a.shift(a.aircraft.wing.moment, by); }),
+             [](auto& a, auto by) { a.scale(a.aircraft.wing.moment, factor(by)); }),
+      number("wing_moment_shift", 0.01, "-", [](auto& a, auto by) { a.shift(a.aircraft.wing.moment, by); }),
       number("wing_dihedral_shift", 0.01, "1/rad",
-             [](A& a, double by) { a.shift(a.aircraft.wing.roll_beta, by); }),
+             [](auto& a, auto by) { a.shift(a.aircraft.wing.roll_beta, by); }),
       number("downwash_factor", 5, "%",
-             [](A& a, double by) { a.scale(a.aircraft.wing.downwash, factor(by)); }),
+             [](auto& a, auto by) { a.scale(a.aircraft.wing.downwash, factor(by)); }),
       number("downwash_shift", 0.5, "deg",
-             [](A& a, double by) { a.shift(a.aircraft.wing.downwash, by * kDegree); }),
+             [](auto& a, auto by) { a.shift(a.aircraft.wing.downwash, by * kDegree); }),
       number("pylon_interference_factor", 5, "%",
-             [](A& a, double by) { a.scale(a.aircraft.pylon.interference, factor(by)); }),
+             [](auto& a, auto by) { a.scale(a.aircraft.pylon.interference, factor(by)); }),
       number("fuselage_lift_factor", 5, "%",
-             [](A& a, double by) { a.scale(a.aircraft.fuselage.lift_alpha, factor(by)); }),
+             [](auto& a, auto by) { a.scale(a.aircraft.fuselage.lift_alpha, factor(by)); }),
       number("fuselage_moment_factor", 5, "%",
-             [](A& a, double by) { a.scale(a.aircraft.fuselage.moment_alpha, factor(by)); }),
+             [](auto& a, auto by) { a.scale(a.aircraft.fuselage.moment_alpha, factor(by)); }),
       number("fuselage_moment_shift", 0.1, "m^3",
-             [](A& a, double by) { a.shift(a.aircraft.fuselage.moment_alpha, by); }),
+             [](auto& a, auto by) { a.shift(a.aircraft.fuselage.moment_alpha, by); }),
       number("fuselage_side_factor", 5, "%",
-             [](A& a, double by) { a.scale(a.aircraft.fuselage.side_beta, factor(by)); }),
+             [](auto& a, auto by) { a.scale(a.aircraft.fuselage.side_beta, factor(by)); }),
       number("fuselage_yaw_factor", 5, "%",
-             [](A& a, double by) { a.scale(a.aircraft.fuselage.yaw_beta, factor(by)); }),
+             [](auto& a, auto by) { a.scale(a.aircraft.fuselage.yaw_beta, factor(by)); }),
       number("tail_lift_factor", 5, "%",
-             [](A& a, double by) {
+             [](auto& a, auto by) {
                a.scale(a.aircraft.htail.lift_elevator, factor(by));
                a.scale(a.aircraft.htail.lift_mach, factor(by));
              }),
       number("tail_lift_shift", 0.01, "-",
-             [](A& a, double by) {
+             [](auto& a, auto by) {
                a.shift(a.aircraft.htail.lift_elevator, by);
                a.shift(a.aircraft.htail.lift_mach, by);
              }),
-      number("tail_drag_factor", 5, "%", [](A& a, double by) { a.scale(a.aircraft.htail.drag, factor(by)); }),
+      number("tail_drag_factor", 5, "%",
+             [](auto& a, auto by) { a.scale(a.aircraft.htail.drag, factor(by)); }),
       number("tail_wash_factor", 5, "%",
-             [](A& a, double by) { a.scale(a.aircraft.htail.rotor_wash, factor(by)); }),
+             [](auto& a, auto by) { a.scale(a.aircraft.htail.rotor_wash, factor(by)); }),
       number("tail_pressure_factor", 5, "%",
-             [](A& a, double by) { a.scale(a.aircraft.htail.pressure_ratio, factor(by)); }),
+             [](auto& a, auto by) { a.scale(a.aircraft.htail.pressure_ratio, factor(by)); }),
       number("fin_side_factor", 5, "%",
-             [](A& a, double by) {
+             [](auto& a, auto by) {
                a.scale(a.aircraft.fin.side_rudder, factor(by));
                a.scale(a.aircraft.fin.side_mach, factor(by));
              }),
-      number("fin_drag_factor", 5, "%", [](A& a, double by) { a.scale(a.aircraft.fin.drag, factor(by)); }),
+      number("fin_drag_factor", 5, "%", [](auto& a, auto by) { a.scale(a.aircraft.fin.drag, factor(by)); }),
       number("sidewash_factor", 5, "%",
-             [](A& a, double by) { a.scale(a.aircraft.fin.sidewash, factor(by)); }),
+             [](auto& a, auto by) { a.scale(a.aircraft.fin.sidewash, factor(by)); }),
   };
 }
 
 std::vector<SensitivityParameter> gains() {
   return {
       gain(Kind::scas_gain, "scas_pitch_gain",
-           [](A& a, double by) { a.scale(a.aircraft.systems.augmentation.pitch, factor(by)); }),
+           [](auto& a, auto by) { a.scale(a.aircraft.systems.augmentation.pitch, factor(by)); }),
       gain(Kind::scas_gain, "scas_roll_gain",
-           [](A& a, double by) { a.scale(a.aircraft.systems.augmentation.roll, factor(by)); }),
+           [](auto& a, auto by) { a.scale(a.aircraft.systems.augmentation.roll, factor(by)); }),
       gain(Kind::scas_gain, "scas_yaw_gain",
-           [](A& a, double by) { a.scale(a.aircraft.systems.augmentation.yaw, factor(by)); }),
+           [](auto& a, auto by) { a.scale(a.aircraft.systems.augmentation.yaw, factor(by)); }),
       gain(Kind::scas_gain, "scas_washout",
-           [](A& a, double by) { a.aircraft.systems.augmentation.washout *= factor(by); }),
+           [](auto& a, auto by) { a.aircraft.systems.augmentation.washout *= factor(by); }),
       gain(Kind::scas_gain, "scas_servo",
-           [](A& a, double by) { a.aircraft.systems.augmentation.servo *= factor(by); }),
+           [](auto& a, auto by) { a.aircraft.systems.augmentation.servo *= factor(by); }),
       gain(Kind::governor_gain, "governor_proportional_gain",
-           [](A& a, double by) { a.scale(a.aircraft.systems.governor.proportional, factor(by)); }),
+           [](auto& a, auto by) { a.scale(a.aircraft.systems.governor.proportional, factor(by)); }),
       gain(Kind::governor_gain, "governor_integral_gain",
-           [](A& a, double by) { a.scale(a.aircraft.systems.governor.integral, factor(by)); }),
+           [](auto& a, auto by) { a.scale(a.aircraft.systems.governor.integral, factor(by)); }),
   };
 }
 

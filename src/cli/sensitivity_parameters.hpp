@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/along_aircraft.hpp"
 #include "cli/changed_aircraft.hpp"
 #include "tiltrotor/analysis/linear/configuration_sensitivity.hpp"
 #include "tiltrotor/analysis/trim/steady_flight.hpp"
@@ -12,12 +13,18 @@
 namespace tiltrotor::cli {
 
 enum class ParameterKind : unsigned char {
-  flight,         // what the trim holds: exact
-  setting,        // of the configuration: exact, and moves with systems too
-  consequence,    // what follows from the setting: exact; with systems by its `change`, or of the air
+  flight,         // what the trim holds
+  setting,        // of the configuration
+  consequence,    // what follows from the setting; with systems by its `change`, or of the air
   aircraft,       // a number or table of it
   scas_gain,      // of the augmentation, where it is on
   governor_gain,  // of one that governs the rotor speed
+};
+
+// Changes an aircraft by so many units; nullptr: nothing does. Of numbers with a slope, and of plain ones, as a new aircraft.
+struct AircraftChange {
+  void (*along)(AlongAircraft& aircraft, Along by);
+  void (*anew)(ChangedAircraft& aircraft, double by);
 };
 
 struct SensitivityParameter {
@@ -25,9 +32,9 @@ struct SensitivityParameter {
   double amount;     // the usual change
   const char* unit;  // of the amount; "%" of the value
   ParameterKind kind;
-  ConfigurationParameter parameter;                      // `count`: none
-  double (*in_si)(const Configuration<double>&);         // a unit of the amount in that of the parameter
-  void (*change)(ChangedAircraft& aircraft, double by);  // by so many units; nullptr: none
+  ConfigurationParameter parameter;               // `count`: none
+  double (*in_si)(const Configuration<double>&);  // a unit of the amount in that of the parameter
+  AircraftChange change;
   double SteadyFlight<double>::*held = nullptr;  // of a flight: velocity or body rates are proportional to it
 };
 

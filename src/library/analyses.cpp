@@ -1,7 +1,8 @@
 #include "library/analyses.hpp"
 
-#include <limits>
 #include <new>
+
+#include "library/governed_flight.hpp"
 
 namespace tiltrotor {
 
@@ -54,16 +55,7 @@ Status advance_moving(MovingConfiguration<double>& moving, Analyses& work, Simul
 
 SystemFlight<double> governed(const Configuration<double>& c, const State<double>& x, Controls<double>& u,
                               bool scas) {
-  SystemFlight<double> flight{};
-  flight.vehicle.on.governor = c.setup.options.governor;
-  flight.vehicle.on.interconnect = c.setup.options.interconnect == Interconnect::twists;
-  flight.vehicle.on.augmentation = scas;
-  flight.vehicle.ground.down = std::numeric_limits<double>::infinity();
-  Evaluation<double> now;
-  evaluate_aircraft(c, x, u, now);
-  settle(c, x, {now.rotor[right].loads.torque, now.rotor[left].loads.torque}, flight.vehicle, flight.state,
-         u);
-  return flight;
+  return governed_flight(c, x, u, scas);
 }
 
 Status linearize_vehicle(const Vehicle<double>& v, Configuration<double>& c, const State<double>& x,

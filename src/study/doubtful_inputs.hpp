@@ -31,7 +31,7 @@ ConfigurationParameter parameter_of(const DoubtfulInput& input);
 double parameter_amount(const DoubtfulInput& input, const Configured& c, double by);
 
 // The configuration of a setup with one input moved by an amount in its unit, and the numbers it refers to.
-class MovedAircraft : public CopiedTables {
+class MovedAircraft : public CopiedTables<double> {
  public:
   MovedAircraft(const Setup& setup, const DoubtfulInput& input, double by);
   MovedAircraft(const MovedAircraft&) = delete;

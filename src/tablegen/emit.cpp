@@ -174,7 +174,7 @@ void emit_split_nodes(std::ostream& out, const TableArray& table) {
   std::vector<double> slope;
   for (std::size_t i = 0; i < node.size(); ++i) (i % per_node == 0 ? value : slope).push_back(node[i]);
   emit_array(out, array_name(table.field) + "_value", value);
-  emit_array(out, array_name(table.field) + "_slope", slope, "float", single);
+  emit_array(out, array_name(table.field) + "_slope", slope, "typename StoredSlope<R>::type", single);
 }
 
 void emit_table_arrays(std::ostream& out, const TableArray& table, Slopes slopes, AxisNames& names) {

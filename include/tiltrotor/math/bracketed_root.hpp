@@ -10,14 +10,15 @@ namespace tiltrotor {
 // sign give the better of them.
 template <class R, class F>
 R bracketed_root(F&& f, R a, R b, R width) {
+  using std::abs;
   constexpr int most = 60;
   R fa = f(a);
   R fb = f(b);
-  if ((fa > R(0)) == (fb > R(0))) return std::abs(fa) < std::abs(fb) ? a : b;
+  if ((fa > R(0)) == (fb > R(0))) return abs(fa) < abs(fb) ? a : b;
   R x = a;
   for (int k = 0; k < most; ++k) {
     const R next = (a * fb - b * fa) / (fb - fa);
-    const bool is_close = std::abs(next - x) <= width;
+    const bool is_close = abs(next - x) <= width;
     x = next;
     if (is_close) break;
     const R fx = f(x);

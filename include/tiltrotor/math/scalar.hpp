@@ -15,7 +15,10 @@ template <class T>
 struct ScalarTraits {
   using Real = T;
   static T value(T x) { return x; }
-  static T sqrt(T x) { return std::sqrt(x); }
+  static T sqrt(T x) {
+    using std::sqrt;
+    return sqrt(x);
+  }
   static T sin(T x) { return sine_cosine(x).sine; }
   static T cos(T x) { return sine_cosine(x).cosine; }
   static T atan2(T y, T x) { return arctangent2(y, x); }
@@ -25,10 +28,20 @@ struct ScalarTraits {
 template <class T>
 using Real = typename ScalarTraits<T>::Real;
 
-// A number and nothing else. Only of such a one may zero mean "leave it out", or an end value "take the end
-// alone": the partials of another scalar would be lost.
+// What aircraft and tables are made of.
 template <class T>
 inline constexpr bool kIsPlain = std::is_same_v<T, Real<T>>;
+
+// A number and nothing else. Only of such a one may zero mean "leave it out", or an end value "take the end
+// alone": the partials of another scalar would be lost, and the slope of along.hpp.
+template <class T>
+inline constexpr bool kIsNumber = kIsPlain<T>;
+
+// Of a value that has a slope itself (along.hpp), the number.
+template <class R>
+R without_slope(const R& x) {
+  return x;
+}
 
 // Plain value of any scalar: the only part a comparison or an index may look at. Of a batch (batch.hpp), the
 // batch.

@@ -62,8 +62,9 @@ T smooth_ramp(const T& x, Real<T> e) {
 template <class T>
 T wrapped(const T& x) {
   using R = Real<T>;
+  using std::floor;
   const R turn = R(2) * kPi<R>;
-  return x - turn * std::floor(value(x) / turn + R(0.5));
+  return x - turn * floor(value(x) / turn + R(0.5));
 }
 // a - b brought to -pi..pi by whole turns: the derivative is that of the plain difference.
 template <class T>

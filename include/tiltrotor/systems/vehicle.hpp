@@ -145,7 +145,7 @@ bool is_same(const ConfigurationSetting<R>& a, const ConfigurationSetting<R>& b)
 template <class T>
 void put_setting(const ConfigurationSetting<T>& to, Configuration<T>& c) {
   ConfigurationSetting<T>& now = c.setup;
-  if constexpr (kIsPlain<T>) {
+  if constexpr (kIsNumber<T>) {
     if (is_same(to, now)) return;
   }
   now = to;
@@ -307,7 +307,7 @@ bool hold_power(const Configuration<Real<T>>& c, const T& guess, const T& power,
   using R = Real<T>;
   constexpr int rounds = 6;
   // Derivatives come by rounds with one slope, each of which leaves the part by which the slope is wrong: P''/P' step/2.
-  const R step = kIsPlain<T> ? R(1e-3) : R(1e-5), apart = R(1e-6);  // rad
+  const R step = kIsNumber<T> ? R(1e-3) : R(1e-5), apart = R(1e-6);  // rad
   const R near = R(1e-12) * c.aircraft->controls.engine_power;
   const R efficiency = c.aircraft->controls.transmission_efficiency;
   const T collective = demand.controls.collective;
@@ -326,7 +326,7 @@ bool hold_power(const Configuration<Real<T>>& c, const T& guess, const T& power,
     left_over = excess(governed);
     const R rest = value(left_over);
     if (way > apart || way < -apart) slope = (rest - before) / way;
-    if (kIsPlain<T> && rest < near && rest > -near) break;
+    if (kIsNumber<T> && rest < near && rest > -near) break;
   }
   const R most = R(1e-3) * c.aircraft->controls.engine_power, rest = value(left_over);
   return rest < most && rest > -most;

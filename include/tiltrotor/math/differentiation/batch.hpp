@@ -260,7 +260,7 @@ struct ScalarTraits<Batch<R>> {
   static T value(const T& x) { return x; }
   static T sqrt(const T& x) {
     T r;
-    for (int i = 0; i < T::kLanes; ++i) r.e[i] = std::sqrt(x.e[i]);
+    for (int i = 0; i < T::kLanes; ++i) r.e[i] = ScalarTraits<R>::sqrt(x.e[i]);
     return r;
   }
   static T sin(const T& x) { return sine_cosine(x).sine; }

@@ -18,10 +18,14 @@ namespace tiltrotor {
 // Nodes are stored with the linear axes outermost, then the smooth axes in order, then the 2^Smooth numbers
 // of a node: bit a of the index set means derivative along smooth axis a. The values may stand in an array of their
 // own, the 2^Smooth - 1 slopes of a node in single precision in another: 20 bytes instead of 32 for two smooth axes.
+template <class R>
+struct StoredSlope {
+  using type = float;
+};
 template <class R, int Smooth>
 struct SplitNodes {
   const R* value;
-  const float* slope;
+  const typename StoredSlope<R>::type* slope;
 };
 
 template <class R, int Smooth, int Linear = 0, class Nodes = const R*>
@@ -231,7 +235,7 @@ T lookup(const Table<R, Smooth, Linear, Nodes>& table, Interpolation mode,
       weight *= right == 1 ? place[a].fraction : C(R(1) - place[a].fraction);
       index = index * table.linear[a].count + place[a].interval + right;
     }
-    if constexpr (kIsPlain<C>)
+    if constexpr (kIsNumber<C>)
       if (weight == R(0)) continue;
     sum = sum + weight * table_detail::block_value<Smooth, T>(
                              table.smooth, table_detail::from_node<Smooth>(table.node, index * block), at);

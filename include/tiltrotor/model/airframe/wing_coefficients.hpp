@@ -15,7 +15,7 @@ struct WingCoefficients {
 template <class T, class C, class At>
 T blend_flaps(const WingConstants<C>& w, At&& at) {
   using R = Real<T>;
-  if constexpr (kIsPlain<C>) {
+  if constexpr (kIsNumber<C>) {
     if (w.flap_fraction == R(0)) return at(w.flap_below);
     if (w.flap_fraction == R(1)) return at(w.flap_above);
   }
@@ -33,7 +33,7 @@ T upright_pylon_weight(const Configuration<C>& c, const T& alpha) {
   const C& mast_deg = c.setup.mast_deg;
   const C linear = R(1) - mast_deg / R(90);
   const bool at_end = value(mast_deg) <= R(0) || value(mast_deg) >= R(90);
-  if (c.setup.options.mast_drag == MastDrag::linear || (kIsPlain<C> && at_end)) return T(linear);
+  if (c.setup.options.mast_drag == MastDrag::linear || (kIsNumber<C> && at_end)) return T(linear);
   if (c.setup.options.mast_drag == MastDrag::cosine)
     return T(R(-1) * c.nacelle_axis_b.z * square(c.nacelle_axis_b.z));
   const SmoothingWidths<R>& e = c.aircraft->smooth;
@@ -49,8 +49,8 @@ T upright_pylon_weight(const Configuration<C>& c, const T& alpha) {
   const T across = smooth_abs(T((kPi<R> / R(2) - c.mast) + a), e.crossflow);
   const T along = smooth_abs(a, e.crossflow);
   T weight = (sine_cubed(across) - (mast_deg / R(90)) * sine_cubed(along)) / (ca * ca * ca);
-  if constexpr (!kIsPlain<C>)
-    if (at_end) return value(linear) + (weight - value(weight));  // the end's value, the law's slope
+  if constexpr (!kIsNumber<C>)  // the end's value, the law's slope
+    if (at_end) return without_slope(value(linear)) + (weight - without_slope(value(weight)));
   return weight;
 }
 
@@ -66,8 +66,8 @@ WingCoefficients<T> wing_coefficients(const Configuration<C>& c, const T& alpha,
   const auto lift_90 = [&](int k) { return lookup(w.lift_90[k], mode, alpha_deg, mach); };
   const auto drag_90 = [&](int k) { return lookup(w.drag_90[k], mode, alpha_deg, mach); };
   const auto blended = [&](const auto& at) { return blend_flaps<T>(c.wing, at); };
-  if (kIsPlain<C> && value(airplane) <= R(0)) return {blended(lift_0), blended(drag_0)};
-  if (kIsPlain<C> && value(airplane) >= R(1)) return {blended(lift_90), blended(drag_90)};
+  if (kIsNumber<C> && value(airplane) <= R(0)) return {blended(lift_0), blended(drag_0)};
+  if (kIsNumber<C> && value(airplane) >= R(1)) return {blended(lift_90), blended(drag_90)};
   const T k0 = upright_pylon_weight(c, alpha);
   return {(R(1) - airplane) * blended(lift_0) + airplane * blended(lift_90),
           k0 * blended(drag_0) + (R(1) - k0) * blended(drag_90)};

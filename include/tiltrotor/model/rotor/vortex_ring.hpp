@@ -48,7 +48,7 @@ struct CurvePoint {
 // v^2 |v - d| = 1. `branch`: 1 wake below the disk, -1 windmill (d > 2).
 template <class R>
 CurvePoint<R> momentum_theory(R descent, R branch) {
-  const R root = std::sqrt(R(0.25) * descent * descent + branch);
+  const R root = ScalarTraits<R>::sqrt(R(0.25) * descent * descent + branch);
   return {descent, R(-0.5) * descent + branch * root, R(-0.5) + R(0.25) * branch * descent / root,
           R(0.25) / (root * root * root)};
 }
@@ -101,7 +101,8 @@ bool find_ring_place(R t, R windmill_descent, RingPlace<R>& out) {
     const R wanted =
         at.descent + (at.inflow - ratio * at.descent) * at.descent / (at.inflow - at.descent * at.slope);
     const R next = wanted < low ? low : wanted > high ? high : wanted;
-    const bool found = std::fabs(next - at.descent) <= R(4) * std::numeric_limits<R>::epsilon();
+    using std::fabs;
+    const bool found = fabs(next - at.descent) <= R(4) * std::numeric_limits<R>::epsilon();
     at.descent = next;
     if (found) break;
   }
