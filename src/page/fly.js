@@ -10,7 +10,7 @@ const kMastKey = 5;               // deg
 const kRotorRate = 1;             // rad/s^2, of the governor's reference: as the command line moves it
 const kClear = 1;                 // m, of the wheels: no weight on them
 
-const kFlying = 'Flying; the space bar stops and goes on.';
+const kFlying = 'In flight; the space bar pauses and resumes it.';
 
 // Keys that a lever or switch keeps while it has the focus; all others fly.
 const kArrows = ['ArrowUp', 'ArrowDown', 'ArrowLeft', 'ArrowRight', 'Home', 'End', 'PageUp', 'PageDown'];

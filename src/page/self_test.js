@@ -13,6 +13,9 @@ function selfTest(library) {
     input.dispatchEvent(new Event('input', {bubbles: true}));
   };
 
+  const licences = byId('licences').textContent;
+  check('licences', ['Permission is hereby granted', 'IN NO EVENT', 'wasi-libc', 'musl', 'libc++'].every((words) => licences.includes(words)),
+    `${licences.length} characters`);
   const explore = new Explore(library, readAddress('#mast=30&speed=60'));
   const shown = () => { explore.compute(); return explore.found; };
   check('trim', shown().isClean, explore.found.text);
@@ -171,7 +174,7 @@ function selfTest(library) {
       !runs(byId('fly_near').querySelector('[role=button]')), 'stops and goes on, but on what is pressed by it');
     const focused = (type) => {
       of('w20').focus();
-      of('w20').dispatchEvent(new Event(type, {bubbles: true}));
+      of('w20').dispatchEvent(new (type === 'keydown' ? KeyboardEvent : PointerEvent)(type, {key: 'ArrowUp', bubbles: true}));
       of('w20').dispatchEvent(new Event('change', {bubbles: true}));
       return document.activeElement.id || document.activeElement.name;
     };
