@@ -82,7 +82,7 @@ grep -q 'refused_inputs 2 ' first.txt || { echo "rig: two bad inputs were not re
 # From the ground in real time over UDP, commands in and sensors out; the recording replays.
 port() { # port FILE LINE: the number that a program in the background has written there
     for tenth in 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18 19 20; do
-        number=$(sed -n "$2s/.*port //p" "$1")
+        number=$(sed -n "$2s/.*port //p" "$1" 2>/dev/null) || true
         [ -z "$number" ] || break
         sleep 0.1
     done

@@ -40,7 +40,7 @@ windows: ## build the libraries for Windows, static and DLL, below build/x86_64-
 	    -Wl,--whole-archive libtiltrotor.a -Wl,--no-whole-archive -o libtiltrotor.dll; \
 	  $(WINDOWS)-gcc -std=c99 -O1 $(DEFINED:%=-D%) -I'$(CURDIR)/include' '$(CURDIR)/src/examples/trim_and_fly.c' libtiltrotor.dll.a \
 	    -o trim_and_fly.exe); \
-	to=$(WINDOWS_BUILD)/installed; rm -rf "$$to"; install -d "$$to/lib"; cp -R include "$$to"; \
+	to=$(WINDOWS_BUILD)/installed; rm -rf "$$to"; install -d "$$to/lib"; cp -R include "$$to"; find "$$to/include" -name "*.md" -delete; \
 	install -m 644 $(WINDOWS_LIBRARIES) $(addprefix $(WINDOWS_BUILD)/,libtiltrotor.dll libtiltrotor.dll.a tiltrotor.def) "$$to/lib"; \
 	$(subst $(notdir $(SHARED)),libtiltrotor.dll,$(INSTALL_PACKAGES)) \
 	echo "$(WINDOWS_BUILD)/libtiltrotor.dll"; \
