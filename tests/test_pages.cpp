@@ -219,6 +219,54 @@ TEST(pages_programs_of_the_readme_compile) {
   }
 }
 
+// Those of the folder for CMake are the README's, as are the lines that build them.
+TEST(pages_project_of_cmake_is_that_of_the_readme) {
+  const std::string readme = content("README.md");
+  for (const char* const file : {"CMakeLists.txt", "example.c", "example.cpp"}) {
+    const std::string text = content(std::string("src/examples/cmake/") + file);
+    const std::string typed = std::regex_replace("\n" + text, std::regex("\n(?=[^\n])"), "\n    ");
+    CHECK_LE(100u, text.size());
+    if (!CHECK(readme.find(typed) != std::string::npos)) NOTE(file);
+  }
+}
+
+// The version wherever a page or a remark shows it: that of the Makefile.
+TEST(pages_tell_the_version) {
+  const std::string version = TILTROTOR_VERSION, series = version.substr(0, version.rfind('.'));
+  const struct {
+    const char *file, *pattern;
+    std::string expected;
+  } mentions[] = {{"README.md", "version = \\{([\\d.]+)\\}", version},
+                  {"src/fmu/README.md", "TILTROTOR_VERSION='\"([\\d.]+)\"'", version},
+                  {"src/examples/README.md", "TILTROTOR_VERSION=.{2}([\\d.]+)\\\\", version},
+                  {"include/tiltrotor/tiltrotor.h", "tr_version.*\"([\\d.]+)\"", version},
+                  {"src/text/identity.hpp", "\"tiltrotor ([\\d.]+),", version},
+                  {"src/text/identity.hpp", "\"version\": \"([\\d.]+)\"", version},
+                  {"src/cli/stamp.hpp", "tiltrotor ([\\d.]+),", version},
+                  {"src/examples/check.sh", "find_package\\(tiltrotor ([\\d.]+) ", series},
+                  {"src/examples/README.md", "Versions ([\\d.]+)\\.x", series},
+                  {"src/library/tiltrotorConfigVersion.cmake.in", "one series, ([\\d.]+)\\.x", series}};
+  for (const auto& mention : mentions) {
+    const std::vector<std::string> told = found(content(mention.file), mention.pattern);
+    if (!CHECK(!told.empty())) NOTE(mention.file << ": " << mention.pattern);
+    for (const std::string& one : told)
+      if (!CHECK_EQ(one, mention.expected)) NOTE(mention.file);
+  }
+  CHECK_EQ(found(content("src/CHANGELOG.md"), "^## ([\\d.]+),").at(0), version);
+}
+
+// Whoever passes the page on passes on the notices too.
+TEST(pages_page_carries_its_licences) {
+  const check::ProgramResult page = check::run_program(
+      "cd " + check::quoted(source_path("")) +
+      " && src/page/assemble.sh LICENSE LICENSE tables/xv15 tables/xv15/published/handling_qualities.csv "
+      "src/page/explore.html src/page/style.css src/page/numbers.js");
+  CHECK_EQ(page.exit_status, 0);
+  CHECK(page.out.find(content("LICENSE")) != std::string::npos);
+  for (const char* const part : {"wasi-libc", "musl", "libc++", "Apache License 2.0 with LLVM exceptions"})
+    if (!CHECK(page.out.find(part) != std::string::npos)) NOTE(part);
+}
+
 TEST(pages_name_every_state_input_and_component) {
   const std::vector<std::string> words = quoted_words(kSymbols);
   const Names named(words.begin(), words.end());

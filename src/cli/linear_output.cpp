@@ -37,13 +37,19 @@ std::string matlab_gains(const std::string& name, const std::vector<FeedbackGain
          cells([](const FeedbackGain& g) { return number_text(g.gain); }) + ");\n";
 }
 
-// The system object of MATLAB and of Octave's control package, whose states are its outputs where the model has none.
+// The system object of MATLAB and of Octave's control package, whose states are its outputs where the model has none; a
+// word of the first case where that is not there.
 std::string matlab_system(const std::string& name, bool has_outputs) {
   const std::string n = name;
   const std::string c = has_outputs ? n + "C, " + n + "D" : "eye(size(" + n + "A)), zeros(size(" + n + "B))";
   return "if exist('ss')\n  " + n + "ss = ss(" + n + "A, " + n + "B, " + c + ", 'StateName', " + n +
          "states, 'InputName', " + n + "controls, 'OutputName', " + n + (has_outputs ? "outputs" : "states") +
-         ");\nend\n";
+         ");\n" +
+         (n == "model(1)."
+              ? "else\n  disp('model(k).ss is left out: ss() is of the control package (Octave: pkg load control, and "
+                "before once pkg install -forge control) or the Control System Toolbox.');\n"
+              : "") +
+         "end\n";
 }
 
 }  // namespace

@@ -5,7 +5,7 @@ prefix=$1
 here=$(cd "$(dirname "$0")" && pwd)
 room=$(mktemp -d)
 trap 'kill $(jobs -p) 2>/dev/null || true; rm -rf "$room"' EXIT
-cp "$here"/*.c "$here"/*.h "$here"/*.cpp "$here"/hop.txt "$room"
+cp "$here"/*.c "$here"/*.h "$here"/*.cpp "$here"/hop.txt "$here"/mission.txt "$room"
 cp -r "$here"/cmake "$here"/python "$room"
 cd "$room"
 
@@ -18,6 +18,7 @@ else
     cflags=$(sed -n 's/^Cflags: //p' "$file" | sed "s|\${includedir}|$prefix/include|g")
     libs=$(sed -n 's/^Libs: //p' "$file" | sed "s|\${libdir}|$prefix/lib|g")
 fi
+[ -s "$prefix/share/doc/tiltrotor/LICENSE" ] || { echo "no licence is installed"; exit 1; }
 case "$cflags" in *-march*) echo "tiltrotor.pc demands the processor it was built on: $cflags"; exit 1 ;; esac
 # Quotes in the file stand for a prefix with blanks.
 build() { eval "$1 $cflags $2 $libs -o $3"; }
@@ -41,11 +42,12 @@ if [ -n "${RUNNER:-}" ]; then
 elif ! command -v cmake >/dev/null; then
     echo "cmake: not installed: cmake (Debian: cmake), left out"
 else
-    cmake -S cmake -B cmake/built -DCMAKE_PREFIX_PATH="$prefix" -DCMAKE_C_COMPILER="${CC:-cc}" \
-        -DCMAKE_CXX_COMPILER="${CXX:-c++}" >cmake.txt && cmake --build cmake/built >>cmake.txt || { cat cmake.txt; exit 1; }
+    CC="${CC:-cc}" CXX="${CXX:-c++}" cmake -S cmake -B cmake/built -DCMAKE_PREFIX_PATH="$prefix" >cmake.txt && cmake --build cmake/built >>cmake.txt || { cat cmake.txt; exit 1; }
+    cmake/built/example && cmake/built/example_cpp
     ./trim_and_fly >by_hand.txt
-    cmake/built/trim_and_fly | cmp - by_hand.txt
-    cmake/built/trim_curve >/dev/null
+    cp trim_and_fly.c cmake/example.c
+    cmake --build cmake/built >cmake.txt || { cat cmake.txt; exit 1; }
+    cmake/built/example | cmp - by_hand.txt
     mkdir refused
     printf '%s\n' 'cmake_minimum_required(VERSION 3.13)' 'project(refused NONE)' \
         'find_package(tiltrotor 0.2 REQUIRED COMPONENTS static nonsense)' >refused/CMakeLists.txt
@@ -57,8 +59,10 @@ if [ -z "${RUNNER:-}" ] && [ -e "$prefix/lib/python" ]; then
     if ! command -v python3 >/dev/null; then
         echo "python: not installed: python3 (Debian: python3), left out"
     else
-        for example in trim_curve lqr closed_loop; do
-            PYTHONPATH=$prefix/lib/python python3 python/$example.py >python.txt 2>&1 ||
+        "$prefix/bin/tiltrotor" fly --script mission.txt --every 1 --format csv --output mission.csv 2>fly.txt || { cat fly.txt; exit 1; }
+        for example in trim_curve.py lqr.py closed_loop.py "mission_plot.py mission.csv"; do
+            # shellcheck disable=SC2086 # words
+            PYTHONPATH=$prefix/lib/python python3 python/$example >python.txt 2>&1 ||
                 grep 'not installed, left out' python.txt || { cat python.txt; exit 1; }
         done
         echo "python: the examples"
@@ -78,7 +82,7 @@ grep -q 'refused_inputs 2 ' first.txt || { echo "rig: two bad inputs were not re
 # From the ground in real time over UDP, commands in and sensors out; the recording replays.
 port() { # port FILE LINE: the number that a program in the background has written there
     for tenth in 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18 19 20; do
-        number=$(sed -n "$2s/.*port //p" "$1")
+        number=$(sed -n "$2s/.*port //p" "$1" 2>/dev/null) || true
         [ -z "$number" ] || break
         sleep 0.1
     done

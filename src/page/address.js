@@ -13,6 +13,8 @@ const kChoices = {
   interconnect: {low: 0, high: 1, usual: 0, unit: '', isWhole: true},
   forces: {low: 0, high: 1, usual: 1, unit: '', isWhole: true},
 };
+// Numbers within a range that are none: flaps are set, or follow the masts.
+const isBetween = (name, number) => name === 'flap' && number > kChoices.flap.usual && number < 0;
 // What an address may hold beside them, without a value.
 const kWords = ['fly', 'still', 'self_test'];
 
@@ -26,7 +28,7 @@ function understood(address) {
     if (!given.has(name)) continue;
     const text = given.get(name), number = text.trim() === '' ? NaN : Number(text);
     const isNumber = Number.isFinite(number);
-    if (isNumber) point[name] = clamp(choice.isWhole ? Math.round(number) : number, choice.low, choice.high);
+    if (isNumber && !isBetween(name, number)) point[name] = clamp(choice.isWhole ? Math.round(number) : number, choice.low, choice.high);
     if (point[name] === number) continue;
     faults.push(`${name}=${text} is ${!isNumber ? 'no number' : choice.isWhole && !Number.isInteger(number) ? 'no whole number'
       : 'out of range'}: ${range(choice, name)}; shown with ${point[name]}.`);
@@ -34,9 +36,13 @@ function understood(address) {
   if (point.interconnect === 1 && point.governor !== 2)
     faults.push(`interconnect=1 goes with governor=2 alone, the PI governor; the shaft is rigid with governor=${point.governor}.`);
   point.mode = (given.get('mode') || '').replace(/_/g, ' ');
-  for (const name of new Set(given.keys()))
-    if (kChoices[name] === undefined && name !== 'mode' && !kWords.includes(name))
+  for (const name of new Set(given.keys())) {
+    const count = given.getAll(name).length, isWord = kWords.includes(name);
+    if (!Object.hasOwn(kChoices, name) && name !== 'mode' && !isWord)
       faults.push(`${name} is not known: there are ${Object.keys(kChoices).join(', ')}, mode.`);
+    else if (isWord && given.get(name) !== '') faults.push(`${name}=${given.get(name)}: ${name} stands without a value.`);
+    else if (count > 1 && !isWord) faults.push(`${name} stands there ${count} times; the first counts: ${name}=${given.get(name)}.`);
+  }
   return {point, faults};
 }
 const readAddress = (address) => understood(address).point;

@@ -1,14 +1,15 @@
 #!/bin/sh
-# assemble.sh MODULE TABLES LIMITS TEMPLATE STYLE SCRIPT...: the page on standard output. A line @style.css@, @module@ or
-# @scripts@ of the template stands for what is put there. Numbers of the aircraft come from TABLES/aircraft.csv, those of
+# assemble.sh MODULE LICENCE TABLES LIMITS TEMPLATE STYLE SCRIPT...: the page on standard output. A line @style.css@, @licence@,
+# @module@ or @scripts@ of the template stands for what is put there. Numbers of the aircraft come from TABLES/aircraft.csv, those of
 # handling qualities from LIMITS.
 set -e
 module=$1
-tables=$2
-limits=$3
-template=$4
-style=$5
-shift 5
+licence=$2
+tables=$3
+limits=$4
+template=$5
+style=$6
+shift 6
 
 wanted="stick_long_travel_half stick_lat_travel_half pedal_travel_half rotor_flap_limit elevator_limit rudder_limit
   engine_power_takeoff mast_torque_steady WL_CG_helicopter ground_WL_static"
@@ -29,6 +30,7 @@ numbers() {
 while IFS= read -r line; do
     case $line in
         @style.css@) cat "$style" ;;
+        @licence@) sed 's/&/\&amp;/g; s/</\&lt;/g' "$licence" ;;
         @module@) base64 "$module" ;;
         @scripts@)
             echo "'use strict';"

@@ -10,6 +10,12 @@ const kMastKey = 5;               // deg
 const kRotorRate = 1;             // rad/s^2, of the governor's reference: as the command line moves it
 const kClear = 1;                 // m, of the wheels: no weight on them
 
+const kFlying = 'In flight; the space bar pauses and resumes it.';
+
+// Keys that a lever or switch keeps while it has the focus; all others fly.
+const kArrows = ['ArrowUp', 'ArrowDown', 'ArrowLeft', 'ArrowRight', 'Home', 'End', 'PageUp', 'PageDown'];
+const kLeverKeys = {range: kArrows, checkbox: [' ', 'Enter'], 'select-one': [...kArrows, ' ', 'Enter', 'Escape']};
+
 // Of the CG above the wheels, m: as the command line counts heights.
 const restHeight = (seen) => kAircraft.WL_CG_helicopter - kAircraft.ground_WL_static;
 
@@ -28,6 +34,9 @@ class Fly {
     this.isRunning = false;
     this.levers = byId('levers');
     this.levers.addEventListener('input', (event) => this.moveLever(event.target));
+    // After a hand with a pointer the keys are the cockpit's again.
+    for (const type of ['pointerdown', 'keydown']) this.levers.addEventListener(type, () => { this.isPointed = type === 'pointerdown'; });
+    this.levers.addEventListener('change', () => { if (this.isPointed) byId('cockpit').focus({preventScroll: true}); });
     byId('run').addEventListener('click', () => this.run(!this.isRunning));
     byId('again').addEventListener('click', () => this.begin(this.point));
     byId('trim_here').addEventListener('click', () => this.sticks.hold());
@@ -96,13 +105,16 @@ class Fly {
     this.before = undefined;
     byId('run').textContent = this.isRunning ? 'Pause' : 'Start';
   }
+  // A key that goes up is let go of wherever that is; one that goes down and means something there does not fly.
   key(event, isDown) {
+    if (!isDown) this.sticks.key(event, false);
     if (byId('fly').hidden || event.ctrlKey || event.metaKey || event.altKey) return;
     const target = event.target instanceof Element ? event.target : document.body;
-    if (target.matches('#levers *')) return;
-    if (isDown && !event.repeat) {
-      const key = event.key.toLowerCase();
-      if (key === ' ' && target.tagName !== 'BUTTON') this.run(!this.isRunning);
+    const isKept = event.defaultPrevented || (kLeverKeys[target.type] || []).includes(event.key);
+    if (!isDown || isKept) return;
+    const key = event.key.toLowerCase(), isPause = key === ' ' && target.tagName !== 'BUTTON';
+    if (!event.repeat) {
+      if (isPause) this.run(!this.isRunning);
       if (key === 't') this.sticks.hold();
       if (key === 'q' || key === 'e') {
         const mast = this.lever('mast');
@@ -110,7 +122,7 @@ class Fly {
         this.moveLever(mast);
       }
     }
-    if (this.sticks.key(event, isDown) || (event.key === ' ' && target.tagName !== 'BUTTON')) event.preventDefault();
+    if (this.sticks.key(event, true) || isPause) event.preventDefault();
   }
 
   // ---- levers and switches, which are commands of the script ----
@@ -145,6 +157,7 @@ class Fly {
     if (status !== 0) return this.say(`Not obeyed: ${aircraft.tiltrotor.statusText(status)}.`);
     for (const line of words.split('\n')) recorder.command(steps, line);
     if (aircraft.look() === 0) this.seen = aircraft.seen();
+    if (steps > 0) this.say(kFlying, true);
     return true;
   }
   // The lever takes over what the governor has added, and the rotors turn on as they do; a governor that is switched on leads
@@ -180,6 +193,7 @@ class Fly {
 
   // So many steps with the hands as they are now; false where the flight ends.
   advance(steps) {
+    if (this.steps === 0) this.say(kFlying, true);
     const {aircraft} = this, seconds = steps * kStep, sys = this.seen.sys;
     const hand = this.sticks.move(seconds), isGoverned = sys[kSys.governor] !== 0;
     if (sys[kSys.governor] === 2) this.collective += kOffload * seconds * this.seen.x[kX.governor];

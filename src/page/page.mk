@@ -29,7 +29,8 @@ $(BUILD)/on_host/page/page.o: src/page/page.c $(wildcard src/page/*.h) $(FIRMWAR
 	@echo "  compile $<"; mkdir -p $(@D)
 	$(Q)$(CC) $(C_FLAGS) -c $< -o $@
 
-page_tools = tests/tool.sh $(1) $(PAGE_CXX) clang $(PAGE_LD) lld '$(PAGE_CXX) $(PAGE_TARGET):cmath' libc++-dev-wasm32 \
+# The compiler may have a launcher before it and flags behind.
+page_tools = tests/tool.sh $(1) $(lastword $(filter-out -%,$(PAGE_CXX))) clang $(PAGE_LD) lld '$(PAGE_CXX) $(PAGE_TARGET):cmath' libc++-dev-wasm32 \
                '$(PAGE_CC) $(PAGE_TARGET):string.h' wasi-libc
 
 .PHONY: page test-page
@@ -57,6 +58,6 @@ $(BUILD)/page/tiltrotor.wasm: $(PAGE_OBJECTS)
 
 # Of every aircraft: they are the pilots'.
 PAGE_LIMITS := tables/xv15/published/handling_qualities.csv
-$(PAGE): $(BUILD)/page/tiltrotor.wasm $(PAGE_PARTS) $(PAGE_LIMITS) src/page/assemble.sh
+$(PAGE): $(BUILD)/page/tiltrotor.wasm $(PAGE_PARTS) $(PAGE_LIMITS) src/page/assemble.sh LICENSE
 	@echo "  page    $@"; mkdir -p $(@D)
-	$(Q)src/page/assemble.sh $< $(or $(MADE_TABLES),tables/$(AIRCRAFT)) $(PAGE_LIMITS) $(PAGE_PARTS) >$@.part && mv $@.part $@
+	$(Q)src/page/assemble.sh $< LICENSE $(or $(MADE_TABLES),tables/$(AIRCRAFT)) $(PAGE_LIMITS) $(PAGE_PARTS) >$@.part && mv $@.part $@

@@ -13,6 +13,9 @@ function selfTest(library) {
     input.dispatchEvent(new Event('input', {bubbles: true}));
   };
 
+  const licences = byId('licences').textContent;
+  check('licences', ['Permission is hereby granted', 'IN NO EVENT', 'wasi-libc', 'musl', 'libc++'].every((words) => licences.includes(words)),
+    `${licences.length} characters`);
   const explore = new Explore(library, readAddress('#mast=30&speed=60'));
   const shown = () => { explore.compute(); return explore.found; };
   check('trim', shown().isClean, explore.found.text);
@@ -120,6 +123,9 @@ function selfTest(library) {
   const faults = understood('#mast=x&speed=1e9&cg=&sped=3&governor=1.5&fly').faults;
   check('words for a bad address', faults.length === 5 && faults[1].includes('speed=1e9 is out of range: 0 to 140 m/s; shown with 140'),
     faults.join(' '));
+  const odd = ['toString=3&constructor=2', 'flap=-0.5', 'mast=30&mast=40', 'fly=7'].map((words) => understood(`#${words}`));
+  check('words for an odd address', odd.map(({faults: said}) => said.length).join() === '2,1,1,1' && odd[1].point.flap === -1 &&
+    odd[2].point.mast === 30, odd.map(({faults: said}) => said.join(' ')).join(' '));
   check('no words for a good one', understood(writeAddress(explore.point)).faults.length === 0, writeAddress(explore.point));
   explore.change({mast: 90, speed: 10});
   check('no trim', shown().seen === undefined && explore.found.text.startsWith('No level flight'), explore.found.text);
@@ -135,14 +141,47 @@ function selfTest(library) {
   other.dispatchEvent(new MouseEvent('click', {bubbles: true}));
   check('address in flight', name === 'phugoid' && other.getAttribute('aria-label').startsWith(`${fly.roots.chosen.name}:`) &&
     location.hash === `#mast=0&speed=40&mode=${fly.roots.chosen.name.replace(/ /g, '_')}&fly`, location.hash);
+  const before = byId('flight_sentence').textContent;
   let flies = true;
   for (let k = 0; k < 100 && flies; ++k) flies = fly.advance(2);
   check('stays in trim', flies && Math.abs(fly.seen.out[kOut.airspeed] - 40) < 0.5 && fly.steps === 200,
     `${fixed(fly.seen.out[kOut.airspeed], 3)} m/s, ${fly.steps} steps`);
+  check('sentence of a flight', before.startsWith('In trim at 40 m/s') && byId('flight_sentence').textContent === kFlying,
+    byId('flight_sentence').textContent);
   document.dispatchEvent(new KeyboardEvent('keydown', {key: 'ArrowRight', bubbles: true}));
   for (let k = 0; k < 50 && flies; ++k) flies = fly.advance(2);
   check('stick to the right', flies && fly.seen.x[kX.roll] > 0.05, `bank ${fixed(degrees(fly.seen.x[kX.roll]), 1)} deg`);
   document.dispatchEvent(new KeyboardEvent('keyup', {key: 'ArrowRight', bubbles: true}));
+  {
+    // Keys while a lever has the focus: it keeps its own, the others fly, and all are let go of.
+    const {sticks} = fly, of = (name) => document.querySelector(`#levers [name=${name}]`), words = [];
+    const send = (type, target, key) => target.dispatchEvent(new KeyboardEvent(type, {key, bubbles: true, cancelable: true}));
+    const holds = (target, key) => {
+      send('keydown', target, key);
+      const held = sticks.down.size === 1;
+      send('keyup', target, key);
+      words.push(`${target.name} ${held ? 'flies' : 'keeps'} ${key}`);
+      return held && sticks.down.size === 0;
+    };
+    send('keydown', document.body, 'd');
+    of('gear').focus();
+    send('keyup', of('gear'), 'd');
+    check('a key let go of on a lever', sticks.down.size === 0, `${sticks.down.size} held`);
+    check('keys beside a lever', ['gear', 'scas'].every((name) => holds(of(name), 'ArrowRight') && holds(of(name), 'd')) &&
+      ['mast', 'governor'].every((name) => holds(of(name), 'a') && !holds(of(name), 'ArrowRight')), words.join(', '));
+    const runs = (target) => { const was = fly.isRunning; send('keydown', target, ' '); const now = fly.isRunning; fly.run(was); return was !== now; };
+    check('space bar', !runs(of('gear')) && !runs(of('w20')) && !runs(byId('again')) && runs(of('mast')) && runs(byId('cockpit')) &&
+      !runs(byId('fly_near').querySelector('[role=button]')), 'stops and goes on, but on what is pressed by it');
+    const focused = (type) => {
+      of('w20').focus();
+      of('w20').dispatchEvent(new (type === 'keydown' ? KeyboardEvent : PointerEvent)(type, {key: 'ArrowUp', bubbles: true}));
+      of('w20').dispatchEvent(new Event('change', {bubbles: true}));
+      return document.activeElement.id || document.activeElement.name;
+    };
+    const after = [focused('pointerdown'), focused('keydown')];
+    check('keys after a lever', after[0] === 'cockpit' && after[1] === 'w20', after.join(', '));
+    of('w20').blur();
+  }
   {
     // Half of the way is a quarter of the stick; next to the middle nothing moves.
     const pad = {connected: true, axes: [0, 0, 0, 0]}, usual = navigator.getGamepads, {sticks} = fly;

@@ -162,6 +162,26 @@ TEST(cli_linearize_has_the_outputs) {
   CHECK(d[place(outputs, "elevator") * m + 1] > 0 && d[place(outputs, "collective_right") * m] > 0);
 }
 
+// Without the package a script that makes no system says so, once.
+TEST(cli_linearize_script_names_the_package_of_its_system) {
+  const std::string script =
+      run_tiltrotor("linearize --mast 90 --speed 100:20:120 --grid realtime --format matlab").out;
+  const std::size_t said =
+      script.find("else\n  disp('model(k).ss is left out: ss() is of the control package");
+  CHECK(said != std::string::npos && script.find("else\n", said + 1) == std::string::npos);
+  CHECK(contains(script, "model(2).ss = ss("));
+  const std::string tool = check::quoted(check::source_path("tests/tool.sh"));
+  const check::ProgramResult there = run_program(tool + " octave octave octave");
+  if (there.exit_status != 0) {
+    NOTE(there.out);
+    return;
+  }
+  const check::ScratchFolder folder;
+  const check::ProgramResult octave = run_program(
+      "octave --no-gui --norc -q " + check::quoted(folder.write("model.m", script)) + " 2>/dev/null");
+  CHECK(contains(octave.out, "pkg load control"));
+}
+
 // Another program's poles of the script's system are the modes of this one.
 TEST(slow_cli_octave_finds_the_same_poles) {
   const std::string tool = check::quoted(check::source_path("tests/tool.sh"));

@@ -81,28 +81,67 @@ refused(TypeError, ["mas_kg", "did you mean mass_kg"], t.Aircraft, mas_kg=2000)
 refused(t.Error, ["aircraft=7"], t.Aircraft, aircraft=7)
 refused(t.Error, ["500 m/s", "0..150 m/s"], aircraft.trim, 500)
 refused(t.Error, ["trim at 20 m/s", "no trim"], t.Aircraft(mast_deg=90).trim, 20)
-refused(t.Error, ["tr_set_controls, long_stick", "range"], aircraft.set, long_stick=20)
+refused(t.Error, ["tr_set_controls, long_stick: 20", "range"], aircraft.set, long_stick=20)
 refused(t.Error, ["tr_set_controls, pedal", "NaN"], aircraft.set, pedal=math.nan)
-refused(TypeError, ["no control stick", "long_stick"], aircraft.set, stick=1)
+refused(TypeError, ["no control long_stik (did you mean long_stick?)"], aircraft.set, long_stik=1)
 refused(TypeError, ["did you mean flap_deg"], aircraft.change, flap=1)
+refused(TypeError, ["governer (did you mean governor?)", "mass_kg"], aircraft.change, governer=1)
 refused(ValueError, ["throttle takes 2 numbers"], aircraft.change, throttle=(1,))
 refused(t.Error, ["0.1 s", "0..0.02 s"], aircraft.step, 0.1)
 refused(t.Error, ["fast", "0..0.02 s"], aircraft.step, "fast")
 refused(TypeError, ["mast_deg takes a number", "'x'"], t.Aircraft, mast_deg="x")
 refused(TypeError, ["speed_mps takes a number", "[40, 50]"], aircraft.trim, [40, 50])
 refused(TypeError, ["scas takes a whole number"], aircraft.change, scas="on")
-refused(TypeError, ["throttle takes numbers"], aircraft.change, throttle=1)
+refused(TypeError, ["throttle takes numbers, not 1"], aircraft.change, throttle=1)
+refused(TypeError, ["throttle takes numbers, not (1, 'x')"], aircraft.change, throttle=(1, "x"))
+refused(TypeError, ["aircraft takes a whole number, not 'XV-15'"], t.Aircraft, aircraft="XV-15")
 refused(t.Error, ["long_stick=[1, 2]", "a number"], aircraft.set, long_stick=[1, 2])
 before = bytes(aircraft.sim)
-refused(t.Error, ["flap_deg=700", "range", "flap_deg 0..75"], aircraft.change, scas=1 - aircraft.systems.scas, flap_deg=700)
+refused(t.Error, ["flap_deg=700", "flap_deg 700 lies outside 0..75"], aircraft.change, scas=1 - aircraft.systems.scas, flap_deg=700)
 assert bytes(aircraft.sim) == before, "half of a refused change stays"
 refused(t.Error, ["changed since"], aircraft.load, saved[:-1] + bytes([saved[-1] ^ 1]))
-refused(t.Error, ["governor=7", "governor 0..2"], aircraft.change, governor=7)
-refused(t.Error, ["interconnect=2", "switches 0 or 1"], aircraft.change, interconnect=2)
+refused(t.Error, ["governor=7", "governor 7 lies outside 0..2"], aircraft.change, governor=7)
+refused(t.Error, ["interconnect=2", "lies outside 0..1"], aircraft.change, interconnect=2)
 refused(t.Error, ["grid 1..2"], t.Aircraft, grid=9)
 refused(t.Error, ["count = -1"], aircraft.step, 0.005, -1)
 refused(t.Error, ["load of 3 bytes", "too short"], aircraft.load, b"abc")
 refused(TypeError, ["bytes-like"], aircraft.load, "abc")
 refused(t.Error, ["linearize", "77", "1..4"], aircraft.linearize, 77)
+refused(t.Error, ["linearize", "1.0", "1..4"], aircraft.linearize, 1.0)
+refused(t.Error, ["modes: 5 is no model"], aircraft.modes, 5)
+refused(TypeError, ["tr_set_state(", "argument 2"], setattr, aircraft, "state", 5)
 refused(ctypes.ArgumentError, [], t.tr_step, aircraft.sim, aircraft.work, "fast")
 assert bytes(aircraft.state) == flown
+
+# What ctypes would wrap, cut or fill up; whole numbers of any kind are taken.
+refused(ValueError, ["grid takes -2147483648..2147483647, not 4294967297"], t.Aircraft, grid=2**32 + 1)
+refused(ValueError, ["aircraft takes"], t.Aircraft, aircraft=2**40 + 1)
+refused(ValueError, ["turbulence_seed takes 0..18446744073709551615, not -1"], aircraft.change, turbulence_seed=-1)
+for gusts in ([1, 2], [1, 2, 3, 4]):
+    refused(ValueError, ["gust_mps[0] takes 3 numbers, not"], t.tr_environment().set, gust_mps=[gusts] * 4)
+air = t.tr_environment()
+t.check(t.tr_default_environment(air))
+air.set(gust_mps=[[1, 2, 3]] * 3 + [(4, 5, 6)])
+assert list(air.gust_mps[t.TR_AT_TAIL]) == [4, 5, 6]
+
+
+class Three:
+    def __index__(self):
+        return 3
+
+
+aircraft.step(0.005, Three())
+assert aircraft.state.steps == 23
+
+# A refused number stands in the sentence, with the range of its field or of the control, as the library has it.
+ends = t.Aircraft()
+for end in (-1e6, 1e6):
+    ends.call(t.tr_saturate_controls, (t.tr_real * t.TR_CONTROLS)(*[end] * t.TR_CONTROLS), t.TR_CONTROLS, t.c_uint32())
+    pedal = ends.state.u[t.TR_PEDAL]
+    ends.set(pedal=pedal)
+    refused(t.Error, [f"pedal: {1.01 * pedal:g}: ", f"{-abs(pedal):.4g}..{abs(pedal):.4g}"], ends.set, pedal=1.01 * pedal)
+lost = aircraft.state
+lost.x[t.TR_V] = 9999
+refused(t.Error, ["tr_set_state, v: 9999: ", "range"], setattr, aircraft, "state", lost)
+refused(t.Error, ["tr_set_environment: gust_mps[3][2] -2000 lies outside -"], aircraft.call, t.tr_set_environment,
+        air.set(gust_mps=[[0, 0, 0]] * 3 + [[0, 0, -2000]]))

@@ -82,6 +82,24 @@ TEST(build_shared_library_exports_the_interface_alone) {
   CHECK(counted >= 23);
 }
 
+// Linkers of Windows take a list of what a DLL shows. Expected: what the shared library shows.
+TEST(build_windows_list_is_the_interface) {
+  if (!is_native() || !has("nm")) return;
+#ifdef TR_SINGLE_PRECISION
+  const std::string renamed = "s/_0x00060008u/_0x00060004u/; t; s/$/_single/";
+#else
+  const std::string renamed;
+#endif
+  const std::string listed =
+      run_program("sed -n 's/^    //p' " + quoted(source_path("src/library/tiltrotor.def")) + " | sed " +
+                  quoted(renamed) + " | sort")
+          .out;
+  const std::string shown = run_program("nm -D --defined-only " + quoted(TILTROTOR_BINARY_DIR) +
+                                        "/libtiltrotor.so.[0-9]* | awk '{ print $3 }' | sort")
+                                .out;
+  CHECK_EQ(listed, shown);
+}
+
 TEST(build_flight_keeps_its_bits_beside_a_file_with_other_flags) {
   if (!is_native()) return;
   const Room room;

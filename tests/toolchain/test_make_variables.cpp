@@ -88,6 +88,20 @@ TEST(build_make_refuses_places_to_install_that_are_none) {
   check_accepted("PREFIX= DESTDIR=tables", "clean");  // nothing is installed
 }
 
+// A compiler behind a launcher, with flags: what is not there is named by itself.
+TEST(build_page_names_its_compiler) {
+  if (!has_make()) return;
+  const ProgramResult plan = run_program(kMake + "PAGE_CXX='env no-such-clang++ -g' BUILD=b page");
+  CHECK(plan.out.find("tool.sh page no-such-clang++ clang wasm-ld lld 'env no-such-clang++ -g ") !=
+        std::string::npos);
+}
+
+TEST(build_install_copies_the_licence) {
+  if (!has_make()) return;
+  const ProgramResult plan = run_program(kMake + "ARCH= PREFIX=/p BUILD=b install");
+  CHECK(plan.out.find("install -m 644 LICENSE \"$to/share/doc/tiltrotor\"") != std::string::npos);
+}
+
 TEST(build_make_refuses_words_that_are_none) {
   if (!has_make()) return;
   for (const char* assignment : {"WERROR=2",
