@@ -49,6 +49,8 @@ const char* missing_of_setting(const Flight& f, int setting) {
 
 const char* missing_of_input(const Flight& f, int input) {
   const double governor = f.setting[kGovernor];
+  if (input == TR_COLLECTIVE)
+    return unless(governor != TR_GOVERNOR_IDEAL, "parameter.governor = 0, off, or 2, pi: ideal finds it");
   switch (input - TR_CONTROLS) {
     case 0:
     case 1:

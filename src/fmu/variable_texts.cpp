@@ -63,7 +63,7 @@ constexpr int kNamedStates = sizeof kStateTexts / sizeof kStateTexts[0];
 static_assert(kNamedStates == TR_GUST_FILTERS, "one text a state before those of the turbulence");
 
 constexpr const char* kInputTexts[] = {
-    "mean blade pitch of both rotors at 0.75 radius",
+    "mean blade pitch of both rotors at 0.75 radius; the ideal governor finds it",
     "longitudinal stick from neutral, forward",
     "lateral stick from neutral, to the right",
     "pedals from neutral, right",

@@ -51,18 +51,19 @@ void check_last(const Master& m, std::initializer_list<std::string> words) {
     if (!CHECK(says(m.log.back(), each))) NOTE(m.log.back() << " does not say " << each);
 }
 
-// What each needs, with switches that make it act.
+// What each needs, with switches that make it act, and those that make it idle where none is on.
 struct Need {
   Reference what;
   double value;
   const char *name, *needed;
-  std::vector<std::pair<int, double>> with;
+  std::vector<std::pair<int, double>> with, without = {};
 };
 const std::vector<Need>& needs() {
   const std::vector<std::pair<int, double>> air = {{kEnvironment, 1}},
                                             gear = {{kEnvironment, 1}, {kGear, 1}, {kGroundDown, 900}},
                                             pi = {{kGovernor, 2}}, engines = {{kEngines, 1}};
   static const std::vector<Need> all = {
+      {input(TR_COLLECTIVE), 0.2, "input.collective", "parameter.governor = 0, off", {}, {{kGovernor, 1}}},
       {input(kMastCommand), 0.3, "input.mast_command", "parameter.conversion = true", {{kConversion, 1}}},
       {input(kFlapCommand), 0.3, "input.flap_command", "parameter.conversion = true", {{kConversion, 1}}},
       {input(kRotorCommand), 50, "input.rotor_command", "parameter.governor = 2", pi},
@@ -81,7 +82,7 @@ const std::vector<Need>& needs() {
       {setting(kGroundDown), 99, "parameter.ground_down", "parameter.environment = true", gear},
       {setting(kTurbulenceSeed), 4, "parameter.turbulence_seed", "parameter.turbulence", {{kTurbulence, 1}}},
       {setting(kTurbulenceW20), 5, "parameter.turbulence_w20", "parameter.turbulence", {{kTurbulence, 1}}},
-      {setting(kTrimSpeed), 5, "parameter.speed", "parameter.trim = true", {{kTrim, 1}}},
+      {setting(kTrimSpeed), 5, "parameter.speed", "parameter.trim = true", {}, {{kTrim, 0}}},
       {setting(kInterconnect), 1, "parameter.interconnect", "parameter.governor = 2", pi},
       {state(TR_MAST), 0.2, "state.mast", "parameter.conversion = true", {{kConversion, 1}}},
       {state(TR_ROTOR_SPEED), 50, "state.rotor_speed", "parameter.governor = 2", pi},
@@ -104,7 +105,8 @@ const std::vector<Need>& needs() {
 TEST(fmu_what_changes_nothing_is_an_error_that_names_what_it_needs) {
   for (const Need& need : needs()) {
     Master m(Master::co_simulation);
-    if (need.what == setting(kTrimSpeed)) CHECK_EQ(set_any(m, setting(kTrim), 0), fmi3OK);
+    for (const auto& [setting_of, value] : need.without)
+      CHECK_EQ(set_any(m, setting(setting_of), value), fmi3OK);
     CHECK_EQ(set_any(m, need.what, need.value), fmi3OK);
     m.log.clear();
     if (!CHECK_EQ(initialize(m), fmi3Error)) NOTE(need.name);
@@ -118,7 +120,7 @@ TEST(fmu_what_changes_nothing_is_an_error_that_names_what_it_needs) {
   }
 }
 
-// In flight a warning, the first time, and the flight is the same bit for bit; no warning where it acts.
+// In flight a warning, the first time, and the flight is the same; no warning where it acts.
 TEST(fmu_idle_inputs_are_told_once_in_flight) {
   const auto fly = [](Master& m) {
     for (int step = 0; step < 5; ++step) CHECK_EQ(m.step(step * 0.01, 0.01), fmi3OK);
@@ -126,13 +128,14 @@ TEST(fmu_idle_inputs_are_told_once_in_flight) {
     for (int k = 0; k < TR_STATES; ++k) x.push_back(m.get(state(k)));
     return x;
   };
-  Master untouched(Master::co_simulation);
-  CHECK_EQ(untouched.start(0, 40), fmi3OK);
-  const std::vector<double> expected = fly(untouched);
   for (const Need& need : needs()) {
     if (attribute(line_of(need.what), "causality") != "input") continue;
-    Master m(Master::co_simulation);
-    CHECK_EQ(m.start(0, 40), fmi3OK);
+    Master untouched(Master::co_simulation), m(Master::co_simulation);
+    for (Master* const each : {&untouched, &m}) {
+      for (const auto& [setting_of, value] : need.without)
+        CHECK_EQ(set_any(*each, setting(setting_of), value), fmi3OK);
+      CHECK_LE(each->start(0, 40), fmi3Warning);
+    }
     m.log.clear();
     if (!CHECK_EQ(set_any(m, need.what, need.value), fmi3Warning)) NOTE(need.name);
     check_last(m, {need.name, need.needed});
@@ -144,7 +147,11 @@ TEST(fmu_idle_inputs_are_told_once_in_flight) {
     const double again = is_of(need.what, "Boolean") ? 1 - need.value : 0.9 * need.value;
     CHECK_EQ(set_any(m, need.what, again), fmi3OK);
     CHECK_EQ(warnings(), 1);
-    CHECK(fly(m) == expected);
+    // An ideal governor begins its search where the lever is, and counts from there what it adds.
+    const std::vector<double> expected = fly(untouched), found = fly(m);
+    for (std::size_t k = 0; k < found.size(); ++k)
+      if (need.without.empty() || k != TR_GOVERNOR)
+        CHECK_NEAR(found[k], expected[k], need.without.empty() ? 0 : 1e-6);
     Master with(Master::co_simulation);
     for (const auto& [setting_of, value] : need.with)
       CHECK_EQ(set_any(with, setting(setting_of), value), fmi3OK);
