@@ -79,6 +79,12 @@ tr_status tr_check_configuration(const tr_configuration* configuration, uint32_t
 tr_status tr_check_environment(const tr_environment* environment, uint32_t version, char* text,
                                size_t length);
 
+/* The ends of a range, as the calls that set the number check them. `name`: a field of tr_setup, tr_flight,
+ * tr_configuration, tr_environment or tr_systems ("throttle[1]"; speed_mps is that of tr_flight), or "x." or "u." before
+ * tr_state_name or tr_control_name ("u.pedal", in its unit). Where there is no end, the largest number. TR_BAD_ARGUMENT (no
+ * such number). Cost: comparisons of names. */
+tr_status tr_get_range(const char* name, tr_real* low, tr_real* high);
+
 /* A load from outside: slung, towed, thrown. */
 #define TR_MOST_LOADS 8
 typedef struct tr_load {

@@ -39,6 +39,11 @@ tr_status tr_geodetic_at(const tr_geodetic* origin, const double position_m[3], 
  * times that for the wheels. */
 tr_status tr_radio_height_at(const tr_sim* sim, const tr_real station_m[3], tr_real* height_m);
 
+/* That of each wheel, nose, right and left, extended and not loaded, and how it changes along a direction of states
+ * (TR_STATES numbers, as those of tr_directional): exact, moving masts and burnt fuel included. `dx` and `dheight_m` may
+ * both be NULL. TR_NOT_FINITE (in `dx`, and nothing is written), TR_BAD_ARGUMENT. Cost: some 600 operations. */
+tr_status tr_wheel_heights(const tr_sim* sim, const tr_real* dx, tr_real height_m[3], tr_real dheight_m[3]);
+
 /* ---- lag ---- */
 
 /* reading' = (input - reading) / time constant. Begin with a time constant and zeros. */

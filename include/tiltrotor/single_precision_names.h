@@ -51,8 +51,10 @@
 #define tr_check_systems tr_check_systems_single
 #define tr_check_environment tr_check_environment_single
 #define tr_check_configuration tr_check_configuration_single
+#define tr_get_range tr_get_range_single
 #define tr_geodetic_at tr_geodetic_at_single
 #define tr_radio_height_at tr_radio_height_at_single
+#define tr_wheel_heights tr_wheel_heights_single
 #define tr_step_lag tr_step_lag_single
 #define tr_read_imu tr_read_imu_single
 #define tr_read_air_probe tr_read_air_probe_single

@@ -15,13 +15,13 @@ bool is_known(Place p) {
   return (p.role == Role::state && p.index < kContinuousStates) || p.role == Role::input;
 }
 bool is_unknown(Place p) {
-  return p.role == Role::rate || p.role == Role::output ||
+  return p.role == Role::rate || p.role == Role::output || p.role == Role::indicator ||
          (p.role == Role::state && p.index < kContinuousStates);
 }
 
 // One column: everything along dx and du.
 struct Direction {
-  double dx[TR_STATES], du[TR_INPUTS], dxdot[TR_STATES], doutput[TR_OUTPUTS];
+  double dx[TR_STATES], du[TR_INPUTS], dxdot[TR_STATES], doutput[kOutputs], dindicator[kWheels];
 };
 
 // Where the air follows the altitude and no system is on, tr_directional holds the air. With ground effect and no
@@ -41,16 +41,18 @@ const tr_sim& with_air(Instance& i) {
 
 fmi3Status along(Instance& i, const tr_sim& sim, Direction& d) {
   tr_outputs outputs;
-  const tr_status status = tr_directional_inputs(&sim, &i.work, d.dx, d.du, d.dxdot, &outputs);
-  if (status == TR_OK) std::memcpy(d.doutput, &outputs.airspeed_mps, sizeof d.doutput);
+  tr_status status = tr_directional_inputs(&sim, &i.work, d.dx, d.du, d.dxdot, &outputs);
+  if (status == TR_OK) slopes_of_outputs(i.flight, d.dx, outputs, d.doutput);
+  if (status == TR_OK) status = slopes_of_indicators(i.flight, d.dx, d.dindicator);
   return answer(i, status, "derivative along a direction", fmi3Discard);
 }
 
 double& seed_of(Direction& d, Place p) { return p.role == Role::state ? d.dx[p.index] : d.du[p.index]; }
 double result_of(const Direction& d, Place p) {
-  return p.role == Role::rate     ? d.dxdot[p.index]
-         : p.role == Role::output ? d.doutput[p.index]
-                                  : d.dx[p.index];
+  return p.role == Role::rate        ? d.dxdot[p.index]
+         : p.role == Role::output    ? d.doutput[p.index]
+         : p.role == Role::indicator ? d.dindicator[p.index]
+                                     : d.dx[p.index];
 }
 
 Instance* with_directions(fmi3Instance instance, const fmi3ValueReference unknown[], size_t unknowns,
@@ -73,10 +75,14 @@ Instance* with_directions(fmi3Instance instance, const fmi3ValueReference unknow
   };
   for (size_t k = 0; k < unknowns; ++k)
     if (!is_unknown(place_of(unknown[k])))
-      return refuse(unknown[k], "no derivative, output or continuous state");
+      return refuse(unknown[k], "no derivative, output, event indicator or continuous state");
   for (size_t k = 0; k < knowns; ++k)
     if (!is_known(place_of(known[k]))) return refuse(known[k], "no continuous state or continuous input");
-  if (!are_finite(*i, seed, seeds, "seed")) return nullptr;
+  for (size_t k = 0; k < seeds; ++k)
+    if (!std::isfinite(seed[k])) {
+      say(*i, fmi3Error, "a partial derivative: seed %zu is no finite number", k);
+      return nullptr;
+    }
   return make(*i) <= fmi3Warning ? i : nullptr;
 }
 

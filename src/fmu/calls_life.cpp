@@ -27,9 +27,9 @@ fmi3Instance instantiate(bool co_simulation, fmi3String name, fmi3String token, 
   Instance& i = *static_cast<Instance*>(block);
   i.mark = kMark;
   i.co_simulation = co_simulation;
-  // Errors are told to importers that do not ask for a log, too.
+  // What went wrong is told to importers that do not ask for a log, too; events are not.
   i.logging = true;
-  i.categories = logging ? ~0u : 1u << fmi3Error | 1u << fmi3Fatal;
+  i.categories = logging ? ~0u : ~(1u << fmi3OK);
   i.log_message = log_message;
   i.environment = environment;
   i.stop_time = HUGE_VAL;
@@ -126,9 +126,11 @@ fmi3Status fmi3EnterInitializationMode(fmi3Instance instance, fmi3Boolean, fmi3F
 fmi3Status fmi3ExitInitializationMode(fmi3Instance instance) {
   Instance* const i = opened(instance, kInitialization, "fmi3ExitInitializationMode");
   if (i == nullptr) return fmi3Error;
+  if (check_given(*i) != fmi3OK) return fmi3Error;
   const fmi3Status status = make(*i);
   if (status > fmi3Warning) return status;
   i->flight.mode = i->co_simulation ? kStep : kEvent;
+  say(*i, fmi3OK, "the flight begins at %.10g s", i->flight.time);
   return status;
 }
 
@@ -139,7 +141,10 @@ fmi3Status fmi3EnterContinuousTimeMode(fmi3Instance instance) {
   return enter(instance, kEvent, false, true, kContinuous, "fmi3EnterContinuousTimeMode");
 }
 fmi3Status fmi3Terminate(fmi3Instance instance) {
-  return enter(instance, kFlying, true, true, kTerminated, "fmi3Terminate");
+  const fmi3Status status = enter(instance, kFlying, true, true, kTerminated, "fmi3Terminate");
+  if (status != fmi3OK) return status;
+  Instance& i = *static_cast<Instance*>(instance);
+  return say(i, fmi3OK, "the flight ends at %.10g s", i.flight.time);
 }
 
 fmi3Status fmi3Reset(fmi3Instance instance) {
@@ -159,6 +164,7 @@ fmi3Status fmi3UpdateDiscreteStates(fmi3Instance instance, fmi3Boolean* need_upd
   *next_time = 0;
   *states_changed = i->flight.jumped;
   i->flight.jumped = false;
+  if (*states_changed) say(*i, fmi3OK, "at %.10g s the wind makes the states jump", i->flight.time);
   return fmi3OK;
 }
 
@@ -188,11 +194,9 @@ fmi3Status fmi3DoStep(fmi3Instance instance, fmi3Float64 time, fmi3Float64 step,
   for (double k = 0; k < parts; ++k) {
     const tr_status status = tr_step(&f.sim, &i->work, step / parts);
     if (status != TR_OK) {
-      tr_fault fault;
-      const bool known = tr_last_fault(&f.sim, &fault) == TR_OK && fault.state >= 0;
+      refuse_step(*i, status, time);
       f = i->before;
-      return say(*i, fmi3Discard, "step at %g s: %s%s%s", time, tr_status_text(status),
-                 known ? ": state " : "", known ? tr_state_name(fault.state) : "");
+      return fmi3Discard;
     }
   }
   f.time = *last_successful_time = time + step;

@@ -49,7 +49,11 @@ fmi3Status fmi3SetTime(fmi3Instance instance, fmi3Float64 time) {
 fmi3Status fmi3SetContinuousStates(fmi3Instance instance, const fmi3Float64 states[], size_t count) {
   Instance* const i =
       with_states(instance, kContinuous, states, count, kContinuousStates, "fmi3SetContinuousStates");
-  if (i == nullptr || !are_finite(*i, states, count, "continuous state")) return fmi3Error;
+  if (i == nullptr) return fmi3Error;
+  for (int k = 0; k < kContinuousStates; ++k)
+    if (!std::isfinite(states[k]))
+      return say(*i, fmi3Error, "continuous states: %s is no finite number",
+                 full_name({Role::state, k}).text);
   return put_states(*i, states);
 }
 
@@ -82,14 +86,18 @@ fmi3Status fmi3GetNominalsOfContinuousStates(fmi3Instance instance, fmi3Float64 
 }
 
 fmi3Status fmi3GetEventIndicators(fmi3Instance instance, fmi3Float64 indicators[], size_t count) {
-  Instance* const i = with_states(instance, kEquations, indicators, count, 0, "fmi3GetEventIndicators");
-  return i == nullptr ? fmi3Error : fmi3OK;
+  Instance* const i = with_states(instance, kEquations, indicators, count, kWheels, "fmi3GetEventIndicators");
+  if (i == nullptr) return fmi3Error;
+  double height[kWheels];
+  const tr_status status = read_indicators(i->flight, height);
+  if (status == TR_OK) std::memcpy(indicators, height, sizeof height);
+  return answer(*i, status, "event indicators", fmi3Discard);
 }
 
 fmi3Status fmi3GetNumberOfEventIndicators(fmi3Instance instance, size_t* count) {
   Instance* const i = opened(instance, kAlive, "fmi3GetNumberOfEventIndicators");
   if (i == nullptr || count == nullptr) return fmi3Error;
-  *count = 0;
+  *count = kWheels;
   return fmi3OK;
 }
 

@@ -50,7 +50,7 @@ bool is_possible(const Flight& f) {
   const unsigned mode = f.mode;
   if (mode == 0 || mode > kTerminated || (mode & (mode - 1)) != 0 || !std::isfinite(f.time)) return false;
   for (int k = 0; k < kSettings; ++k)
-    if (!(f.setting[k] >= facts_of(k).least && f.setting[k] <= facts_of(k).most)) return false;
+    if (!range_of({Role::setting, k}).holds(f.setting[k])) return false;
   for (const double number : f.state)
     if (!std::isfinite(number)) return false;
   for (const double number : f.input)

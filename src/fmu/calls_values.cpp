@@ -10,10 +10,9 @@ namespace {
 
 // What a call has computed once.
 struct Reading {
-  bool state_read, rates_read, outputs_read;
+  bool state_read, rates_read, outputs_read, indicators_read;
   tr_state state;
-  double rates[TR_STATES];
-  tr_outputs outputs;
+  double rates[TR_STATES], outputs[kOutputs], indicators[kWheels];
 };
 
 fmi3Status read(Instance& i, Place place, Reading& r, double& value) {
@@ -39,15 +38,17 @@ fmi3Status read(Instance& i, Place place, Reading& r, double& value) {
       r.rates_read = true;
       value = r.rates[place.index];
       break;
+    case Role::indicator:
+      if (!r.indicators_read) status = read_indicators(f, r.indicators);
+      r.indicators_read = true;
+      value = r.indicators[place.index];
+      break;
     default:
-      if (!r.outputs_read) status = tr_get_outputs(&f.sim, &r.outputs);
+      if (!r.outputs_read) status = read_outputs(f, r.outputs);
       r.outputs_read = true;
-      std::memcpy(&value,
-                  reinterpret_cast<const char*>(&r.outputs.airspeed_mps) +
-                      sizeof value * static_cast<size_t>(place.index),
-                  sizeof value);
+      value = r.outputs[place.index];
   }
-  return answer(i, status, name_of(place), fmi3Discard);
+  return answer(i, status, full_name(place).text, fmi3Discard);
 }
 
 // The instance when the arrays are there and every reference is of the type.
@@ -76,7 +77,7 @@ fmi3Status get(fmi3Instance instance, const fmi3ValueReference reference[], size
   const fmi3Status made = make(*i);
   if (made > fmi3Warning) return made;
   Reading r;
-  r.state_read = r.rates_read = r.outputs_read = false;
+  r.state_read = r.rates_read = r.outputs_read = r.indicators_read = false;
   for (size_t k = 0; k < references; ++k) {
     double number = 0;
     const fmi3Status status = read(*i, place_of(reference[k]), r, number);
@@ -101,9 +102,20 @@ bool is_settable(const Instance& i, Place place) {
   }
 }
 
+// When it may, in words.
+const char* when_settable(const Instance& i, Place place) {
+  if (place.role == Role::state && place.index < kContinuousStates)
+    return i.co_simulation ? "before the end of initialization it can"
+                           : "before the end of initialization it can, then by fmi3SetContinuousStates";
+  if (place.role != Role::setting) return "it is computed";
+  if (place.index < kFirstInputSetting) return "it is fixed from the end of initialization on";
+  return "it jumps, in event mode";
+}
+
 fmi3Status put(Instance& i, Place place, double value) {
   if (place.role == Role::setting) return put_setting(i, place.index, value);
   if (place.role == Role::input) return put_input(i, place.index, value);
+  if (check_range(i, place, value) != fmi3OK) return fmi3Error;
   Flight& f = i.flight;
   f.state_given[place.index] = value != i.start_state[place.index];
   f.state[place.index] = value;
@@ -119,20 +131,27 @@ fmi3Status set(fmi3Instance instance, const fmi3ValueReference reference[], size
   if (i == nullptr) return fmi3Error;
   for (size_t k = 0; k < references; ++k) {
     const Place place = place_of(reference[k]);
-    if (!is_settable(*i, place)) return say(*i, fmi3Error, "%s cannot be set in this mode", name_of(place));
+    if (!is_settable(*i, place))
+      return say(*i, fmi3Error, "%s cannot be set in %s: %s", full_name(place).text,
+                 mode_name(i->flight.mode), when_settable(*i, place));
     const double number = static_cast<double>(value[k]);
-    if (!std::isfinite(number)) return say(*i, fmi3Error, "%s is no finite number", name_of(place));
+    const Range range = range_of(place);
+    if (!std::isfinite(number))
+      return say(*i, fmi3Error, "%s is no finite number, which lies in %.10g..%.10g", full_name(place).text,
+                 range.low, range.high);
   }
   // One bad value and none is set.
   i->before = i->flight;
+  fmi3Status worst = fmi3OK;
   for (size_t k = 0; k < references; ++k) {
     const fmi3Status status = put(*i, place_of(reference[k]), static_cast<double>(value[k]));
-    if (status != fmi3OK) {
+    if (status > fmi3Warning) {
       i->flight = i->before;
       return status;
     }
+    if (status > worst) worst = status;
   }
-  return fmi3OK;
+  return worst;
 }
 
 }  // namespace

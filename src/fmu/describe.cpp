@@ -1,4 +1,4 @@
-// Writes the descriptions of the FMU: `describe model` and `describe build SOURCE...`, to standard output.
+// Writes the descriptions of the FMU: `describe model`, `describe page` and `describe build SOURCE...`, to standard output.
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -21,11 +21,15 @@ std::string number(double value) {
   return text;
 }
 
-std::string attribute(const char* name, const std::string& value) {
-  std::string text = std::string(" ") + name + "=\"";
+std::string escaped(const std::string& value) {
+  std::string text;
   for (const char c : value)
     text += c == '&' ? "&amp;" : c == '<' ? "&lt;" : c == '"' ? "&quot;" : std::string(1, c);
-  return text + "\"";
+  return text;
+}
+
+std::string attribute(const char* name, const std::string& value) {
+  return std::string(" ") + name + "=\"" + escaped(value) + "\"";
 }
 
 // Units by the SI base units, and what they are shown in.
@@ -79,43 +83,54 @@ std::string with_unit(const std::string& unit, bool display = true) {
   return text;
 }
 
+std::string with_range(Place p) {
+  const Range range = range_of(p);
+  return attribute("min", number(range.low)) + attribute("max", number(range.high));
+}
+
+std::string shown_start(Place p, double start) {
+  return type_of(p) == Type::boolean ? (start != 0 ? "true" : "false") : number(start);
+}
+
 void write_variable(Place p, double start) {
-  const std::string name = name_of(p);
   const std::string unit = unit_of(p);
   std::string line;
-  const auto opening = [&](const char* type, const std::string& named, const char* causality,
-                           const char* variability) {
-    line = std::string("    <") + type + attribute("name", named) +
+  const auto opening = [&](const char* type, const char* causality, const char* variability) {
+    line = std::string("    <") + type + attribute("name", full_name(p).text) +
            reference("valueReference", p.role, p.index) + attribute("causality", causality) +
            attribute("variability", variability);
   };
   switch (p.role) {
     case Role::time:
-      opening("Float64", name, "independent", "continuous");
+      opening("Float64", "independent", "continuous");
       line += attribute("unit", "s");
       break;
     case Role::state: {
       const bool begins = p.index < kContinuousStates;
-      opening("Float64", "state." + name, is_rigid(p.index) ? "output" : "local", "continuous");
+      opening("Float64", is_rigid(p.index) ? "output" : "local", "continuous");
       line += attribute("initial", begins ? "exact" : "calculated") + with_unit(unit);
       if (begins)
-        line += attribute("start", number(start)) + attribute("nominal", number(nominal_of(unit_of(p))));
+        line += with_range(p) + attribute("start", number(start)) +
+                attribute("nominal", number(nominal_of(unit_of(p))));
       if (p.index <= TR_W) line += attribute("reinit", "true");  // the wind jumps
       break;
     }
     case Role::rate:
-      opening("Float64", "der(state." + name + ")", "local", "continuous");
+      opening("Float64", "local", "continuous");
       line += attribute("initial", "calculated") + with_unit(rate_unit(unit), false) +
               reference("derivative", Role::state, p.index);
       break;
     case Role::input:
-      opening("Float64", "input." + name, "input", "continuous");
-      line += with_unit(unit) + attribute("start", number(start));
+      opening("Float64", "input", "continuous");
+      line += with_unit(unit) + with_range(p) + attribute("start", number(start));
       break;
     case Role::output:
-      opening("Float64", "output." + name, "output", "continuous");
-      line += attribute("initial", "calculated") + with_unit(unit) +
-              attribute("description", output_facts(p.index).text);
+      opening("Float64", "output", "continuous");
+      line += attribute("initial", "calculated") + with_unit(unit);
+      break;
+    case Role::indicator:
+      opening("Float64", "local", "continuous");
+      line += attribute("initial", "calculated") + with_unit(unit);
       break;
     default: {
       const SettingFacts& facts = facts_of(p.index);
@@ -124,20 +139,15 @@ void write_variable(Place p, double start) {
                                : facts.type == Type::boolean ? "Boolean"
                                : facts.type == Type::uint32  ? "UInt32"
                                                              : "Enumeration";
-      opening(type, (input ? "input." : "parameter.") + name, input ? "input" : "parameter",
-              input ? "discrete" : "fixed");
+      opening(type, input ? "input" : "parameter", input ? "discrete" : "fixed");
       if (!input) line += attribute("initial", "exact");
       if (facts.type == Type::enumeration) line += attribute("declaredType", enumeration_of(p.index));
       line += with_unit(unit);
-      if (facts.type == Type::float64) {
-        if (facts.least > -1e100) line += attribute("min", number(facts.least));
-        if (facts.most < 1e100) line += attribute("max", number(facts.most));
-      }
-      line +=
-          attribute("start", facts.type == Type::boolean ? (start != 0 ? "true" : "false") : number(start)) +
-          attribute("description", facts.text);
+      if (facts.type == Type::float64) line += with_range(p);
+      line += attribute("start", shown_start(p, start));
     }
   }
+  if (text_of(p)[0] != 0) line += attribute("description", text_of(p));
   std::printf("%s/>\n", line.c_str());
 }
 
@@ -155,25 +165,34 @@ void write_unknown(const char* element, Place unknown) {
               all ? "" : attribute("dependencies", dependencies).c_str());
 }
 
-int describe_model() {
+// An instance as it begins.
+struct Begun {
   char token[64];
-  instantiation_token(token);
-  const fmi3Instance begun =
-      fmi3InstantiateModelExchange("describe", token, nullptr, false, false, nullptr, nullptr);
-  if (begun == nullptr) return 1;
-  const auto start_of = [&](Place p) {
+  fmi3Instance instance;
+
+  Begun() {
+    instantiation_token(token);
+    instance = fmi3InstantiateModelExchange("describe", token, nullptr, false, false, nullptr, nullptr);
+  }
+  ~Begun() { fmi3FreeInstance(instance); }
+  double start_of(Place p) const {
     const fmi3ValueReference at = reference_of(p.role, p.index);
     double value = 0;
     if (type_of(p) != Type::float64) return facts_of(p.index).start;
-    return fmi3GetFloat64(begun, &at, 1, &value, 1) == fmi3OK ? value : std::nan("");
-  };
+    return fmi3GetFloat64(instance, &at, 1, &value, 1) == fmi3OK ? value : std::nan("");
+  }
+};
+
+int describe_model() {
+  const Begun begun;
+  if (begun.instance == nullptr) return 1;
   constexpr const char* kCapabilities =
       "modelIdentifier=\"tiltrotor\" canGetAndSetFMUState=\"true\" canSerializeFMUState=\"true\" "
       "providesDirectionalDerivatives=\"true\" providesAdjointDerivatives=\"true\"";
   std::printf(
       "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<fmiModelDescription fmiVersion=\"3.0\" "
       "modelName=\"tiltrotor\"%s%s%s generationTool=\"tiltrotor\" variableNamingConvention=\"structured\">\n",
-      attribute("instantiationToken", token).c_str(), attribute("version", tr_version()).c_str(),
+      attribute("instantiationToken", begun.token).c_str(), attribute("version", tr_version()).c_str(),
       attribute("description", tr_aircraft_description(tr_aircraft_at(0))).c_str());
   std::printf("  <ModelExchange %s/>\n  <CoSimulation %s canHandleVariableCommunicationStepSize=\"true\"/>\n",
               kCapabilities, kCapabilities);
@@ -200,19 +219,55 @@ int describe_model() {
   for (int role = 0; role < static_cast<int>(Role::none); ++role)
     for (int k = 0; k < kCount[role]; ++k) {
       const Place p = {static_cast<Role>(role), k};
-      write_variable(p, start_of(p));
+      write_variable(p, begun.start_of(p));
     }
   std::printf("  </ModelVariables>\n  <ModelStructure>\n");
   for (int k = 0; k < kContinuousStates; ++k)
     if (is_rigid(k)) write_unknown("Output", {Role::state, k});
-  for (int k = 0; k < TR_OUTPUTS; ++k) write_unknown("Output", {Role::output, k});
+  for (int k = 0; k < kOutputs; ++k) write_unknown("Output", {Role::output, k});
   for (int k = 0; k < kContinuousStates; ++k) write_unknown("ContinuousStateDerivative", {Role::rate, k});
-  for (int k = 0; k < TR_OUTPUTS; ++k)
+  for (int k = 0; k < kOutputs; ++k)
     std::printf("    <InitialUnknown%s/>\n", reference("valueReference", Role::output, k).c_str());
   for (int k = 0; k < kContinuousStates; ++k)
     std::printf("    <InitialUnknown%s/>\n", reference("valueReference", Role::rate, k).c_str());
+  for (int k = 0; k < kWheels; ++k) write_unknown("EventIndicator", {Role::indicator, k});
   std::printf("  </ModelStructure>\n</fmiModelDescription>\n");
-  fmi3FreeInstance(begun);
+  return 0;
+}
+
+// A row of the page: name, unit, range and start where it is set, what it is.
+void write_row(Place p, double start) {
+  const Range range = range_of(p);
+  const bool is_set = range.high < HUGE_VAL;
+  std::printf("<tr><td>%s</td><td>%s</td><td>%s</td><td>%s</td><td>%s</td></tr>\n", full_name(p).text,
+              unit_of(p), is_set ? (number(range.low) + " .. " + number(range.high)).c_str() : "",
+              is_set ? shown_start(p, start).c_str() : "", escaped(text_of(p)).c_str());
+}
+
+int describe_page() {
+  const Begun begun;
+  if (begun.instance == nullptr) return 1;
+  std::printf(
+      "<!DOCTYPE html>\n<html lang=\"en\">\n<head><meta charset=\"utf-8\"/><title>tiltrotor</title>\n"
+      "<style>body { font-family: sans-serif } td, th { text-align: left; padding-right: 1em }</style></head>\n"
+      "<body>\n<h1>tiltrotor %s</h1>\n<p>%s</p>\n<p>How a flight begins, what flies in Model Exchange and what in "
+      "Co-Simulation: <a href=\"README.md\">README.md</a>. Licence: "
+      "<a href=\"licenses/license.txt\">licenses/license.txt</a>.</p>\n",
+      tr_version(), escaped(tr_aircraft_description(tr_aircraft_at(0))).c_str());
+  const auto table = [&begun](const char* title, Role role, int first, int end) {
+    std::printf(
+        "<h2>%s</h2>\n<table>\n<tr><th>name</th><th>unit</th><th>range</th><th>start</th><th></th></tr>\n",
+        title);
+    for (int k = first; k < end; ++k) write_row({role, k}, begun.start_of({role, k}));
+    std::printf("</table>\n");
+  };
+  table("Parameters", Role::setting, 0, kFirstInputSetting);
+  table("Inputs", Role::input, 0, TR_INPUTS);
+  table("Inputs that jump", Role::setting, kFirstInputSetting, kSettings);
+  table("Outputs", Role::output, 0, kOutputs);
+  table("Event indicators", Role::indicator, 0, kWheels);
+  table("Continuous states", Role::state, 0, kContinuousStates);
+  std::printf("</body>\n</html>\n");
   return 0;
 }
 
@@ -234,7 +289,8 @@ int describe_build(int count, char** sources) {
 
 int main(int count, char** arguments) {
   if (count == 2 && std::strcmp(arguments[1], "model") == 0) return describe_model();
+  if (count == 2 && std::strcmp(arguments[1], "page") == 0) return describe_page();
   if (count > 2 && std::strcmp(arguments[1], "build") == 0) return describe_build(count - 2, arguments + 2);
-  std::fprintf(stderr, "describe model | describe build SOURCE...\n");
+  std::fprintf(stderr, "describe model | describe page | describe build SOURCE...\n");
   return 2;
 }

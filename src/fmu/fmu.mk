@@ -32,6 +32,10 @@ $(FMU_FOLDER)/modelDescription.xml: $(BUILD)/describe_fmu
 	@echo "  write   $@"; mkdir -p $(@D)
 	$(Q)$(RUNNER) $< model > $@.part && mv $@.part $@
 
+$(FMU_FOLDER)/index.html: $(BUILD)/describe_fmu
+	@echo "  write   $@"; mkdir -p $(@D)
+	$(Q)$(RUNNER) $< page > $@.part && mv $@.part $@
+
 # One folder finds every include: there are importers that know no other.
 $(FMU_FOLDER)/sources/buildDescription.xml: $(BUILD)/describe_fmu $(FMU_SOURCES) $(HEADERS) | $(GENERATED)
 	@echo "  write   $@"; rm -rf $(@D); mkdir -p $(@D)
@@ -41,20 +45,11 @@ $(FMU_FOLDER)/sources/buildDescription.xml: $(BUILD)/describe_fmu $(FMU_SOURCES)
 	$(RUNNER) $< build $(FMU_SOURCES:src/%=%) > $@.part && mv $@.part $@
 
 # The tests load it.
-$(BUILD)/run_tests: | $(FMU_BINARY) $(FMU_FOLDER)/modelDescription.xml $(FMU_FOLDER)/sources/buildDescription.xml
+FMU_PARTS := $(FMU_BINARY) $(FMU_FOLDER)/modelDescription.xml $(FMU_FOLDER)/index.html $(FMU_FOLDER)/sources/buildDescription.xml
+$(BUILD)/run_tests: | $(FMU_PARTS)
 
-# A copy of one date, in one order: two builds give the same bytes.
-fmu-archive: $(FMU_BINARY) $(FMU_FOLDER)/modelDescription.xml $(FMU_FOLDER)/sources/buildDescription.xml
-	$(Q)set -e; to="$$(pwd)/$(FMU)"; case '$(FMU)' in /*) to='$(FMU)' ;; esac; \
-	packed=$(FMU_FOLDER)/packed; rm -rf "$$to" "$$packed"; mkdir -p "$$packed/documentation/licenses" "$$packed/terminalsAndIcons"; \
-	cp -R $(FMU_FOLDER)/modelDescription.xml $(FMU_FOLDER)/binaries $(FMU_FOLDER)/sources "$$packed"; \
-	cp src/fmu/terminalsAndIcons.xml src/fmu/icon.svg src/fmu/icon.png "$$packed/terminalsAndIcons"; \
-	cp src/fmu/README.md "$$packed/documentation"; cp LICENSE "$$packed/documentation/licenses/license.txt"; \
-	find "$$packed" -exec touch -t 198001010000 {} +; cd "$$packed"; \
-	if command -v zip >/dev/null; then find . -type f | LC_ALL=C sort | zip -q -X -@ "$$to"; \
-	elif command -v python3 >/dev/null; then python3 -m zipfile -c "$$to" *; \
-	else echo "fmu: not installed: zip (Debian: zip), left as the folder $(FMU_FOLDER)/packed"; exit 0; fi; \
-	echo "  fmu     $(FMU)"
+fmu-archive: $(FMU_PARTS)
+	$(Q)sh src/fmu/pack.sh $(FMU_FOLDER) '$(FMU)' && if test -f '$(FMU)'; then echo "  fmu     $(FMU)"; fi
 else
 fmu-archive:
 	@echo "fmu: of double precision and of a machine with an operating system, left out"

@@ -39,11 +39,7 @@ fmi3Status make_setup(Instance& i, tr_setup& setup) {
 
 fmi3Status put_environment(Instance& i) {
   const Flight& f = i.flight;
-  if (!is_on(f, kEnvironment)) {
-    for (const int k : {kGear, kGroundEffect, kWindShear, kWindNorth, kWindEast, kWindDown})
-      if (is_on(f, k)) return say(i, fmi3Error, "%s needs environment = true", facts_of(k).name);
-    return fmi3OK;
-  }
+  if (!is_on(f, kEnvironment)) return fmi3OK;
   tr_environment e;
   tr_default_environment(&e);
   for (int k = 0; k < 3; ++k) e.wind_mps[k] = f.setting[kWindNorth + k];
@@ -61,11 +57,10 @@ fmi3Status put_environment(Instance& i) {
 // Switches and commands as they are in the flight.
 fmi3Status put_systems(Instance& i, bool with_commands) {
   const Flight& f = i.flight;
-  if (is_on(f, kInterconnect) && f.setting[kGovernor] != TR_GOVERNOR_PI)
-    return say(i, fmi3Error, "interconnect needs governor = %d, pi", static_cast<int>(TR_GOVERNOR_PI));
   if (!has_systems(f)) return fmi3OK;
   if (!i.co_simulation && (is_on(f, kScas) || is_on(f, kTurbulence)))
-    return say(i, fmi3Error, "scas and turbulence move on between steps: Co-Simulation has them");
+    return say(i, fmi3Error, "%s moves on between steps: Co-Simulation has it",
+               full_name({Role::setting, is_on(f, kScas) ? kScas : kTurbulence}).text);
   tr_systems s;
   tr_get_systems(&f.sim, &s);
   s.governor = static_cast<std::int32_t>(f.setting[kGovernor]);
@@ -143,7 +138,8 @@ fmi3Status put_given(Instance& i, const double* wanted) {
   tr_get_state(&f.sim, &state);
   for (int k = 0; k < kContinuousStates; ++k)
     if (f.state_given[k]) state.x[k] = f.state[k];
-  const fmi3Status status = answer(i, tr_set_state(&f.sim, &state), "start states", fmi3Error);
+  const fmi3Status status =
+      refuse_states(i, tr_set_state(&f.sim, &state), state.x, "start states", fmi3Error);
   if (status != fmi3OK) return status;
   read_inputs(f.sim, f.input);
   f.changed = false;
@@ -160,7 +156,7 @@ Instance* opened(fmi3Instance instance, unsigned modes, const char* call) {
   auto* const i = static_cast<Instance*>(instance);
   if (i == nullptr || i->mark != kMark) return nullptr;
   if ((i->flight.mode & modes) != 0) return i;
-  say(*i, fmi3Error, "%s is not allowed in this mode", call);
+  say(*i, fmi3Error, "%s is not allowed in %s", call, mode_name(i->flight.mode));
   return nullptr;
 }
 
@@ -182,20 +178,12 @@ fmi3Status answer(Instance& i, tr_status status, const char* call, fmi3Status re
   return say(i, refused, "%s: %s: %s", call, tr_status_word(status), tr_status_text(status));
 }
 
-bool are_finite(Instance& i, const double* numbers, std::size_t count, const char* what) {
-  for (std::size_t k = 0; k < count; ++k)
-    if (!std::isfinite(numbers[k])) {
-      say(i, fmi3Error, "%s %zu is no finite number", what, k);
-      return false;
-    }
-  return true;
-}
-
 fmi3Status begin(Instance& i) {
   Flight& f = i.flight;
   std::memset(&f, 0, sizeof f);
   f.mode = kInstantiated;
   f.changed = true;
+  i.told = 0;
   tr_setup setup;
   const tr_status found = tr_default_setup(&setup, TR_API_VERSION, tr_aircraft_at(0), 0.0);
   if (found != TR_OK) return answer(i, found, "instantiate", fmi3Error);
@@ -249,15 +237,17 @@ fmi3Status put_states(Instance& i, const double* x) {
   tr_status status = tr_get_state(&f.sim, &state);
   std::memcpy(state.x, x, sizeof(double) * kContinuousStates);
   if (status == TR_OK) status = tr_set_state(&f.sim, &state);
-  return answer(i, status, "continuous states", fmi3Discard);
+  return refuse_states(i, status, state.x, "continuous states", fmi3Discard);
 }
 
 fmi3Status put_input(Instance& i, int index, double value) {
   Flight& f = i.flight;
+  const Place place = {Role::input, index};
+  if (check_range(i, place, value) != fmi3OK) return fmi3Error;
   const double before = f.input[index];
   if ((f.mode & kBeforeFlight) != 0) {
     f.input_given[index] = value != i.start_input[index];
-    if (f.changed) {  // tried when the aircraft is made
+    if (f.changed) {  // acts when the aircraft is made
       f.input[index] = value;
       return fmi3OK;
     }
@@ -266,22 +256,18 @@ fmi3Status put_input(Instance& i, int index, double value) {
   if (value == before) return fmi3OK;
   fmi3Status status = fmi3OK;
   if (index < TR_CONTROLS) {
-    status = answer(i, tr_set_controls(&f.sim, f.input, TR_CONTROLS), tr_control_name(index), fmi3Error);
+    status = answer(i, tr_set_controls(&f.sim, f.input, TR_CONTROLS), full_name(place).text, fmi3Error);
   } else {
     status = put_systems(i, true);
   }
   if (status != fmi3OK) f.input[index] = before;
-  return status;
+  return status == fmi3OK && (f.mode & kBeforeFlight) == 0 ? warn_idle(i, place) : status;
 }
 
 fmi3Status put_setting(Instance& i, int index, double value) {
   Flight& f = i.flight;
-  const SettingFacts& facts = facts_of(index);
-  if (index < kFirstInputSetting && (f.mode & kBeforeFlight) == 0)
-    return say(i, fmi3Error, "%s is a fixed parameter: set before the end of initialization", facts.name);
-  if (value < facts.least || value > facts.most)
-    return say(i, fmi3Error, "%s = %.10g lies outside %.10g..%.10g", facts.name, value, facts.least,
-               facts.most);
+  const Place place = {Role::setting, index};
+  if (check_range(i, place, value) != fmi3OK) return fmi3Error;
   const double before = f.setting[index];
   f.setting[index] = value;
   if ((f.mode & kBeforeFlight) != 0) {
@@ -289,10 +275,15 @@ fmi3Status put_setting(Instance& i, int index, double value) {
     return fmi3OK;
   }
   if (value == before) return fmi3OK;
-  const fmi3Status status = index <= kWindDown ? put_environment(i) : put_systems(i, true);
-  if (status != fmi3OK) f.setting[index] = before;
-  if (status == fmi3OK && index <= kWindDown) f.jumped = true;
-  return status;
+  const bool is_wind = index <= kWindDown;
+  const fmi3Status status = is_wind ? put_environment(i) : put_systems(i, true);
+  if (status != fmi3OK) {
+    f.setting[index] = before;
+    return status;
+  }
+  if (is_wind && is_on(f, kEnvironment)) f.jumped = true;
+  say(i, fmi3OK, "%s = %.10g from %.10g s on", full_name(place).text, value, f.time);
+  return warn_idle(i, place);
 }
 
 }  // namespace tiltrotor_fmu

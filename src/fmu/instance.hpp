@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdarg>
+#include <cstdio>
 
 #include "fmu/fmi3.h"
 #include "fmu/variables.hpp"
@@ -35,7 +36,8 @@ struct Slot {
 struct Instance {
   std::uint64_t mark;
   bool co_simulation, logging;
-  std::uint32_t categories;  // bit a fmi3Status
+  std::uint32_t categories;  // bit a fmi3Status; fmi3OK: events
+  std::uint32_t told;        // inputs of what is off, bit by bit, once a flight
   fmi3LogMessageCallback log_message;
   fmi3InstanceEnvironment environment;
   double stop_time;
@@ -63,8 +65,25 @@ fmi3Status begin(Instance& i);
 /// The aircraft that settings, start states and inputs ask for, when they have changed since.
 fmi3Status make(Instance& i);
 
-/// All numbers are finite; `what` is said of them when not.
-bool are_finite(Instance& i, const double* numbers, std::size_t count, const char* what);
+/// "event mode"
+const char* mode_name(unsigned mode);
+
+// What is refused, in words.
+fmi3Status check_range(Instance& i, Place place, double value);
+/// Whatever was set to other than its start value has what it needs.
+fmi3Status check_given(Instance& i);
+/// In flight: a warning, once, that an input acts on what is off.
+fmi3Status warn_idle(Instance& i, Place place);
+/// Of tr_set_state with these states: which one, its value, its range.
+fmi3Status refuse_states(Instance& i, tr_status status, const double* x, const char* call,
+                         fmi3Status refused);
+fmi3Status refuse_step(Instance& i, tr_status status, double time);
+
+// Outputs and event indicators; `dx`: a direction of TR_STATES states, `found`: tr_directional_inputs of it.
+tr_status read_outputs(const Flight& f, double (&y)[kOutputs]);
+void slopes_of_outputs(const Flight& f, const double* dx, const tr_outputs& found, double (&dy)[kOutputs]);
+tr_status read_indicators(const Flight& f, double (&height)[kWheels]);
+tr_status slopes_of_indicators(const Flight& f, const double* dx, double (&slope)[kWheels]);
 
 fmi3Status put_states(Instance& i, const double* x);
 /// One continuous input, in the units of tr_control_unit.

@@ -8,55 +8,60 @@ namespace tiltrotor_fmu {
 
 namespace {
 
-constexpr double kRightAngle = 90 * kRadians;
-constexpr double kAny = 1e300;  // ranges of the aircraft: the library knows them
+constexpr double kFarthest = 1e9;  // m, of positions
 constexpr Type F = Type::float64, B = Type::boolean, E = Type::enumeration;
 
 constexpr SettingFacts kSettingFacts[] = {
-    {"mast", "rad", F, 0, 0, kRightAngle, "mast angle, 0 helicopter, 90 deg airplane"},
-    {"flap", "rad", F, 0, 0, kRightAngle, "flaps; the start value stands for the default by mast angle"},
-    {"rotor_speed", "rad/s", F, 0, -kAny, kAny,
+    {"mast", "rad", F, 0, "mast_deg", "mast angle, 0 helicopter, 90 deg airplane"},
+    {"flap", "rad", F, 0, "flap_deg", "flaps; the start value stands for the default by mast angle"},
+    {"rotor_speed", "rad/s", F, 0, "rotor_radps",
      "rotor speed; the start value stands for the default by mast angle"},
-    {"mass", "kg", F, 0, -kAny, kAny, "mass"},
-    {"cg_station", "m", F, 0, -kAny, kAny, "station of the centre of gravity, masts at 0"},
-    {"altitude", "m", F, 0, -kAny, kAny, "of the air's density; of down = 0 where the environment is on"},
-    {"grid", "", E, 1, 1, 2, "blade elements"},
-    {"tables", "", E, 1, 1, 2, "interpolation of the tables"},
-    {"coning", "", B, 0, 0, 1, "coning of the rotors is a state"},
-    {"trim", "", B, 1, 0, 1,
+    {"mass", "kg", F, 0, "mass_kg", "mass"},
+    {"cg_station", "m", F, 0, "cg_station_m", "station of the centre of gravity, masts at 0"},
+    {"altitude", "m", F, 0, "altitude_m", "of the air's density; of down = 0 where the environment is on"},
+    {"grid", "", E, 1, nullptr, "blade elements", 1, 2},
+    {"tables", "", E, 1, nullptr, "interpolation of the tables", 1, 2},
+    {"coning", "", B, 0, nullptr, "coning of the rotors is a state", 0, 1},
+    {"trim", "", B, 1, nullptr,
      "begin in the steady flight of speed, climb, turn_rate and sideslip; states and inputs that are set to other than "
-     "their start values stay as set"},
-    {"speed", "m/s", F, 0, 0, kAny, "airspeed of the steady flight"},
-    {"climb", "rad", F, 0, -kRightAngle, kRightAngle, "its flight path, up"},
-    {"turn_rate", "rad/s", F, 0, -60 * kRadians, 60 * kRadians, "its turn rate, to the right"},
-    {"sideslip", "rad", F, 0, -60 * kRadians, 60 * kRadians, "its sideslip, wind from the right"},
-    {"environment", "", B, 0, 0, 1, "air follows the altitude; wind and ground are there"},
-    {"temperature_offset", "K", F, 0, -60, 60, "from the standard atmosphere"},
-    {"pressure_ratio", "", F, 1, 0.8, 1.2, "to the standard atmosphere"},
-    {"ground_down", "m", F, 0, -1e9, 1e9, "down of the ground of gear, ground effect and wind shear"},
-    {"governor", "", E, 0, 0, 2, "governor of the rotor speed"},
-    {"conversion", "", B, 0, 0, 1, "masts and flaps follow their commands"},
-    {"engines", "", B, 0, 0, 1, "engines with lag, rate limit and fuel"},
-    {"actuators", "", B, 0, 0, 1, "actuators with lag, rate limit and stops"},
-    {"scas", "", B, 0, 0, 1, "stability augmentation; in Co-Simulation"},
-    {"gear", "", B, 0, 0, 1, "landing gear; needs the environment"},
-    {"ground_effect", "", B, 0, 0, 1, "ground effect; needs the environment"},
-    {"wind_shear", "", E, 0, 0, 2, "wind that grows with height; needs the environment"},
-    {"turbulence", "", B, 0, 0, 1, "Dryden turbulence; in Co-Simulation"},
-    {"interconnect", "", B, 0, 0, 1, "the shaft between the rotors twists, with governor pi"},
-    {"turbulence_seed", "", Type::uint32, 0, 0, 4294967295.0, "of the turbulence"},
-    {"turbulence_w20", "m/s", F, 0, 0, 50,
+     "their start values stay as set",
+     0, 1},
+    {"speed", "m/s", F, 0, "speed_mps", "airspeed of the steady flight"},
+    {"climb", "rad", F, 0, "climb_rad", "its flight path, up"},
+    {"turn_rate", "rad/s", F, 0, "turn_rate_radps", "its turn rate, to the right"},
+    {"sideslip", "rad", F, 0, "sideslip_rad", "its sideslip, wind from the right"},
+    {"environment", "", B, 0, nullptr, "air follows the altitude; wind and ground are there", 0, 1},
+    {"temperature_offset", "K", F, 0, "temperature_offset_k",
+     "from the standard atmosphere; needs the environment"},
+    {"pressure_ratio", "", F, 1, "pressure_ratio", "to the standard atmosphere; needs the environment"},
+    {"ground_down", "m", F, 0, nullptr, "down of the ground of gear, ground effect and wind shear",
+     -kFarthest, kFarthest},
+    {"governor", "", E, 0, "governor", "governor of the rotor speed"},
+    {"conversion", "", B, 0, "conversion", "masts and flaps follow their commands"},
+    {"engines", "", B, 0, "engines", "engines with lag, rate limit and fuel"},
+    {"actuators", "", B, 0, "actuators", "actuators with lag, rate limit and stops"},
+    {"scas", "", B, 0, "scas", "stability augmentation; in Co-Simulation"},
+    {"gear", "", B, 0, "gear", "landing gear; needs the environment"},
+    {"ground_effect", "", B, 0, "ground_effect", "ground effect; needs the environment"},
+    {"wind_shear", "", E, 0, "wind_shear", "wind that grows with height; needs the environment"},
+    {"turbulence", "", B, 0, "turbulence", "Dryden turbulence; in Co-Simulation"},
+    {"interconnect", "", B, 0, "interconnect", "the shaft between the rotors twists; needs governor pi"},
+    {"turbulence_seed", "", Type::uint32, 0, nullptr, "of the turbulence", 0, 4294967295.0},
+    {"turbulence_w20", "m/s", F, 0, "turbulence_w20_mps",
      "wind 20 ft above the ground, which says how strong the turbulence is"},
-    {"longest_step", "s", F, 0.01, 1e-6, 0.02,
-     "of Co-Simulation: longer communication steps are cut into equal parts"},
-    {"wind_north", "m/s", F, 0, -100, 100, "wind; needs the environment"},
-    {"wind_east", "m/s", F, 0, -100, 100, "wind; needs the environment"},
-    {"wind_down", "m/s", F, 0, -100, 100, "wind; needs the environment"},
-    {"brake_R", "", F, 0, 0, 1, "brake of the right main wheel"},
-    {"brake_L", "", F, 0, 0, 1, "brake of the left main wheel"},
-    {"gear_down", "", B, 1, 0, 1, "landing gear down; in Co-Simulation it takes its time"},
-    {"engine_failed_R", "", B, 0, 0, 1, "right engine gives no power"},
-    {"engine_failed_L", "", B, 0, 0, 1, "left engine gives no power"},
+    {"longest_step", "s", F, 0.01, nullptr,
+     "of Co-Simulation: longer communication steps are cut into equal parts", 1e-6, 0.02},
+    {"wind_north", "m/s", F, 0, "wind_mps[0]", "wind; needs the environment"},
+    {"wind_east", "m/s", F, 0, "wind_mps[1]", "wind; needs the environment"},
+    {"wind_down", "m/s", F, 0, "wind_mps[2]", "wind; needs the environment"},
+    {"brake_R", "", F, 0, "brake[0]", "brake of the right main wheel; needs the gear"},
+    {"brake_L", "", F, 0, "brake[1]", "brake of the left main wheel; needs the gear"},
+    {"gear_down", "", B, 1, "gear_down",
+     "landing gear down; needs the gear; in Co-Simulation it takes its time"},
+    {"engine_failed_R", "", B, 0, "engine_failed[0]",
+     "right engine gives no power; needs a governor or engines"},
+    {"engine_failed_L", "", B, 0, "engine_failed[1]",
+     "left engine gives no power; needs a governor or engines"},
 };
 static_assert(sizeof kSettingFacts / sizeof kSettingFacts[0] == kSettings, "one row a setting");
 
@@ -69,23 +74,33 @@ constexpr OutputFacts kOutputFacts[] = {
     {"specific_force_z", "m/s2", "at the centre of gravity"},
     {"load_factor", "", "normal to the motion through the air"},
     {"climb_rate", "m/s", "relative to the undisturbed air"},
-    {"thrust_R", "N", "force of the right rotor on its hub"},
-    {"thrust_L", "N", "force of the left rotor on its hub"},
-    {"torque_R", "N.m", "of the right mast"},
-    {"torque_L", "N.m", "of the left mast"},
-    {"power_R", "W", "at the right mast"},
-    {"power_L", "W", "at the left mast"},
-    {"collective_R", "rad", "blade pitch at 0.75 radius"},
-    {"collective_L", "rad", "blade pitch at 0.75 radius"},
-    {"long_cyclic_R", "rad", "longitudinal cyclic"},
-    {"long_cyclic_L", "rad", "longitudinal cyclic"},
-    {"gimbal_tilt_R", "rad", "tilt of the right gimbal"},
-    {"gimbal_tilt_L", "rad", "tilt of the left gimbal"},
+    {"thrust_right", "N", "force of the right rotor on its hub"},
+    {"thrust_left", "N", "force of the left rotor on its hub"},
+    {"torque_right", "N.m", "of the right mast"},
+    {"torque_left", "N.m", "of the left mast"},
+    {"power_right", "W", "at the right mast"},
+    {"power_left", "W", "at the left mast"},
+    {"collective_right", "rad", "blade pitch at 0.75 radius"},
+    {"collective_left", "rad", "blade pitch at 0.75 radius"},
+    {"long_cyclic_right", "rad", "longitudinal cyclic"},
+    {"long_cyclic_left", "rad", "longitudinal cyclic"},
+    {"gimbal_tilt_right", "rad", "tilt of the right gimbal"},
+    {"gimbal_tilt_left", "rad", "tilt of the left gimbal"},
     {"elevator", "rad", "deflection"},
     {"aileron", "rad", "deflection"},
     {"rudder", "rad", "deflection"},
+    {"nx", "", "specific force along body x over gravity"},
+    {"ny", "", "specific force along body y over gravity"},
+    {"nz", "", "specific force against body z over gravity: 1 in level flight"},
+    {"flight_path_angle", "rad", "of the path through the undisturbed air above the horizon, 0 at rest"},
+    {"mast", "rad", "mast angle as it is, the conversion drive on or off"},
+    {"flap", "rad", "flaps as they are, the conversion drive on or off"},
+    {"rotor_speed", "rad/s", "rotor speed as it is, whatever governs it"},
 };
-static_assert(sizeof kOutputFacts / sizeof kOutputFacts[0] == TR_OUTPUTS, "one row an output");
+static_assert(sizeof kOutputFacts / sizeof kOutputFacts[0] == kOutputs, "one row an output");
+
+constexpr const char* kWheelNames[] = {"nose", "right", "left"};
+static_assert(sizeof kWheelNames / sizeof kWheelNames[0] == kWheels, "one name a wheel");
 
 bool among(int index, std::uint64_t places) {
   return index >= 0 && index < 64 && ((places >> index) & 1u) != 0;
@@ -148,6 +163,8 @@ const char* name_of(Place place) {
       return output_facts(place.index).name;
     case Role::setting:
       return facts_of(place.index).name;
+    case Role::indicator:
+      return kWheelNames[place.index];
     default:
       return "time";
   }
@@ -155,12 +172,46 @@ const char* name_of(Place place) {
 
 const char* unit_of(Place place) {
   const bool of_state = place.role == Role::state || place.role == Role::rate;
-  const char* unit = of_state                      ? tr_state_unit(place.index)
-                     : place.role == Role::input   ? tr_control_unit(place.index)
-                     : place.role == Role::output  ? output_facts(place.index).unit
-                     : place.role == Role::setting ? facts_of(place.index).unit
-                                                   : "s";
+  const char* unit = of_state                        ? tr_state_unit(place.index)
+                     : place.role == Role::input     ? tr_control_unit(place.index)
+                     : place.role == Role::output    ? output_facts(place.index).unit
+                     : place.role == Role::setting   ? facts_of(place.index).unit
+                     : place.role == Role::indicator ? "m"
+                                                     : "s";
   return std::strcmp(unit, "-") == 0 ? "" : unit;
+}
+
+FullName full_name(Place place) {
+  const bool is_input = place.role == Role::setting && place.index >= kFirstInputSetting;
+  const char* const before = place.role == Role::state               ? "state."
+                             : place.role == Role::rate              ? "der(state."
+                             : place.role == Role::output            ? "output."
+                             : place.role == Role::indicator         ? "wheel_height."
+                             : is_input || place.role == Role::input ? "input."
+                             : place.role == Role::setting           ? "parameter."
+                                                                     : "";
+  FullName name;
+  std::snprintf(name.text, sizeof name.text, "%s%s%s", before, name_of(place),
+                place.role == Role::rate ? ")" : "");
+  return name;
+}
+
+Range range_of(Place place) {
+  Range range = {-HUGE_VAL, HUGE_VAL};
+  const char* field = nullptr;
+  char name[64];
+  if (place.role == Role::setting) {
+    const SettingFacts& facts = facts_of(place.index);
+    field = facts.field;
+    if (field == nullptr) return {facts.least, facts.most};
+  } else if (place.role == Role::state || place.role == Role::input) {
+    std::snprintf(name, sizeof name, "%s%s", place.role == Role::state ? "x." : "u.", name_of(place));
+    field = name;
+  }
+  if (field == nullptr || tr_get_range(field, &range.low, &range.high) != TR_OK) return range;
+  const std::size_t length = std::strlen(field);
+  const bool in_degrees = length > 4 && std::strcmp(field + length - 4, "_deg") == 0;
+  return in_degrees ? Range{range.low * kRadians, range.high * kRadians} : range;
 }
 
 double nominal_of(const char* unit) {
@@ -171,6 +222,10 @@ double nominal_of(const char* unit) {
   for (const auto& row : kNominals)
     if (std::strcmp(unit, row.unit) == 0) return row.nominal;
   return 0.01;  // inflow over tip speed
+}
+
+int state_of_output(int output) {
+  return output == kOutputMast ? int{TR_MAST} : output == kOutputFlap ? int{TR_FLAP} : int{TR_ROTOR_SPEED};
 }
 
 bool depends(Place unknown, Place known) {
@@ -185,11 +240,24 @@ bool depends(Place unknown, Place known) {
     const std::uint64_t states = states_of_rate(unknown.index);
     return states == kEverything || (state && among(index, states));
   }
+  // The ground is level.
+  if (unknown.role == Role::indicator)
+    return state && among(index, kBank | bit(TR_DOWN) | bit(TR_MAST) | bit(TR_FUEL));
+  if (unknown.role != Role::output) return false;
   // Velocity of the airframe relative to the air; moving masts move it against the centre of gravity.
-  if (unknown.role == Role::output && unknown.index < 3)
+  if (unknown.index < 3)
     return state ? among(index, kSpeeds | bit(TR_MAST) | bit(TR_MAST_RATE))
                  : index >= TR_GUST_U && index <= TR_GUST_W;
-  return unknown.role == Role::output;
+  switch (unknown.index) {
+    case kOutputFlightPath:
+      return state && among(index, kSpeeds | kBank);
+    case kOutputMast:
+    case kOutputFlap:
+    case kOutputRotorSpeed:
+      return state && index == state_of_output(unknown.index);
+    default:
+      return true;
+  }
 }
 
 void instantiation_token(char (&token)[64]) {

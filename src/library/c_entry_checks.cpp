@@ -8,6 +8,7 @@ namespace tiltrotor::c_interface::checked {
 decltype(::tr_check_systems) tr_check_systems;
 decltype(::tr_check_environment) tr_check_environment;
 decltype(::tr_check_configuration) tr_check_configuration;
+decltype(::tr_get_range) tr_get_range;
 
 }  // namespace tiltrotor::c_interface::checked
 
@@ -36,4 +37,9 @@ tr_status tr_check_configuration(const tr_configuration* configuration, uint32_t
                                  size_t length) {
   const tr_status status = processor_status();
   return status == TR_OK ? checked::tr_check_configuration(configuration, version, text, length) : status;
+}
+
+tr_status tr_get_range(const char* name, tr_real* low, tr_real* high) {
+  const tr_status status = processor_status();
+  return status == TR_OK ? checked::tr_get_range(name, low, high) : status;
 }

@@ -6,6 +6,7 @@ namespace tiltrotor::c_interface::checked {
 
 decltype(::tr_geodetic_at) tr_geodetic_at;
 decltype(::tr_radio_height_at) tr_radio_height_at;
+decltype(::tr_wheel_heights) tr_wheel_heights;
 decltype(::tr_step_lag) tr_step_lag;
 decltype(::tr_read_imu) tr_read_imu;
 decltype(::tr_read_air_probe) tr_read_air_probe;
@@ -30,6 +31,11 @@ tr_status tr_geodetic_at(const tr_geodetic* origin, const double position_m[3], 
 tr_status tr_radio_height_at(const tr_sim* sim, const tr_real station_m[3], tr_real* height_m) {
   const tr_status status = processor_status();
   return status == TR_OK ? checked::tr_radio_height_at(sim, station_m, height_m) : status;
+}
+
+tr_status tr_wheel_heights(const tr_sim* sim, const tr_real* dx, tr_real height_m[3], tr_real dheight_m[3]) {
+  const tr_status status = processor_status();
+  return status == TR_OK ? checked::tr_wheel_heights(sim, dx, height_m, dheight_m) : status;
 }
 
 tr_status tr_step_lag(tr_lag* lag, tr_real input, tr_real dt_s) {

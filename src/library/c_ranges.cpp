@@ -1,16 +1,19 @@
 #include "library/c_ranges.hpp"
 
+#include <cstring>
 #include <limits>
 
 #include "library/c_words.hpp"
 #include "tiltrotor/math/sentence.hpp"
+#include "tiltrotor/model/variables/control_range.hpp"
 #include "tiltrotor/systems/drive.hpp"
 
 namespace tiltrotor::c_interface {
 
 namespace {
 
-constexpr R kMostTurbulence = R(50);  // m/s
+constexpr R kMostTurbulence = R(50);                      // m/s
+constexpr R kMostOfSteadyFlight = R(60) * kRadPerDeg<R>;  // turn rate, rad/s, and sideslip: first_invalid()
 constexpr R kEndless = std::numeric_limits<R>::max();
 
 struct Field {
@@ -114,6 +117,68 @@ constexpr const char* kConfigurationNames[] = {"mast_deg", "mast_rate_radps", "m
                                                "flap_deg", "rotor_radps",     "rotor_acceleration_radps2",
                                                "mass_kg",  "cg_station_m",    "cg_waterline_m"};
 
+// What has a range and no call that explains it: of tr_setup what tr_configuration has not, and tr_flight.
+Fields fields_of_flight() {
+  const LimitTables<R>& limits = aircraft_data<R>().limits;
+  Fields f{};
+  f.add(R(0), limits.altitude);
+  f.add(R(0), R(0), limits.speed);
+  f.add(R(0), R(-0.5) * kPi<R>, R(0.5) * kPi<R>);
+  f.add(R(0), -kMostOfSteadyFlight, kMostOfSteadyFlight);
+  f.add(R(0), -kMostOfSteadyFlight, kMostOfSteadyFlight);
+  return f;
+}
+constexpr const char* kFlightNames[] = {"altitude_m", "speed_mps", "climb_rad", "turn_rate_radps",
+                                        "sideslip_rad"};
+
+// In the units of tr_control_unit.
+Bounds<R> input_range(int input) {
+  if (input < TR_CONTROLS) return control_range(aircraft_data<R>(), input);
+  const LimitTables<R>& limits = aircraft_data<R>().limits;
+  const auto in_rad = [](const Bounds<R>& deg) {
+    return Bounds<R>{deg.low * kRadPerDeg<R>, deg.high * kRadPerDeg<R>};
+  };
+  const Bounds<R> throttle = {R(0), kMostThrottle<R>};
+  const Bounds<R> commands[] = {in_rad(limits.mast_deg), in_rad(limits.flap_deg), limits.rotor_speed,
+                                throttle, throttle};
+  static_assert(sizeof commands / sizeof commands[0] == TR_INPUTS - TR_CONTROLS);
+  return commands[input - TR_CONTROLS];
+}
+
+Bounds<R> state_range(int state) {
+  const R bound = static_cast<R>(vehicle_variable(state).facts().bound);
+  return {state == TR_GEAR ? R(0) : -bound, bound};
+}
+
+bool find(const char* name, const Fields& f, const char* const* names, Bounds<R>& range) {
+  for (int k = 0; k < f.count; ++k)
+    if (std::strcmp(name, names[k]) == 0) {
+      range = {f.field[k].low, f.field[k].high};
+      return true;
+    }
+  return false;
+}
+
+// "x.u", "u.pedal": the place of a name among `count` of them, or -1.
+template <class Name>
+int place_of(const char* name, const char (&before)[3], int count, Name&& name_of) {
+  if (std::strncmp(name, before, 2) != 0) return -1;
+  for (int k = 0; k < count; ++k)
+    if (std::strcmp(name + 2, name_of(k)) == 0) return k;
+  return -1;
+}
+
+bool find(const char* name, Bounds<R>& range) {
+  const int state = place_of(name, "x.", TR_STATES, [](int k) { return vehicle_variable(k).name; });
+  const int input = place_of(name, "u.", TR_INPUTS, [](int k) { return vehicle_input(k).name; });
+  if (state >= 0) range = state_range(state);
+  if (input >= 0) range = input_range(input);
+  return state >= 0 || input >= 0 || find(name, fields_of(tr_systems{}), kSystemsNames, range) ||
+         find(name, fields_of(tr_environment{}), kEnvironmentNames, range) ||
+         find(name, fields_of(tr_configuration{}), kConfigurationNames, range) ||
+         find(name, fields_of_flight(), kFlightNames, range);
+}
+
 // The first field that cannot be, unknown choices before what is no number and that before what lies outside.
 struct Refusal {
   tr_status status;
@@ -184,6 +249,14 @@ tr_status tr_check_configuration(const tr_configuration* configuration, uint32_t
                                  size_t length) {
   const tr_status begun = begin_text(configuration, version, text, length);
   return begun == TR_OK ? explained(fields_of(*configuration), kConfigurationNames, text, length) : begun;
+}
+
+tr_status tr_get_range(const char* name, tr_real* low, tr_real* high) {
+  Bounds<R> range;
+  if (name == nullptr || low == nullptr || high == nullptr || !find(name, range)) return TR_BAD_ARGUMENT;
+  *low = range.low;
+  *high = range.high;
+  return TR_OK;
 }
 
 }  // namespace tiltrotor::c_interface::checked

@@ -34,15 +34,49 @@ R height_of_point(const Sim& s, const Vec3<R>& arm) {
   return s.air.ground_down - (x.position.z + to_body.apply_inverse(arm).z);
 }
 
-R height_of_wheels(const Sim& s) {
+// Lowest points of the extended wheels: stations, in the order of Strut.
+struct Wheels {
+  R station[strut_count][3];
+};
+Wheels extended_wheels() {
   const GearTables<R>& gear = aircraft_data<R>().gear;
   const R of_main = extended_waterline(gear, gear.main), of_nose = extended_waterline(gear, gear.nose);
-  const R wheels[strut_count][3] = {{gear.nose.sl, gear.nose.bl, of_nose},
-                                    {gear.main.sl, gear.main.bl, of_main},
-                                    {gear.main.sl, -gear.main.bl, of_main}};
-  R least = height_of_point(s, arm_to(s, wheels[0]));
-  for (int k = 1; k < strut_count; ++k) least = smaller_of(least, height_of_point(s, arm_to(s, wheels[k])));
+  return {{{gear.nose.sl, gear.nose.bl, of_nose},
+           {gear.main.sl, gear.main.bl, of_main},
+           {gear.main.sl, -gear.main.bl, of_main}}};
+}
+
+R height_of_wheels(const Sim& s) {
+  const Wheels wheels = extended_wheels();
+  R least = height_of_point(s, arm_to(s, wheels.station[0]));
+  for (int k = 1; k < strut_count; ++k)
+    least = smaller_of(least, height_of_point(s, arm_to(s, wheels.station[k])));
   return least;
+}
+
+// Heights along a direction of states. Masts and fuel that are states move the CG.
+void slopes_of_wheels(const Sim& s, const R* dx, R (&slope)[strut_count]) {
+  using D = Dual<R, 1>;
+  const Aircraft<R>& aircraft = aircraft_data<R>();
+  const FlightSetup<R>& setup = s.configuration.setup;
+  const SystemSwitches& on = s.systems.vehicle.on;
+  const auto along = [](R number, R by) {
+    D moved(number);
+    moved.d.set(0, by);
+    return moved;
+  };
+  const State<R> x = evaluated_state(s);
+  const D mast = along(s.configuration.mast, on.conversion ? dx[TR_MAST] : R(0));
+  const D mass = along(setup.mass, on.engines ? -dx[TR_FUEL] : R(0));
+  const MassProperties<D> m = mass_properties(aircraft, D(mast * kDegPerRad<R>), sine_and_cosine(mast), mass,
+                                              D(setup.sl_cg), D(setup.wl_cg), setup.options);
+  const Rotation<D> to_body = earth_to_body(
+      EulerAngles<D>{along(x.roll, dx[TR_ROLL]), along(x.pitch, dx[TR_PITCH]), along(x.yaw, dx[TR_YAW])});
+  const Wheels wheels = extended_wheels();
+  for (int k = 0; k < strut_count; ++k) {
+    const R* const at = wheels.station[k];
+    slope[k] = -dx[TR_DOWN] - to_body.apply_inverse(station_arm(m, at[0], at[1], at[2])).z.d.get(0);
+  }
 }
 
 tr_status step(tr_lag& lag, R input, R dt) {
@@ -101,6 +135,22 @@ tr_status tr_radio_height_at(const tr_sim* sim, const tr_real station_m[3], tr_r
   if (possible != TR_OK) return possible;
   const Sim& s = *opened(sim);
   *height_m = station_m == nullptr ? height_of_wheels(s) : height_of_point(s, arm_to(s, station_m));
+  return TR_OK;
+}
+
+tr_status tr_wheel_heights(const tr_sim* sim, const tr_real* dx, tr_real height_m[3], tr_real dheight_m[3]) {
+  const tr_status ready = check(sim);
+  if (ready != TR_OK) return ready;
+  if (height_m == nullptr || (dx == nullptr) != (dheight_m == nullptr)) return TR_BAD_ARGUMENT;
+  if (dx != nullptr && !all_finite(dx, TR_STATES)) return TR_NOT_FINITE;
+  const Sim& s = *opened(sim);
+  const Wheels wheels = extended_wheels();
+  R slope[strut_count] = {};
+  if (dx != nullptr) slopes_of_wheels(s, dx, slope);
+  for (int k = 0; k < strut_count; ++k) {
+    height_m[k] = height_of_point(s, arm_to(s, wheels.station[k]));
+    if (dx != nullptr) dheight_m[k] = slope[k];
+  }
   return TR_OK;
 }
 

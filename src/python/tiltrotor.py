@@ -230,9 +230,11 @@ tr_status tr_set_systems(tr_sim* sim, const tr_systems* systems);
 tr_status tr_check_systems(const tr_systems* systems, uint32_t version, char* text, size_t length);
 tr_status tr_check_environment(const tr_environment* environment, uint32_t version, char* text, size_t length);
 tr_status tr_check_configuration(const tr_configuration* configuration, uint32_t version, char* text, size_t length);
+tr_status tr_get_range(const char* name, tr_real* low, tr_real* high);
 tr_status tr_directional_inputs(const tr_sim* sim, tr_work* work, const tr_real* dx, const tr_real* du, tr_real* dxdot, tr_outputs* doutputs);
 tr_status tr_geodetic_at(const tr_geodetic* origin, const double position_m[3], tr_geodetic* place);
 tr_status tr_radio_height_at(const tr_sim* sim, const tr_real station_m[3], tr_real* height_m);
+tr_status tr_wheel_heights(const tr_sim* sim, const tr_real* dx, tr_real height_m[3], tr_real dheight_m[3]);
 tr_status tr_step_lag(tr_lag* lag, tr_real input, tr_real dt_s);
 tr_status tr_read_imu(const tr_sim* sim, tr_imu* imu, tr_real dt_s);
 tr_status tr_read_air_probe(const tr_sim* sim, tr_air_probe* probe, tr_real dt_s, tr_air_data* indicated);
@@ -297,19 +299,16 @@ class Aircraft:
         records = status != TR_OK and re.match("tr_(step|linearize_and_step|saturate_controls|set_controls|set_state)", called)
         if records and tr_last_fault(self.sim, fault) == TR_OK and fault.status == status and max(fault.state, fault.control) >= 0:
             name = (tr_state_name(fault.state) if fault.state >= 0 else tr_control_name(fault.control)).decode()
-            raise Error(status, f"{called}, {name}", called in ("tr_set_controls", "tr_set_state") and self._refused(called, fault, arguments[0]))
+            raise Error(status, f"{called}, {name}", called in ("tr_set_controls", "tr_set_state") and self._refused(name, fault, arguments[0]))
         if status != TR_OK and called in ("tr_set_systems", "tr_set_environment", "tr_set_configuration"):  # which field, and its range
             globals()[called.replace("set", "check", 1)](arguments[0], TR_API_VERSION, text, len(text))
         check(status, called, text.value.decode())
 
-    def _refused(self, called, fault, given):
-        """The number that was refused, and the range of a control: where a twin holds what is too small or too large."""
+    def _refused(self, name, fault, given):
+        """The number that was refused, and its range."""
         value = given.x[fault.state] if fault.state >= 0 else getattr(given, "u", given)[fault.control]
-        twin, every = copy.copy(self), tr_real * TR_CONTROLS
-        twin.sim = tr_sim.from_buffer_copy(self.sim)
-        ends = [twin.call(tr_saturate_controls, every(*[end] * TR_CONTROLS), TR_CONTROLS, c_uint32()) or f"{twin.state.u[fault.control]:.4g}"
-                for end in (-1e6, 1e6) if called == "tr_set_controls"]
-        return f"{value:g}: {tr_status_text(fault.status).decode()} {'..'.join(ends)}".strip()
+        tr_get_range(f"{'x' if fault.state >= 0 else 'u'}.{name}".encode(), ctypes.byref(low := tr_real()), ctypes.byref(high := tr_real()))
+        return f"{value:g}: {tr_status_text(fault.status).decode()} {low.value:.4g}..{high.value:.4g}"
 
     def get(self, function, structure):
         """What a function writes into a structure: get(tr_get_outputs, tr_outputs)."""

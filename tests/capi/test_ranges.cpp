@@ -173,3 +173,98 @@ TEST(capi_ranges_refuse_what_cannot_be_asked) {
   CHECK_EQ(tr_check_configuration(nullptr, TR_API_VERSION, text, sizeof text), TR_BAD_ARGUMENT);
   CHECK_EQ(tr_check_systems(&systems, TR_API_VERSION, nullptr, 1), TR_BAD_ARGUMENT);
 }
+
+namespace {
+
+// As the call that sets the number sees them: both ends are accepted, beyond either it is refused.
+template <class Set>
+void check_ends(const std::string& name, Set&& set, tr_real spare = 0) {
+  tr_real low = 1, high = 0;
+  if (!CHECK_EQ(tr_get_range(name.c_str(), &low, &high), TR_OK)) NOTE(name);
+  CHECK_LT(low, high);
+  const tr_real beyond = tr_real(1e-3) * (high - low);
+  for (const tr_real inside : {low + spare, high - spare})
+    if (!CHECK_EQ(set(inside), TR_OK)) NOTE(name << " " << inside);
+  for (const tr_real outside : {low - beyond, high + beyond})
+    if (!CHECK_EQ(set(outside), TR_OUT_OF_RANGE)) NOTE(name << " " << outside);
+}
+
+}  // namespace
+
+// Expected: what tr_set_controls, tr_set_systems, tr_set_state, tr_init and tr_trim accept.
+TEST(capi_ranges_by_name_are_those_of_the_calls) {
+  tr_sim sim = trimmed_sim(0, 20);
+  for (int j = 0; j < TR_CONTROLS; ++j)
+    check_ends(std::string("u.") + tr_control_name(j), [&](tr_real value) {
+      tr_real u[TR_CONTROLS] = {};
+      u[j] = value;
+      return tr_set_controls(&sim, u, TR_CONTROLS);
+    });
+  tr_systems of_commands = systems_of(sim);
+  const double in_rad = std::acos(-1.0) / 180;
+  const struct {
+    int input;
+    tr_real* place;
+    double unit;
+  } commands[] = {{0, &of_commands.mast_command_deg, in_rad},
+                  {1, &of_commands.flap_command_deg, in_rad},
+                  {2, &of_commands.rotor_command_radps, 1},
+                  {3, &of_commands.throttle[0], 1},
+                  {4, &of_commands.throttle[1], 1}};
+  for (const auto& command : commands)
+    check_ends(
+        std::string("u.") + tr_control_name(TR_CONTROLS + command.input),
+        [&](tr_real value) {
+          const tr_real before = *command.place;
+          *command.place = tr_real(static_cast<double>(value) / command.unit);
+          const tr_status status = tr_set_systems(&sim, &of_commands);
+          *command.place = before;
+          return status;
+        },
+        tr_real(1e-6));
+  for (int i = 0; i < TR_STATES; ++i) {
+    tr_state state = state_of(sim);
+    check_ends(std::string("x.") + tr_state_name(i), [&](tr_real value) {
+      state.x[i] = value;
+      return tr_set_state(&sim, &state);
+    });
+  }
+  tr_setup setup;
+  CHECK_EQ(tr_default_setup(&setup, TR_API_VERSION, tr_aircraft_at(0), 0), TR_OK);
+  check_ends("altitude_m", [&](tr_real value) {
+    setup.altitude_m = value;
+    return tr_check_setup(&setup, TR_API_VERSION, nullptr, 0);
+  });
+  // A trim within the range may fail, with another status.
+  static tr_work work;
+  const struct {
+    const char* name;
+    tr_real tr_flight::*field;
+  } flights[] = {{"speed_mps", &tr_flight::speed_mps},
+                 {"climb_rad", &tr_flight::climb_rad},
+                 {"turn_rate_radps", &tr_flight::turn_rate_radps},
+                 {"sideslip_rad", &tr_flight::sideslip_rad}};
+  for (const auto& flight : flights)
+    check_ends(flight.name, [&](tr_real value) {
+      tr_flight wanted = {30, 0, 0, 0};
+      wanted.*flight.field = value;
+      return tr_trim(&sim, &work, &wanted, nullptr) == TR_OUT_OF_RANGE ? TR_OUT_OF_RANGE : TR_OK;
+    });
+  const struct {
+    const char* name;
+    double low, high;
+  } fields[] = {
+      {"throttle[1]", 0, 1.2}, {"wind_mps[2]", -100, 100}, {"mast_rate_radps", -1, 1}, {"scas", 0, 1}};
+  for (const auto& field : fields) {
+    tr_real low = 1, high = 0;
+    CHECK_EQ(tr_get_range(field.name, &low, &high), TR_OK);
+    CHECK_EQ(low, tr_real(field.low));
+    CHECK_EQ(high, tr_real(field.high));
+  }
+  tr_real low = 0, high = 0;
+  for (const char* const none : {"", "u.", "x.pedal", "u.theta", "pedal", "wind_mps"})
+    CHECK_EQ(tr_get_range(none, &low, &high), TR_BAD_ARGUMENT);
+  CHECK_EQ(tr_get_range(nullptr, &low, &high), TR_BAD_ARGUMENT);
+  CHECK_EQ(tr_get_range("u.pedal", nullptr, &high), TR_BAD_ARGUMENT);
+  CHECK_EQ(tr_get_range("u.pedal", &low, nullptr), TR_BAD_ARGUMENT);
+}

@@ -139,13 +139,12 @@ TEST(fmu_parameters_that_do_not_fit_are_refused_in_words) {
     CHECK_EQ(FMI(fmi3Reset)(m.instance), fmi3OK);
     CHECK_EQ(m.start(0, 40), fmi3OK);
   };
-  refusal(Master::model_exchange, setting(kMass), 1, "mass");
   refusal(Master::model_exchange, setting(kGear), 1, "environment");
   refusal(Master::co_simulation, setting(kWindEast), 5, "environment");
   refusal(Master::model_exchange, setting(kScas), 1, "Co-Simulation");
   refusal(Master::model_exchange, setting(kTurbulence), 1, "Co-Simulation");
   refusal(Master::model_exchange, setting(kInterconnect), 1, "governor");
-  refusal(Master::co_simulation, state(TR_U), 5000, "start states");
+  refusal(Master::co_simulation, setting(kTemperatureOffset), 5, "environment");
 }
 
 // A description of another version, no name, or what is not there: no instance.

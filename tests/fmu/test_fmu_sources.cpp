@@ -61,4 +61,33 @@ TEST(fmu_icon_is_there_in_both_formats) {
   CHECK(content("icon.svg").find("width=\"128\" height=\"128\"") != std::string::npos);
 }
 
+// The same parts under two masks, by zip and by what stands in where it is missing: the same bytes.
+TEST(fmu_archive_has_the_same_bytes_whatever_the_umask) {
+  const std::string folder = check::new_temporary_folder(), fmu = std::string(TILTROTOR_BINARY_DIR) + "/fmu";
+  int packed = 0;
+  for (const std::string& zip : {std::string("zip"), std::string("none")}) {
+    std::string first;
+    for (const std::string& mask : {std::string("022"), std::string("077")}) {
+      const std::string to = folder + "/" + mask + ".fmu", parts = folder + "/" + mask;
+      const auto done =
+          check::run_program("cd " + check::quoted(check::source_path("")) + " && umask " + mask +
+                             " && cp -R " + check::quoted(fmu) + " " + parts + " && ZIPPER=" + zip +
+                             " sh src/fmu/pack.sh " + parts + " " + to + " && ls -R " + parts + "/packed");
+      if (!CHECK_EQ(done.exit_status, 0)) NOTE(done.err);
+      CHECK(done.out.find("index.html") != std::string::npos);
+      if (done.out.find("not installed") != std::string::npos) continue;
+      std::ifstream in(to, std::ios::binary);
+      const std::string bytes(std::istreambuf_iterator<char>(in), {});
+      CHECK_LE(100000u, bytes.size());
+      if (!first.empty()) CHECK(bytes == first);
+      first = bytes;
+      ++packed;
+      fs::remove_all(parts);
+      fs::remove(to);
+    }
+  }
+  NOTE(packed << " archives");
+  fs::remove_all(folder);
+}
+
 #endif

@@ -30,6 +30,10 @@ inline void read_sensors(const tr_sim& sim, fuzz::Bytes& in) {
   tr_real height = 0;
   if (tr_radio_height_at(&sim, in.below(2) == 0 ? nullptr : imu.station_m, &height) == TR_OK)
     REQUIRE(!std::isnan(height));
+  tr_real wheels[3], slopes[3], direction[TR_STATES] = {};
+  direction[in.below(TR_STATES)] = number();
+  if (tr_wheel_heights(&sim, direction, wheels, slopes) == TR_OK)
+    for (int k = 0; k < 3; ++k) REQUIRE(!std::isnan(wheels[k]) && std::isfinite(slopes[k]));
   const tr_geodetic origin = {in.number(), in.number(), in.number()};
   const double position[3] = {in.number(), in.number(), in.number()};
   tr_geodetic place;

@@ -274,6 +274,8 @@ void call_with_nothing(tr_sim& chosen, fuzz::Bytes& in) {
   REQUIRE(tr_geodetic_at(nullptr, nullptr, nullptr) != TR_OK && tr_step_lag(nullptr, 0, 0) != TR_OK);
   REQUIRE(tr_radio_height_at(sim, nullptr, nullptr) != TR_OK && tr_read_imu(sim, nullptr, 0) != TR_OK);
   REQUIRE(tr_read_air_probe(sim, nullptr, 0, nullptr) != TR_OK);
+  REQUIRE(tr_wheel_heights(sim, nullptr, nullptr, nullptr) != TR_OK);
+  REQUIRE(tr_get_range(nullptr, nullptr, nullptr) != TR_OK);
   REQUIRE(tr_directional(sim, nullptr, nullptr, nullptr, nullptr, nullptr) != TR_OK);
   REQUIRE(tr_directional_inputs(sim, nullptr, nullptr, nullptr, nullptr, nullptr) != TR_OK);
   REQUIRE(tr_get_configuration(sim, nullptr) != TR_OK && tr_set_configuration(sim, nullptr) != TR_OK);

@@ -71,6 +71,7 @@ int main(void) {
   print("check_systems", tr_check_systems(&systems, TR_API_VERSION, 0, 0));
   print("check_environment", tr_check_environment(&environment, TR_API_VERSION, 0, 0));
   print("check_configuration", tr_check_configuration(&configuration, TR_API_VERSION, 0, 0));
+  print("get_range", tr_get_range("u.pedal", rates, rates + 1));
   print("save", tr_save(&sim, saved, sizeof saved, &used));
   print("load_saved", tr_load_saved(&sim, TR_API_VERSION, saved, sizeof saved));
   print("derivative", tr_derivative(&sim, rates, TR_STATES));
@@ -84,6 +85,7 @@ int main(void) {
   print("air_data_at", tr_air_data_at(&sim, mass.cg_m, &air));
   print("geodetic_at", tr_geodetic_at(&place, state.position_m, &place));
   print("radio_height_at", tr_radio_height_at(&sim, NULL, rates));
+  print("wheel_heights", tr_wheel_heights(&sim, NULL, rates, NULL));
   print("step_lag", tr_step_lag(&lag, 1, (tr_real)0.005));
   print("read_imu", tr_read_imu(&sim, &imu, (tr_real)0.005));
   print("read_air_probe", tr_read_air_probe(&sim, &probe, (tr_real)0.005, &air));

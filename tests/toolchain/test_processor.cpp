@@ -154,6 +154,6 @@ TEST(arithmetic_older_processor_is_refused_by_every_call) {
     older_lines >> name >> refused;
     if (!CHECK_EQ(refused, "bad_arithmetic")) NOTE(name);
   }
-  CHECK_EQ(counted, 44);
+  CHECK_EQ(counted, 46);
   run_program("rm -r " + folder);
 }
