@@ -260,7 +260,7 @@ Command sensitivity_command() {
       "largest effect first: of a pair on the damping ratio, of a real root on the root, of a trim on the power. The trim\n"
       "moves with the parameter, and with a governor the balance of power; speed, climb, turn rate, sideslip or azimuth and\n"
       "what --hold let go stay. Exact: second derivatives of the model, which carries the slope of the parameter through every\n"
-      "number and table, and both eigenvectors. On a knot of a table along mast angle or flap it is that of the interval above.\n"
+      "number and table, and both eigenvectors. On a knot of a table, as sideslip 0 is, it is that of the interval above.\n"
       "Parameters: " +
       parameter_names() + ".\n";
   return {

@@ -110,7 +110,7 @@ Status Sensitivity::begin_slope(const SensitivityParameter& p) {
     if (p.held != nullptr) return;
     if (changes_aircraft(p)) return p.change.along(moved.aircraft, by);
     if (is_of_air(p)) return move_air(c, p.parameter, by, moved.around);
-    sensitivity_detail::move_setting(p.parameter, by, moved.setting);
+    move_setting(p.parameter, by, moved.setting);
   });
 }
 

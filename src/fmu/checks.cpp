@@ -31,7 +31,7 @@ const char* missing_of_setting(const Flight& f, int setting) {
       return unless(on(kGear) || on(kGroundEffect) || on(kWindShear),
                     "parameter.gear, ground_effect or wind_shear");
     case kInterconnect:
-      return unless(f.setting[kGovernor] == TR_GOVERNOR_PI, "parameter.governor = 2, pi");
+      return unless(f.setting[kGovernor] == int{TR_GOVERNOR_PI}, "parameter.governor = 2, pi");
     case kTurbulenceSeed:
     case kTurbulenceW20:
       return unless(on(kTurbulence), "parameter.turbulence = true");
@@ -50,13 +50,13 @@ const char* missing_of_setting(const Flight& f, int setting) {
 const char* missing_of_input(const Flight& f, int input) {
   const double governor = f.setting[kGovernor];
   if (input == TR_COLLECTIVE)
-    return unless(governor != TR_GOVERNOR_IDEAL, "parameter.governor = 0, off, or 2, pi: ideal finds it");
+    return unless(governor != int{TR_GOVERNOR_IDEAL}, "parameter.governor = 0, off, or 2, pi: ideal finds it");
   switch (input - TR_CONTROLS) {
     case 0:
     case 1:
       return unless(f.setting[kConversion] != 0, "parameter.conversion = true");
     case 2:
-      return unless(governor == TR_GOVERNOR_PI, "parameter.governor = 2, pi");
+      return unless(governor == int{TR_GOVERNOR_PI}, "parameter.governor = 2, pi");
     case 3:
     case 4:
       return unless(governor != 0 || f.setting[kEngines] != 0, "parameter.governor or parameter.engines");

@@ -15,7 +15,6 @@ The library is the one that TILTROTOR_LIBRARY names, that of the prefix or tree 
 Of a library in single precision tr_real is float."""
 
 import collections
-import copy
 import ctypes.util
 import difflib
 import math

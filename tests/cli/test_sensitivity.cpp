@@ -297,10 +297,10 @@ void check_aircraft(const SensitivitySystems& systems, double mast_deg, double s
 // Every number and table of the aircraft, against complete new trims and modes of the changed aircraft: as good as a trim
 // and an eigenvalue over a fiftieth of the usual change.
 TEST(cli_sensitivity_to_the_aircraft_is_that_of_new_aircraft) {
-  check_aircraft({Governor::off, false}, 33, 53, 1e-9);
+  check_aircraft({Governor::off, false}, 33, 53, 1e-10);
 }
 // With the augmentation and its gains, and those of the governor.
-TEST(cli_sensitivity_to_gains_is_that_of_new_gains) { check_aircraft({Governor::pi, true}, 78, 83, 1e-9); }
+TEST(cli_sensitivity_to_gains_is_that_of_new_gains) { check_aircraft({Governor::pi, true}, 78, 83, 1e-10); }
 
 // Two ways to one derivative: inertia and hub spring as parameters of the configuration, exact, and as numbers of the
 // aircraft, by which systems go; without a governor that acts the roots are the same.

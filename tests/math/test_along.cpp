@@ -33,8 +33,8 @@ TEST(along_slopes_equal_complex_steps) {
       const Along by_x = every_operation(Along(x, 1), Along(y)),
                   by_y = every_operation(Along(x), Along(y, 1));
       const double value = every_operation(x, y);
-      CHECK_EQ(by_x.v, value);
-      CHECK_EQ(by_y.v, value);
+      CHECK_NEAR(by_x.v, value, 1e-15 * (1 + std::abs(value)));
+      CHECK_NEAR(by_y.v, value, 1e-15 * (1 + std::abs(value)));
       const double along_x = every_operation(Complex(x, tiny), Complex(y)).imag() / tiny;
       const double along_y = every_operation(Complex(x), Complex(y, tiny)).imag() / tiny;
       CHECK_NEAR(by_x.d, along_x, 1e-14 * (1 + std::abs(along_x)));
@@ -57,10 +57,12 @@ TEST(along_duals_have_second_derivatives) {
     }
 }
 
-// Comparisons and places in tables look at the value alone.
-TEST(along_comparisons_look_at_values) {
+// Order and places in tables look at the value, equality at the slope too: what is zero and moves is not left out.
+TEST(along_order_looks_at_values) {
   const Along low(1, 100), high(2, -100);
-  CHECK(low < high && high > low && low <= Along(1) && low >= Along(1) && low == Along(1, 5) && low != high);
+  CHECK(low < high && high > low && low <= Along(1) && low >= Along(1) && low != Along(1, 5) &&
+        low == Along(1, 100));
+  CHECK(Along(0, 1) != Along(0));
   CHECK_EQ(static_cast<int>(Along(3.9, 1)), 3);
   CHECK_EQ(fabs(Along(-2, 3)).d, -3.0);
   CHECK_EQ(floor(Along(2.5, 3)).d, 0.0);

@@ -85,8 +85,6 @@ constexpr const ParameterFacts& facts(ConfigurationParameter parameter) {
   return kParameterFacts[static_cast<int>(parameter)];
 }
 
-namespace sensitivity_detail {
-
 // Moves a parameter by an amount in its unit: one of the setting, from which the rest follows.
 template <class C>
 void move_setting(ConfigurationParameter parameter, const C& by, ConfigurationSetting<C>& s) {
@@ -104,6 +102,8 @@ void move_setting(ConfigurationParameter parameter, const C& by, ConfigurationSe
   if (parameter == P::sl_cg) s.sl_cg += by;
   if (parameter == P::wl_cg) s.wl_cg += by;
 }
+
+namespace sensitivity_detail {
 
 // One of what follows, with the setting held.
 template <class C>
@@ -143,7 +143,7 @@ void moved_configuration(const Configuration<Real<T>>& c, const ConfigurationPar
   moved.around = c.around;
   for (const Side side : {right, left}) moved.rotor[side].ground_wash = T(c.rotor[side].ground_wash);
   moved.download = T(c.download);
-  for (int k = 0; k < count; ++k) sensitivity_detail::move_setting<T>(parameter[k], by[k], moved.setup);
+  for (int k = 0; k < count; ++k) move_setting<T>(parameter[k], by[k], moved.setup);
   configure(moved);
   for (int k = 0; k < count; ++k) sensitivity_detail::move_consequence(parameter[k], by[k], moved);
 }

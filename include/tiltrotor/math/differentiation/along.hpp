@@ -3,11 +3,12 @@
 //
 //   Aircraft<Along> aircraft = ..;  aircraft.htail.surface.area *= Along(1, 0.01);  // per cent
 //
-// Comparisons and indices look at the value. To be included before everything else of the model.
+// Order and indices look at the value, equality at both. What works on such numbers includes this.
 #pragma once
 
 #include <cmath>
 #include <limits>
+#include <type_traits>
 
 namespace tiltrotor {
 
@@ -16,7 +17,9 @@ struct Along {
   double d;  // slope
 
   Along() = default;
-  constexpr Along(double x) : v(x), d(0) {}  // NOLINT(google-explicit-constructor): a constant
+  template <class X, class = std::enable_if_t<std::is_arithmetic_v<X>>>
+  constexpr Along(X x)
+      : v(static_cast<double>(x)), d(0) {}  // NOLINT(google-explicit-constructor): a constant
   constexpr Along(double x, double slope) : v(x), d(slope) {}
   constexpr explicit operator double() const { return v; }
   constexpr explicit operator float() const { return static_cast<float>(v); }
@@ -38,8 +41,9 @@ struct Along {
   friend constexpr bool operator>(Along a, Along b) { return a.v > b.v; }
   friend constexpr bool operator<=(Along a, Along b) { return a.v <= b.v; }
   friend constexpr bool operator>=(Along a, Along b) { return a.v >= b.v; }
-  friend constexpr bool operator==(Along a, Along b) { return a.v == b.v; }
-  friend constexpr bool operator!=(Along a, Along b) { return a.v != b.v; }
+  // The same number with the same slope: where one of them stands for the other, or is left out for a zero.
+  friend constexpr bool operator==(Along a, Along b) { return a.v == b.v && a.d == b.d; }
+  friend constexpr bool operator!=(Along a, Along b) { return !(a == b); }
 
   friend Along fabs(Along a) { return a.v < 0 ? -a : a; }
   friend Along abs(Along a) { return fabs(a); }
@@ -92,13 +96,6 @@ template <>
 inline bool is_ieee_arithmetic<Along>() {
   return is_ieee_arithmetic<double>();
 }
-
-namespace batch_detail {
-template <>
-struct IndexOf<Along> {
-  using type = long long;
-};
-}  // namespace batch_detail
 
 template <>
 inline SineCosine<Along> sine_cosine(const Along& x) {

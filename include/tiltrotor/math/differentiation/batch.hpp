@@ -22,9 +22,7 @@ namespace batch_detail {
 
 // Whole numbers as wide as R: indices, and truth as -1 or 0.
 template <class R>
-struct IndexOf;
-template <>
-struct IndexOf<double> {
+struct IndexOf {
   using type = long long;
 };
 template <>
