@@ -50,7 +50,8 @@ const char* missing_of_setting(const Flight& f, int setting) {
 const char* missing_of_input(const Flight& f, int input) {
   const double governor = f.setting[kGovernor];
   if (input == TR_COLLECTIVE)
-    return unless(governor != int{TR_GOVERNOR_IDEAL}, "parameter.governor = 0, off, or 2, pi: ideal finds it");
+    return unless(governor != int{TR_GOVERNOR_IDEAL},
+                  "parameter.governor = 0, off, or 2, pi: ideal finds it");
   switch (input - TR_CONTROLS) {
     case 0:
     case 1:
@@ -71,7 +72,7 @@ const char* missing_of_state(const Flight& f, int state) {
   if (state < TR_MAST) return nullptr;
   if (state <= TR_FLAP) return unless(on(kConversion), "parameter.conversion = true");
   if (state == TR_ROTOR_SPEED)
-    return unless(f.setting[kGovernor] == TR_GOVERNOR_PI, "parameter.governor = 2, pi");
+    return unless(f.setting[kGovernor] == int{TR_GOVERNOR_PI}, "parameter.governor = 2, pi");
   if (state <= TR_TWIST_RATE) return unless(on(kInterconnect), "parameter.interconnect = true");
   if (state == TR_GOVERNOR) return unless(on(kGovernor), "parameter.governor");
   if (state <= TR_FUEL) return unless(on(kEngines), "parameter.engines = true");

@@ -47,7 +47,8 @@ void put_load_factors(double (&y)[kOutputs]) {
 }
 
 bool is_a_state(const Flight& f, int output) {
-  return output == kOutputRotorSpeed ? f.setting[kGovernor] == int{TR_GOVERNOR_PI} : f.setting[kConversion] != 0;
+  return output == kOutputRotorSpeed ? f.setting[kGovernor] == int{TR_GOVERNOR_PI}
+                                     : f.setting[kConversion] != 0;
 }
 
 bool has_wheels(const Flight& f) { return f.setting[kEnvironment] != 0 && f.setting[kGear] != 0; }
