@@ -340,7 +340,7 @@ $(BENCH_OBJECTS): $(BUILD)/bench.stamp
 $(addprefix %/,c_processor.o c_entry.o c_entry_sensors.o c_entry_checks.o c_words.o c_plain_names.o processor_check.o): ARCH_FLAGS := $(TARGET_$(TARGET))
 
 # On a target, code that no step runs through is made small: its operations and their order stay.
-SMALL := $(if $(TARGET),aircraft conditions outputs saved system_model system_outputs systems trim)
+SMALL := $(if $(TARGET),aircraft conditions outputs ranges saved sensors system_model system_outputs systems trim)
 $(SMALL:%=$(BUILD)/ad/library/c_%.o): FLAGS += -Os
 $(BUILD)/ad/%.o: src/%.cpp
 	$(call compile,$(LIBRARY_FLAGS))
