@@ -126,7 +126,8 @@ fmi3Status check_given(Instance& i) {
 }
 
 fmi3Status warn_idle(Instance& i, Place place) {
-  const char* const needed = missing(i.flight, place);
+  const bool in_flight = place.role == Role::input || place.index >= kFirstInputSetting;
+  const char* const needed = in_flight ? missing(i.flight, place) : nullptr;
   if (needed == nullptr) return fmi3OK;
   const int bit = place.role == Role::input ? place.index : TR_INPUTS + place.index - kFirstInputSetting;
   const std::uint32_t told = std::uint32_t{1} << bit;

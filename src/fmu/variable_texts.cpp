@@ -22,7 +22,7 @@ constexpr const char* kStateTexts[] = {
     "bank angle, right wing down",
     "pitch angle, nose up",
     "heading",
-    OF_A_ROTOR("right"),
+    OF_A_ROTOR("right"),  // NOLINT(bugprone-suspicious-missing-comma): a side within a text
     OF_A_ROTOR("left"),
     "downwash angle at the tail",
     CONING("right"),
