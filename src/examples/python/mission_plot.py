@@ -7,8 +7,11 @@ import sys
 
 if len(sys.argv) != 2:
     sys.exit(__doc__)
-with open(sys.argv[1], newline="") as file:
-    lines = [line for line in file if not line.startswith("#")]  # as --stamp writes them
+try:
+    with open(sys.argv[1], newline="") as file:
+        lines = [line for line in file if not line.startswith("#")]  # as --stamp writes them
+except OSError as fault:
+    sys.exit(f"{sys.argv[1]}: {fault.strerror}")
 rows = [{name: float(text) for name, text in row.items() if text} for row in csv.DictReader(lines)]
 missing = {"time_s", "height_m", "airspeed_mps", "mast_deg", "power_1_kw", "power_2_kw"} - (rows or [{}])[0].keys()
 if missing:
