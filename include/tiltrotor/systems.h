@@ -68,8 +68,8 @@ enum {
   TR_POWER_RIGHT,
   TR_POWER_LEFT, /* of the engines at their shafts, W */
   TR_GOVERNOR,   /* collective it adds, rad */
-  TR_FUEL,       /* burnt, kg: the mass of tr_configuration falls with it */
-  TR_ACTUATORS,  /* collective right, left; long. cyclic right, left; elevator, aileron, rudder; rad */
+  TR_FUEL, /* burnt, kg: the mass of tr_configuration falls with it, within its range; below 0 more is on board */
+  TR_ACTUATORS, /* collective right, left; long. cyclic right, left; elevator, aileron, rudder; rad */
   TR_SERIES_ACTUATORS = TR_ACTUATORS + 7, /* of the augmentation: longitudinal, lateral, yaw, in */
   TR_WASHOUT = TR_SERIES_ACTUATORS + 3,   /* yaw rate it has become used to, rad/s */
   TR_HELD_PITCH,

@@ -1,8 +1,18 @@
 #include "cli/feedback_flight.hpp"
 
+#include <algorithm>
+
+#include "cli/errors.hpp"
+#include "cli/output.hpp"
 #include "tiltrotor/analysis/linear/linear_eigenvalues.hpp"
 
 namespace tiltrotor::cli {
+
+namespace {
+
+constexpr int kMostParts = 256;  // of a step: no law that a control could follow needs as many
+
+}  // namespace
 
 FeedbackFlight::FeedbackFlight(const Feedback& feedback, SystemFlight<double>* systems, Analyses& work)
     : feedback_(feedback),
@@ -41,7 +51,19 @@ Status FeedbackFlight::begin(const Configuration<double>& c, const Simulation<do
   for (int k = 0; k < law.readings; ++k) reference.reading[k] = seen[law.reading[k]];
   loop_->law = &law;
   loop_->fastest = {};
-  return status == Status::ok ? find_fastest(c, simulation) : status;
+  if (status == Status::ok) status = find_fastest(c, simulation);
+  if (status == Status::ok) check_cost(simulation);
+  return status;
+}
+
+void FeedbackFlight::check_cost(const Simulation<double>& simulation) const {
+  const double dt = simulation.dt;
+  if (flight_step::parts(simulation.integrator, dt, loop_->fastest) <= kMostParts) return;
+  const FastestRates<double>& fastest = loop_->fastest;
+  throw UsageError("--feedback " + feedback_.name() + ": a root of the closed loop is " +
+                   number_text(std::max(fastest.decay, fastest.oscillation), 3) +
+                   " 1/s, for which a step of " + number_text(dt) + " s would be cut into more than " +
+                   std::to_string(kMostParts) + " parts; give smaller gains or steps");
 }
 
 Status FeedbackFlight::find_fastest(const Configuration<double>& c, const Simulation<double>& simulation) {

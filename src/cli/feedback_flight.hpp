@@ -12,7 +12,8 @@ class FeedbackFlight {
  public:
   // `systems`: those of the flight, or nullptr; they and `work` outlive it.
   FeedbackFlight(const Feedback& feedback, SystemFlight<double>* systems, Analyses& work);
-  // The law counts from here. Status: those of linearize_outputs().
+  // The law counts from here. Status: those of linearize_outputs(). Throws UsageError where the closed loop is so fast
+  // that steps would be cut into hundreds of parts.
   Status begin(const Configuration<double>& c, const Simulation<double>& simulation);
 
   // What acts from now on. Status: those of feed_back().
@@ -29,6 +30,7 @@ class FeedbackFlight {
  private:
   // How fast the closed loop is where it begins. Status: those of the linear model.
   Status find_fastest(const Configuration<double>& c, const Simulation<double>& simulation);
+  void check_cost(const Simulation<double>& simulation) const;
 
   using Loop = SimulationWorkspace<double, ClosedLoop>;
   Feedback feedback_;

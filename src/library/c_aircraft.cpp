@@ -222,12 +222,13 @@ tr_status tr_set_state(tr_sim* sim, const tr_state* state) {
   tr_state before;
   get_state(s, before);
   put_state(*state, s);
-  const tr_status with_systems = follow_systems(s);
+  int blamed = TR_DOWN;
+  const tr_status with_systems = follow_systems(s, &blamed);
   const tr_status in_air = with_systems == TR_OK ? follow_air(s) : with_systems;
   if (in_air == TR_OK) return TR_OK;
   put_state(before, s);
   follow_systems(s);
-  return noted(s, in_air, with_systems == TR_OK ? int{TR_DOWN} : int{TR_MAST});
+  return noted(s, in_air, blamed);
 }
 
 tr_status tr_derivative(const tr_sim* sim, tr_real* rates, size_t length) {

@@ -3,6 +3,7 @@
 
 #include <utility>
 
+#include "library/c_fault.hpp"
 #include "library/c_ranges.hpp"
 #include "library/c_state.hpp"
 #include "library/c_words.hpp"
@@ -151,7 +152,7 @@ void follow_configuration(Sim& s) {
   if (on.engines) s.systems.vehicle.loaded_mass = setup.mass + x.fuel;
 }
 
-tr_status follow_systems(Sim& s) {
+tr_status follow_systems(Sim& s, int* blamed) {
   const SystemSwitches& on = s.systems.vehicle.on;
   const bool apart = s.configuration.setup.rotor_difference != s.systems.state.twist_rate;
   if (!on.conversion && on.governor != Governor::pi && !on.engines && !apart) return TR_OK;
@@ -172,10 +173,16 @@ tr_status follow_systems(Sim& s) {
     setting.rotor_acceleration = R(0);
   }
   setting.rotor_difference = x.twist_rate;
+  FlightSetup<R> wanted = c.setup;
+  static_cast<ConfigurationSetting<R>&>(wanted) = setting;
   const Status status = reconfigure(setting, c);
-  if (status != Status::ok) return translated(status);
-  keep(c, s);
-  return TR_OK;
+  if (status == Status::ok) {
+    keep(c, s);
+  } else if (blamed != nullptr) {
+    const int system = system_behind(first_out_of_range(*c.aircraft, wanted).field);
+    *blamed = system < 0 ? kNone : state_count + system;
+  }
+  return translated(status);
 }
 
 void put_system_states(const R* states, Sim& s) {

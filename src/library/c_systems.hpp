@@ -20,8 +20,9 @@ void flatten_rates(const Found& found, R* rates);
 
 // Commands and states after the configuration was set by hand, or a state was.
 void follow_configuration(Sim& s);
-// The configuration after system states were set. Unless TR_OK nothing is changed.
-tr_status follow_systems(Sim& s);
+// The configuration after system states were set. Unless TR_OK nothing is changed, and `blamed` is the place in tr_state of
+// the one that is to blame.
+tr_status follow_systems(Sim& s, int* blamed = nullptr);
 // Of a tr_state; those of systems that are off stay zero.
 void put_system_states(const R* states, Sim& s);
 // Everything off, commands those of the configuration.

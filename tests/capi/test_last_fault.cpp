@@ -62,6 +62,29 @@ TEST(capi_fault_names_the_bad_number_of_a_state) {
   check_fault(sim, TR_BAD_ARGUMENT, -1, -1);
 }
 
+// A state that leads its configuration out of its range.
+TEST(capi_fault_names_the_system_behind_a_configuration) {
+  tr_sim sim = flying();
+  tr_systems systems;
+  CHECK_EQ(tr_get_systems(&sim, &systems), TR_OK);
+  systems.conversion = systems.engines = 1;
+  systems.governor = TR_GOVERNOR_PI;
+  CHECK_EQ(tr_set_systems(&sim, &systems), TR_OK);
+  const tr_state good = state_of(sim);
+  const struct {
+    std::int32_t state;
+    tr_real number;
+  } cases[] = {{TR_MAST, tr_real(-0.1)}, {TR_FLAP, tr_real(1.9)}, {TR_ROTOR_SPEED, tr_real(5)},
+               {TR_FUEL, tr_real(-1e5)}, {TR_FUEL, tr_real(9e5)}, {TR_MAST_RATE, tr_real(1.9)}};
+  for (const auto& one : cases) {
+    tr_state bad = good;
+    bad.x[one.state] = one.number;
+    CHECK_EQ(tr_set_state(&sim, &bad), TR_OUT_OF_RANGE);
+    check_fault(sim, TR_OUT_OF_RANGE, one.state, -1);
+    CHECK(same_bits(state_of(sim), good));
+  }
+}
+
 TEST(capi_fault_names_the_bad_control) {
   tr_sim sim = flying();
   for (int j = 0; j < TR_CONTROLS; ++j) {

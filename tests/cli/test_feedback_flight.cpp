@@ -6,6 +6,7 @@
 #include "check.hpp"
 #include "cli/exported_model.hpp"
 #include "cli/feedback_law.hpp"
+#include "cli/refused.hpp"
 
 using check::ExportedModel;
 using check::Gains;
@@ -172,6 +173,16 @@ TEST_OF_XV15(cli_feedback_of_large_gains_is_stable_in_any_step) {
     CHECK_LT(std::fabs(flight.number(4, "q_degps")), 0.1);
     CHECK_LT(0.1, std::fabs(flight.number(4, "w_mps") - flight.number(0, "w_mps")));
   }
+}
+
+// One that would cut a step into hundreds of parts is refused, in `fly` too, where actuators slow it down.
+TEST_OF_XV15(cli_bad_feedback_of_endless_cost_is_refused) {
+  const check::ScratchFolder folder;
+  const std::string loop = law(folder, "law.csv", "input,q\nlong_stick,-1e9\n");
+  check::check_refused("respond --duration 1 " + kFlight + loop, "law.csv: a root of the closed loop is ");
+  const std::string script = quoted(folder.write("script.txt", "0 scas off\n1 end\n"));
+  check::check_refused("fly --script " + script + " " + kFlight + loop,
+                       "law.csv: a root of the closed loop is ");
 }
 
 // Beside the pilot: A of the whole vehicle at its start, and a kick that dies sooner.

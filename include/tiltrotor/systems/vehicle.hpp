@@ -98,6 +98,24 @@ inline ActiveSystems active_systems(const SystemSwitches& on) {
   return active;
 }
 
+// The state that puts a field of the setting where it is, among kSystemVariables; -1: none does.
+constexpr int system_behind(SetupField field) {
+  switch (field) {
+    case SetupField::mast_deg:
+      return kSystemIndex.mast;
+    case SetupField::mast_rate:
+      return kSystemIndex.mast_rate;
+    case SetupField::flap_deg:
+      return kSystemIndex.flap;
+    case SetupField::rotor_speed:
+      return kSystemIndex.rotor_speed;
+    case SetupField::mass:
+      return kSystemIndex.fuel;
+    default:
+      return -1;
+  }
+}
+
 // What the airframe is to feel.
 template <class T>
 struct AirframeDemand {

@@ -162,8 +162,7 @@ Status arrive(const MovingConfiguration<R>& moving, R time, bool at_stop, const 
   const SetupField fault = first_out_of_range(*c.aircraft, c.setup).field;
   if (fault == SetupField::none) return Status::ok;
   if (fault == SetupField::altitude) fault_state = kStateIndex.position.z;
-  if (fault == SetupField::rotor_speed && f.systems != nullptr)
-    fault_state = state_count + kSystemIndex.rotor_speed;
+  if (f.systems != nullptr && system_behind(fault) >= 0) fault_state = state_count + system_behind(fault);
   return Status::out_of_range;
 }
 
