@@ -46,7 +46,7 @@ constexpr Room kRooms[] = {
     {"cli", "generated math systems analysis library pilot text plot study " MODEL},
     {"tablegen", "math text " MODEL},
     {"firmware", "interface"},
-    {"fmu", "interface"},
+    {"fmu", "generated interface math systems analysis library " MODEL},
     {"page", "interface firmware library model"},
     {"examples",
      "interface facade math systems analysis " MODEL},  // a user's, with the installed headers alone

@@ -2,6 +2,7 @@
 
 #include <memory>
 
+#include "library/component_readings.hpp"
 #include "tiltrotor/analysis/flight/station_motion.hpp"
 
 namespace tiltrotor::cli {
@@ -40,38 +41,8 @@ T flight_path_angle(const State<T>& x) {
 }
 
 template <class T>
-struct ReadingWorkspace {
-  LoadRecord<T> loads;
-  AirframeWorkspace<T> work;
-  AirframeResponse<T> airframe;
-};
-
-// Loads of the components once more, from what an evaluation in `c` found.
-template <class T>
-void record_loads(const Configuration<T>& c, const DerivativeSteps<T>& steps, ReadingWorkspace<T>& found) {
-  found.loads = {};
-  for (const Side side : {right, left})
-    found.loads[side == right ? Component::rotor_right : Component::rotor_left] = steps.hub_loads[side];
-  airframe_response(c, steps.airframe_input, found.work, found.airframe,
-                    [&](Component component, const Loads<T>& l) { found.loads[component] = l; });
-  if (!c.setup.options.engine_jets) return;
-  T power = T(0.0);
-  for (const Side side : {right, left})
-    power = power + (steps.rotor[side].loads.torque + c.rotor[side].spin_up) * c.rotor[side].speed;
-  found.loads[Component::engine_jets] =
-      engine_jet_loads(c, power, total_speed(steps.velocity_b, c.aircraft->smooth.airspeed));
-}
-
-template <class T>
-T htail_angle_of_attack(const Configuration<T>& c, const DerivativeSteps<T>& steps,
-                        const AirframeWorkspace<T>& work) {
-  const Vec3<T> v = horizontal_tail_velocity(c, steps.airframe_input, work.wash_ratio);
-  return angle_of_attack(v, c.aircraft->smooth) + c.aircraft->htail.surface.incidence - work.downwash;
-}
-
-template <class T>
 T reading(const Configuration<T>& c, const State<T>& x, const DerivativeSteps<T>& steps,
-          const State<T>& rates, const ReadingWorkspace<T>& found, const AirframeOutput& output) {
+          const State<T>& rates, const ComponentReadings<T>& found, const AirframeOutput& output) {
   switch (output.kind) {
     case Kind::load_factor:
     case Kind::load_factor_at_cg:
@@ -81,7 +52,7 @@ T reading(const Configuration<T>& c, const State<T>& x, const DerivativeSteps<T>
     case Kind::wing_angle_of_attack:
       return found.airframe.wing_alpha;
     case Kind::htail_angle_of_attack:
-      return htail_angle_of_attack(c, steps, found.work);
+      return htail_angle_of_attack(c, steps, found);
     case Kind::state: {
       T flat[state_count];
       flatten(x, flat);
@@ -99,9 +70,9 @@ T reading(const Configuration<T>& c, const State<T>& x, const DerivativeSteps<T>
 
 template <class T>
 void read(const Configuration<T>& c, const State<T>& x, const DerivativeSteps<T>& steps,
-          const State<T>& rates, const std::vector<AirframeOutput>& outputs, ReadingWorkspace<T>& found,
+          const State<T>& rates, const std::vector<AirframeOutput>& outputs, ComponentReadings<T>& found,
           T* y) {
-  record_loads(c, steps, found);
+  read_components(c, steps, found);
   for (const AirframeOutput& output : outputs) *y++ = reading(c, x, steps, rates, found, output);
 }
 
@@ -112,7 +83,7 @@ std::vector<double> airframe_readings(const Configuration<double>& c, const Stat
                                       const std::vector<AirframeOutput>& outputs) {
   std::vector<double> y(outputs.size());
   if (outputs.empty()) return y;
-  ReadingWorkspace<double> work;
+  ComponentReadings<double> work;
   read(c, x, steps, rates, outputs, work, y.data());
   return y;
 }
@@ -125,7 +96,7 @@ Status linearize_airframe_outputs(const SystemFlight<double>& flight, const Conf
   VehicleMoment now;
   read_vehicle_moment(flight, c, x, u, 0, now);
   found.y = airframe_readings(now.put, x, now.found.steps, now.found.answer.rates, outputs);
-  const auto work = std::make_unique<ReadingWorkspace<T>>();
+  const auto work = std::make_unique<ComponentReadings<T>>();
   return linearize_vehicle_rows(
       flight, c, x, u, shape, static_cast<int>(outputs.size()),
       [&](const VehicleDirectionWorkspace<double>& at, T* y) {

@@ -39,12 +39,19 @@ const tr_sim& with_air(Instance& i) {
   return tr_set_systems(&copy, &s) == TR_OK ? copy : i.flight.sim;
 }
 
-fmi3Status along(Instance& i, const tr_sim& sim, Direction& d) {
+fmi3Status along(Instance& i, const tr_sim& sim, bool components, Direction& d) {
   tr_outputs outputs;
   tr_status status = tr_directional_inputs(&sim, &i.work, d.dx, d.du, d.dxdot, &outputs);
   if (status == TR_OK) slopes_of_outputs(i.flight, d.dx, outputs, d.doutput);
   if (status == TR_OK) status = slopes_of_indicators(i.flight, d.dx, d.dindicator);
+  if (status == TR_OK && components) status = slopes_of_component_outputs(i, d.dx, d.du, d.doutput);
   return answer(i, status, "derivative along a direction", fmi3Discard);
+}
+
+bool any_of_components(const fmi3ValueReference unknown[], size_t unknowns) {
+  for (size_t k = 0; k < unknowns; ++k)
+    if (is_of_components(place_of(unknown[k]))) return true;
+  return false;
 }
 
 double& seed_of(Direction& d, Place p) { return p.role == Role::state ? d.dx[p.index] : d.du[p.index]; }
@@ -108,7 +115,7 @@ fmi3Status fmi3GetDirectionalDerivative(fmi3Instance instance, const fmi3ValueRe
   Direction d;
   std::memset(&d, 0, sizeof d);
   for (size_t k = 0; k < knowns; ++k) seed_of(d, place_of(known[k])) += seed[k];
-  const fmi3Status status = along(*i, with_air(*i), d);
+  const fmi3Status status = along(*i, with_air(*i), any_of_components(unknown, unknowns), d);
   if (status != fmi3OK) return status;
   for (size_t k = 0; k < unknowns; ++k) sensitivity[k] = result_of(d, place_of(unknown[k]));
   return fmi3OK;
@@ -123,11 +130,12 @@ fmi3Status fmi3GetAdjointDerivative(fmi3Instance instance, const fmi3ValueRefere
                                       sensitivity, sensitivities, knowns);
   if (i == nullptr) return fmi3Error;
   const tr_sim& sim = with_air(*i);
+  const bool components = any_of_components(unknown, unknowns);
   for (size_t k = 0; k < knowns; ++k) {
     Direction d;
     std::memset(&d, 0, sizeof d);
     seed_of(d, place_of(known[k])) = 1;
-    const fmi3Status status = along(*i, sim, d);
+    const fmi3Status status = along(*i, sim, components, d);
     if (status != fmi3OK) return status;
     double sum = 0;
     for (size_t n = 0; n < unknowns; ++n) sum += seed[n] * result_of(d, place_of(unknown[n]));

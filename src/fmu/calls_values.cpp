@@ -10,7 +10,7 @@ namespace {
 
 // What a call has computed once.
 struct Reading {
-  bool state_read, rates_read, outputs_read, indicators_read;
+  bool state_read, rates_read, outputs_read, components_read, indicators_read;
   tr_state state;
   double rates[TR_STATES], outputs[kOutputs], indicators[kWheels];
 };
@@ -43,10 +43,13 @@ fmi3Status read(Instance& i, Place place, Reading& r, double& value) {
       r.indicators_read = true;
       value = r.indicators[place.index];
       break;
-    default:
-      if (!r.outputs_read) status = read_outputs(f, r.outputs);
-      r.outputs_read = true;
+    default: {
+      const bool of_components = is_of_components(place);
+      bool& done = of_components ? r.components_read : r.outputs_read;
+      if (!done) status = of_components ? read_component_outputs(i, r.outputs) : read_outputs(f, r.outputs);
+      done = true;
       value = r.outputs[place.index];
+    }
   }
   return answer(i, status, full_name(place).text, fmi3Discard);
 }
@@ -77,7 +80,7 @@ fmi3Status get(fmi3Instance instance, const fmi3ValueReference reference[], size
   const fmi3Status made = make(*i);
   if (made > fmi3Warning) return made;
   Reading r;
-  r.state_read = r.rates_read = r.outputs_read = r.indicators_read = false;
+  r.state_read = r.rates_read = r.outputs_read = r.components_read = r.indicators_read = false;
   for (size_t k = 0; k < references; ++k) {
     double number = 0;
     const fmi3Status status = read(*i, place_of(reference[k]), r, number);

@@ -79,7 +79,9 @@ const char* missing_of_state(const Flight& f, int state) {
   return unless(on(kActuators), "parameter.actuators = true");
 }
 
-const char* missing(const Flight& f, Place p) {
+const char* missing(const Instance& i, Place p) {
+  const Flight& f = i.flight;
+  if (p.role == Role::setting && p.index == kLongestStep) return unless(i.co_simulation, "Co-Simulation");
   return p.role == Role::setting ? missing_of_setting(f, p.index)
          : p.role == Role::input ? missing_of_input(f, p.index)
                                  : missing_of_state(f, p.index);
@@ -110,9 +112,9 @@ fmi3Status check_range(Instance& i, Place place, double value) {
 
 fmi3Status check_given(Instance& i) {
   const Flight& f = i.flight;
-  const auto check = [&i, &f](Role role, int index, bool given) {
+  const auto check = [&i](Role role, int index, bool given) {
     const Place place = {role, index};
-    const char* const needed = given ? missing(f, place) : nullptr;
+    const char* const needed = given ? missing(i, place) : nullptr;
     if (needed == nullptr) return fmi3OK;
     return say(i, fmi3Error, "%s is set and changes nothing: it needs %s", full_name(place).text, needed);
   };
@@ -127,7 +129,7 @@ fmi3Status check_given(Instance& i) {
 
 fmi3Status warn_idle(Instance& i, Place place) {
   const bool in_flight = place.role == Role::input || place.index >= kFirstInputSetting;
-  const char* const needed = in_flight ? missing(i.flight, place) : nullptr;
+  const char* const needed = in_flight ? missing(i, place) : nullptr;
   if (needed == nullptr) return fmi3OK;
   const int bit = place.role == Role::input ? place.index : TR_INPUTS + place.index - kFirstInputSetting;
   const std::uint32_t told = std::uint32_t{1} << bit;

@@ -79,11 +79,17 @@ fmi3Status refuse_states(Instance& i, tr_status status, const double* x, const c
                          fmi3Status refused);
 fmi3Status refuse_step(Instance& i, tr_status status, double time);
 
-// Outputs and event indicators; `dx`: a direction of TR_STATES states, `found`: tr_directional_inputs of it.
+// Outputs up to those of components, and event indicators; `dx`: a direction of TR_STATES states, `found`: tr_directional_inputs
+// of it.
 tr_status read_outputs(const Flight& f, double (&y)[kOutputs]);
 void slopes_of_outputs(const Flight& f, const double* dx, const tr_outputs& found, double (&dy)[kOutputs]);
 tr_status read_indicators(const Flight& f, double (&height)[kWheels]);
 tr_status slopes_of_indicators(const Flight& f, const double* dx, double (&slope)[kWheels]);
+/// Outputs of components, in their places; `du`: a direction of TR_INPUTS inputs.
+tr_status read_component_outputs(Instance& i, double (&y)[kOutputs]);
+tr_status slopes_of_component_outputs(Instance& i, const double* dx, const double* du,
+                                      double (&dy)[kOutputs]);
+inline bool is_of_components(Place p) { return p.role == Role::output && p.index >= kFirstOfComponents; }
 
 fmi3Status put_states(Instance& i, const double* x);
 /// One continuous input, in the units of tr_control_unit.

@@ -50,7 +50,7 @@ constexpr SettingFacts kSettingFacts[] = {
     {"turbulence_w20", "m/s", F, 0, "turbulence_w20_mps",
      "wind 20 ft above the ground, which says how strong the turbulence is"},
     {"longest_step", "s", F, 0.01, nullptr,
-     "of Co-Simulation: longer communication steps are cut into equal parts", 1e-6, 0.02},
+     "longer communication steps are cut into equal parts; in Co-Simulation", 1e-6, 0.02},
     {"wind_north", "m/s", F, 0, "wind_mps[0]", "wind; needs the environment"},
     {"wind_east", "m/s", F, 0, "wind_mps[1]", "wind; needs the environment"},
     {"wind_down", "m/s", F, 0, "wind_mps[2]", "wind; needs the environment"},
@@ -64,6 +64,13 @@ constexpr SettingFacts kSettingFacts[] = {
      "left engine gives no power; needs a governor or engines"},
 };
 static_assert(sizeof kSettingFacts / sizeof kSettingFacts[0] == kSettings, "one row a setting");
+
+// Force and moment of a component.
+#define AXES(name, unit, text) \
+  {name "_x", unit, text ", body x"}, {name "_y", unit, text ", body y"}, { name "_z", unit, text ", body z" }
+#define LOADS(component, of)                  \
+  AXES(component "_force", "N", "force " of), \
+      AXES(component "_moment", "N.m", "moment about the centre of gravity " of)
 
 constexpr OutputFacts kOutputFacts[] = {
     {"airspeed", "m/s", "relative to the air at the aircraft"},
@@ -96,7 +103,25 @@ constexpr OutputFacts kOutputFacts[] = {
     {"mast", "rad", "mast angle as it is, the conversion drive on or off"},
     {"flap", "rad", "flaps as they are, the conversion drive on or off"},
     {"rotor_speed", "rad/s", "rotor speed as it is, whatever governs it"},
+    {"wing_angle_of_attack", "rad", "of the part of the wing that no wake covers"},
+    {"htail_angle_of_attack", "rad", "of the horizontal tail, with incidence, wash and downwash"},
+    LOADS("rotor_right", "of the right rotor"),
+    LOADS("rotor_left", "of the left rotor"),
+    LOADS("wing_wake_right", "of the wing in the wake of the right rotor"),
+    LOADS("wing_wake_left", "of the wing in the wake of the left rotor"),
+    LOADS("wing_free", "of the wing that no wake covers"),
+    LOADS("pylon", "of the pylons where they meet the wing"),
+    LOADS("spinners", "of the spinners"),
+    LOADS("pylon_side", "of the pylons in flow from the side"),
+    LOADS("fuselage", "of the fuselage"),
+    LOADS("htail", "of the horizontal tail"),
+    LOADS("fin_right", "of the right fin"),
+    LOADS("fin_left", "of the left fin"),
+    LOADS("engine_jets", "of the engines' jets (off: 0)"),
+    LOADS("total_aero", "of all components"),
 };
+#undef LOADS
+#undef AXES
 static_assert(sizeof kOutputFacts / sizeof kOutputFacts[0] == kOutputs, "one row an output");
 
 constexpr const char* kWheelNames[] = {"nose", "right", "left"};
@@ -248,6 +273,7 @@ bool depends(Place unknown, Place known) {
   if (unknown.index < 3)
     return state ? among(index, kSpeeds | bit(TR_MAST) | bit(TR_MAST_RATE))
                  : index >= TR_GUST_U && index <= TR_GUST_W;
+  if (unknown.index >= kOutputJets && unknown.index < kOutputJets + kNumbersOfLoads) return false;  // off
   switch (unknown.index) {
     case kOutputFlightPath:
       return state && among(index, kSpeeds | kBank);

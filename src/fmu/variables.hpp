@@ -66,7 +66,14 @@ constexpr int kFirstInputSetting = kWindNorth;
 // The numbers of tr_outputs after time_s, then what follows from them, from states and from the configuration.
 constexpr int kOutputNx = TR_OUTPUTS, kOutputNy = kOutputNx + 1, kOutputNz = kOutputNx + 2,
               kOutputFlightPath = kOutputNx + 3, kOutputMast = kOutputNx + 4, kOutputFlap = kOutputNx + 5,
-              kOutputRotorSpeed = kOutputNx + 6, kOutputs = kOutputNx + 7;
+              kOutputRotorSpeed = kOutputNx + 6;
+// Of the components, which the C interface does not have: angles of attack of wing and horizontal tail; force x y z and moment
+// x y z of each component in the order of the library, and of all.
+constexpr int kLoadedComponents = 14, kNumbersOfLoads = 6;
+constexpr int kOutputWingAngle = kOutputNx + 7, kOutputTailAngle = kOutputNx + 8,
+              kOutputLoads = kOutputNx + 9, kFirstOfComponents = kOutputWingAngle,
+              kOutputJets = kOutputLoads + 12 * kNumbersOfLoads,
+              kOutputs = kOutputLoads + kLoadedComponents * kNumbersOfLoads;
 constexpr int kWheels = 3;
 
 // Continuous states of Model Exchange: the first of tr_state.x. Those after them belong to the augmentation and the

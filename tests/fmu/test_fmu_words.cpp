@@ -120,6 +120,18 @@ TEST(fmu_what_changes_nothing_is_an_error_that_names_what_it_needs) {
   }
 }
 
+// An importer steps in Model Exchange.
+TEST(fmu_longest_step_is_of_co_simulation) {
+  Master m(Master::model_exchange);
+  CHECK_EQ(m.set(setting(kLongestStep), 0.005), fmi3OK);
+  CHECK_EQ(initialize(m), fmi3Error);
+  check_last(m, {"parameter.longest_step is set and changes nothing", "Co-Simulation"});
+  CHECK(says(line_of(setting(kLongestStep)), "in Co-Simulation"));
+  Master steps(Master::co_simulation);
+  CHECK_EQ(steps.set(setting(kLongestStep), 0.005), fmi3OK);
+  CHECK_EQ(initialize(steps), fmi3OK);
+}
+
 // In flight a warning, the first time, and the flight is the same; no warning where it acts.
 TEST(fmu_idle_inputs_are_told_once_in_flight) {
   const auto fly = [](Master& m) {
