@@ -81,8 +81,9 @@ class Linearizer {
     if (c.setup.options.governor != Governor::off || scas_) {
       VehicleOutputs* const outputs = wants_outputs ? governed_outputs_.get() : nullptr;
       Status status = feedback_.linearize_governed(c, x, u, controls_, *work_, *matrices_, scas_, outputs);
-      shown = ShownModel(*matrices_, x, flight.state, at, flight.vehicle.commands);
       if (status == Status::ok) status = find_rows(flight, c, x, at);
+      if (status == Status::ok && rigid_) status = reduce_to_rigid(*matrices_, order_, outputs, &rows_);
+      shown = ShownModel(*matrices_, x, flight.state, at, flight.vehicle.commands);
       if (status == Status::ok && outputs != nullptr) show_outputs(*outputs, shown);
       return status;
     }
@@ -172,7 +173,6 @@ int at_trim(const Arguments& arguments, const SetupOptions& setup) {
 
 int run(const Arguments& arguments) {
   const SetupOptions setup(arguments);
-  require_no_systems(setup.switches(), arguments, "--reduce");
   // Rows of files need the switch to be read.
   if (!arguments.given("--states")) require_no_positions(setup.switches(), arguments);
   return arguments.given("--states") ? at_given_states(arguments, setup) : at_trim(arguments, setup);

@@ -50,7 +50,6 @@ QlpvGrid::QlpvGrid(const Arguments& arguments)
     throw UsageError(
         command_ +
         ": the scheduling variables are --altitude, --mast and --speed; everything else takes one value");
-  require_no_systems(setup_.switches(), arguments, "--reduce");
   require_no_positions(setup_.switches(), arguments);
   require_few(command_, {axis_[0].size(), axis_[1].size(), axis_[2].size()});
 }
@@ -156,6 +155,7 @@ Status QlpvGrid::find_model(QlpvPoint& point, Analyses& work) const {
                                    *point.model);
   if (status == Status::ok)
     status = linearize_vehicle_outputs(flight, f.configuration, x, u, point.model->shape, *outputs);
+  if (status == Status::ok && reduced_) status = reduce_to_rigid(*point.model, order_, outputs.get());
   if (status != Status::ok) return status;
   point.shown = ShownModel(*point.model, x, flight.state, u, flight.vehicle.commands);
   point.shown.add_outputs(*outputs);
@@ -165,10 +165,7 @@ Status QlpvGrid::find_model(QlpvPoint& point, Analyses& work) const {
 ShownModel QlpvGrid::names() const {
   const auto matrices = std::make_unique<VehicleMatrices>();
   matrices->shape = governed_shape(setup_.switches(), controls_, scas_);
-  if (reduced_) {
-    matrices->shape.states = 0;
-    for (const int state : kRigidOrder) matrices->shape.state[matrices->shape.states++] = state;
-  }
+  if (reduced_) keep_slow_states(matrices->shape);
   ShownModel shown(*matrices, {}, {}, {}, {});
   shown.outputs = OutputMatrices::outputs;
   return shown;
