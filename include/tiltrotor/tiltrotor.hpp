@@ -38,6 +38,7 @@
 #include "tiltrotor/analysis/linear/system_gains.hpp"
 #include "tiltrotor/analysis/linear/vehicle_direction.hpp"
 #include "tiltrotor/analysis/linear/vehicle_modes.hpp"
+#include "tiltrotor/analysis/linear/vehicle_reduction.hpp"
 #include "tiltrotor/math/differentiation/along.hpp"
 #include "tiltrotor/math/differentiation/complex_step.hpp"
 #include "tiltrotor/math/tables/table_slopes.hpp"

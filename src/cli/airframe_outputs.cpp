@@ -76,16 +76,28 @@ void read(const Configuration<T>& c, const State<T>& x, const DerivativeSteps<T>
   for (const AirframeOutput& output : outputs) *y++ = reading(c, x, steps, rates, found, output);
 }
 
+template <class T>
+std::vector<T> readings(const Configuration<T>& c, const State<T>& x, const DerivativeSteps<T>& steps,
+                        const State<T>& rates, const std::vector<AirframeOutput>& outputs) {
+  std::vector<T> y(outputs.size());
+  if (outputs.empty()) return y;
+  ComponentReadings<T> work;
+  read(c, x, steps, rates, outputs, work, y.data());
+  return y;
+}
+
 }  // namespace
+
+std::vector<Along> airframe_readings(const Configuration<Along>& c, const State<Along>& x,
+                                     const DerivativeSteps<Along>& steps, const State<Along>& rates,
+                                     const std::vector<AirframeOutput>& outputs) {
+  return readings(c, x, steps, rates, outputs);
+}
 
 std::vector<double> airframe_readings(const Configuration<double>& c, const State<double>& x,
                                       const DerivativeSteps<double>& steps, const State<double>& rates,
                                       const std::vector<AirframeOutput>& outputs) {
-  std::vector<double> y(outputs.size());
-  if (outputs.empty()) return y;
-  ComponentReadings<double> work;
-  read(c, x, steps, rates, outputs, work, y.data());
-  return y;
+  return readings(c, x, steps, rates, outputs);
 }
 
 Status linearize_airframe_outputs(const SystemFlight<double>& flight, const Configuration<double>& c,

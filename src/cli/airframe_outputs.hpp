@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "library/vehicle_outputs.hpp"
+#include "tiltrotor/math/differentiation/along.hpp"
 
 namespace tiltrotor::cli {
 
@@ -30,6 +31,11 @@ struct AirframeOutput {
 std::vector<double> airframe_readings(const Configuration<double>& c, const State<double>& x,
                                       const DerivativeSteps<double>& steps, const State<double>& rates,
                                       const std::vector<AirframeOutput>& outputs);
+
+// The same of numbers that carry a slope.
+std::vector<Along> airframe_readings(const Configuration<Along>& c, const State<Along>& x,
+                                     const DerivativeSteps<Along>& steps, const State<Along>& rates,
+                                     const std::vector<AirframeOutput>& outputs);
 
 // y, C and D of these outputs in a flight with systems, which may all be off: columns as `shape` says. By dual numbers
 // whatever the program differentiates by. Status as that of linearize_vehicle_outputs().

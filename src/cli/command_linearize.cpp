@@ -4,14 +4,11 @@
 #include <cstdio>
 #include <memory>
 
+#include "cli/chosen_model.hpp"
 #include "cli/command.hpp"
 #include "cli/derived_columns.hpp"
-#include "cli/feedback.hpp"
 #include "cli/flight_records.hpp"
-#include "cli/governed.hpp"
-#include "cli/linear_options.hpp"
 #include "cli/linear_output.hpp"
-#include "cli/named_outputs.hpp"
 #include "cli/states_option.hpp"
 
 namespace tiltrotor::cli {
@@ -23,19 +20,7 @@ class Linearizer {
  public:
   Linearizer(const Arguments& arguments, const Options& options, bool single,
              const std::vector<std::string>& swept = {})
-      : rigid_(wants_rigid(arguments)),
-        order_(reduction_order(arguments)),
-        controls_(control_set(arguments)),
-        scas_(wants_scas(arguments)),
-        feedback_(arguments, options, scas_),
-        chosen_(chosen_outputs(arguments)),
-        output_(arguments, single, swept),
-        model_(std::make_unique<LinearModel<double>>()),
-        matrices_(std::make_unique<VehicleMatrices>()),
-        outputs_(std::make_unique<OutputMatrices>()) {
-    for (const NamedOutput& output : chosen_)
-      if (output.reading < 0) airframe_.push_back(output);
-  }
+      : model_(arguments, options), output_(arguments, single, swept) {}
 
   const Shard& shard() const { return output_.shard(); }
   Analyses& work() const { return *work_; }
@@ -43,10 +28,10 @@ class Linearizer {
   int add(LinearCase which, const Configuration<double>& c, const State<double>& x, const Controls<double>& u,
           const TrimmedFlight* flight = nullptr) {
     ShownModel shown;
-    const Status status = find(c, x, u, shown);
+    const Status status = model_.find(c, x, u, output_.wants_outputs(), *work_, shown);
     which.valid = status == Status::ok;
     tell_settings(c, flight, which);
-    which.settings.feedback = feedback_.gains(c, x, u);
+    which.settings.feedback = model_.gains(c, x, u);
     if (!which.valid) {
       which.status = status_word(status);
       std::fprintf(stderr, "tiltrotor: %s, case %s: %s\n",
@@ -68,67 +53,11 @@ class Linearizer {
   void tell_settings(const Configuration<double>& c, const TrimmedFlight* flight, LinearCase& which) const {
     which.settings = LinearSettings(c);
     if (flight != nullptr) which.settings.add(*flight);
-    which.settings.switches.emplace_back("reduce", reduce_word(rigid_, order_));
-    which.settings.switches.emplace_back("feedback", feedback_.name());
-    which.settings.switches.emplace_back("scas", scas_ ? "on" : "off");
+    model_.tell(which.settings);
   }
 
-  Status find(const Configuration<double>& c, const State<double>& x, const Controls<double>& u,
-              ShownModel& shown) {
-    Controls<double> at = u;
-    const SystemFlight<double> flight = governed(c, x, at, scas_);
-    const bool wants_outputs = output_.wants_outputs() || !chosen_.empty();
-    if (c.setup.options.governor != Governor::off || scas_) {
-      VehicleOutputs* const outputs = wants_outputs ? governed_outputs_.get() : nullptr;
-      Status status = feedback_.linearize_governed(c, x, u, controls_, *work_, *matrices_, scas_, outputs);
-      shown = ShownModel(*matrices_, x, flight.state, at, flight.vehicle.commands);
-      if (status == Status::ok) status = find_rows(flight, c, x, at);
-      if (status == Status::ok && outputs != nullptr) show_outputs(*outputs, shown);
-      return status;
-    }
-    OutputMatrices* const outputs = wants_outputs ? outputs_.get() : nullptr;
-    Status status = feedback_.is_given() ? feedback_.linearize(c, x, u, controls_, *work_, *model_, outputs)
-                                         : linearize(c, x, u, controls_, *work_, *model_);
-    if (status == Status::ok && outputs != nullptr && !feedback_.is_given())
-      status = linearize_outputs(c, x, u, controls_, *work_, *outputs);
-    if (status == Status::ok) status = find_rows(flight, c, x, at);
-    if (status == Status::ok && rigid_) status = reduce_to_rigid(*model_, order_, outputs, &rows_);
-    shown = ShownModel(*model_);
-    if (status == Status::ok && outputs != nullptr) show_outputs(*outputs, shown);
-    return status;
-  }
-
-  // Outputs that no instrument reads, of the model found last.
-  Status find_rows(const SystemFlight<double>& flight, const Configuration<double>& c, const State<double>& x,
-                   const Controls<double>& u) {
-    return airframe_.empty() ? Status::ok
-                             : feedback_.linearize_rows(flight, c, x, u, controls_, scas_, airframe_, rows_);
-  }
-
-  // All that instruments read, or what was chosen.
-  template <class Instrumental>
-  void show_outputs(const Instrumental& outputs, ShownModel& shown) const {
-    if (chosen_.empty()) return shown.add_outputs(outputs);
-    int row = 0;
-    for (const NamedOutput& output : chosen_) {
-      if (output.reading >= 0) shown.add_output(output, outputs, output.reading);
-      if (output.reading < 0) shown.add_output(output, rows_, row++);
-    }
-  }
-
-  bool rigid_;
-  Reduction order_;
-  ControlSet controls_;
-  bool scas_;
-  Feedback feedback_;
-  std::vector<NamedOutput> chosen_;
-  std::vector<NamedOutput> airframe_;  // those among them that no instrument reads
-  LinearOutput output_;                // last of what arguments can refuse, since it begins to write
-  std::unique_ptr<LinearModel<double>> model_;
-  std::unique_ptr<VehicleMatrices> matrices_;
-  std::unique_ptr<OutputMatrices> outputs_;
-  std::unique_ptr<VehicleOutputs> governed_outputs_ = std::make_unique<VehicleOutputs>();
-  VehicleRows rows_;
+  ChosenModel model_;
+  LinearOutput output_;  // last of what arguments can refuse, since it begins to write
   AnalysesWorkspace work_;
 };
 
@@ -172,7 +101,6 @@ int at_trim(const Arguments& arguments, const SetupOptions& setup) {
 
 int run(const Arguments& arguments) {
   const SetupOptions setup(arguments);
-  require_no_systems(setup.switches(), arguments, "--reduce");
   // Rows of files need the switch to be read.
   if (!arguments.given("--states")) require_no_positions(setup.switches(), arguments);
   return arguments.given("--states") ? at_given_states(arguments, setup) : at_trim(arguments, setup);

@@ -15,7 +15,6 @@
 #include "cli/linear_options.hpp"
 #include "cli/mode_shapes.hpp"
 #include "tiltrotor/analysis/linear/mode_tracker.hpp"
-#include "tiltrotor/analysis/linear/rigid_model.hpp"
 
 namespace tiltrotor::cli {
 
@@ -108,19 +107,15 @@ class ModeRows {
   void add(const TrimmedFlight& flight, const ModeSet<double>& set, const FullRoot<double>* full) {
     for (int i = 0; i < set.count && show_ == Show::modes; ++i) {
       const Mode<double>& m = set.mode[i];
-      std::vector<double> beside;
-      if (full != nullptr) {
-        const FullRoot<double>& f = full[m.eigenvalue];
-        beside = {f.real, f.imag, f.error};
-      }
-      add_row(records_, flight, trim_status_word(flight.trim.status), &m, nullptr, beside);
+      add_row(records_, flight, trim_status_word(flight.trim.status), &m, nullptr,
+              beside(full, m.eigenvalue));
     }
     if (wants_shapes()) add_shapes(flight, shapes_of(set, normalising_));
   }
 
   // Modes of a model with systems, on an axis of their own; no branches.
   void add(const TrimmedFlight& flight, const VehicleModes<double>& modes, const VehicleShape& shape,
-           Analyses& work) {
+           const FullRoot<double>* full, Analyses& work) {
     for (int i = 0; i < modes.count && show_ == Show::modes; ++i) {
       const VehicleMode<double>& m = modes.mode[i];
       Mode<double> shown{};
@@ -132,7 +127,7 @@ class ModeRows {
       shown.axis = m.axis;
       std::copy(std::begin(m.name), std::end(m.name), std::begin(shown.name));
       add_row(records_, flight, trim_status_word(flight.trim.status), &shown,
-              m.is_system ? "system" : nullptr);
+              m.is_system ? "system" : nullptr, beside(full, m.eigenvalue));
     }
     if (wants_shapes()) add_shapes(flight, shapes_of(modes, vehicle_eigensystem(work), shape, normalising_));
   }
@@ -146,6 +141,10 @@ class ModeRows {
   static constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
   std::vector<double> nothing_beside() const {
     return std::vector<double>(reduced_ ? reduced_columns.size() : 0, nothing);
+  }
+  static std::vector<double> beside(const FullRoot<double>* full, int eigenvalue) {
+    if (full == nullptr) return {};
+    return {full[eigenvalue].real, full[eigenvalue].imag, full[eigenvalue].error};
   }
   bool wants_shapes() const { return show_ == Show::shapes || figure_.wanted(); }
 
@@ -179,17 +178,28 @@ class ModeRows {
   std::vector<plot::Plot> diagrams_;
 };
 
-// Modes of a model with a governor or SCAS.
+// Modes of a model with a governor or SCAS, full or reduced.
 struct SystemModes {
   const Feedback& feedback;
+  bool reduced;
+  Reduction order;
+  Eigenvalues<double, kMaxVehicleStates> full{};
+  FullRoot<double> full_root[kMaxVehicleStates]{};
   std::unique_ptr<VehicleMatrices> matrices = std::make_unique<VehicleMatrices>();
   std::unique_ptr<VehicleModes<double>> modes = std::make_unique<VehicleModes<double>>();
 
-  Status find(const TrimmedFlight& flight, bool scas, Analyses& work) const {
-    const Status status = feedback.linearize_governed(
-        flight.configuration, flight.trim.state, flight.trim.controls, ControlSet{}, work, *matrices, scas);
-    return status == Status::ok ? vehicle_modes(*matrices, work, *modes) : status;
+  Status find(const TrimmedFlight& flight, bool scas, Analyses& work) {
+    Status status = feedback.linearize_governed(flight.configuration, flight.trim.state, flight.trim.controls,
+                                                ControlSet{}, work, *matrices, scas);
+    if (status == Status::ok) status = vehicle_modes(*matrices, work, *modes);
+    if (status != Status::ok || !reduced) return status;
+    full = vehicle_eigensystem(work).values;
+    status = reduce_to_rigid(*matrices, order);
+    if (status == Status::ok) status = vehicle_modes(*matrices, work, *modes);
+    if (status == Status::ok) find_full_roots(full, vehicle_eigensystem(work).values, full_root);
+    return status;
   }
+  const FullRoot<double>* full_roots() const { return reduced ? full_root : nullptr; }
 };
 
 // Modes of the airframe alone, of its full or of a reduced model.
@@ -228,14 +238,13 @@ int run(const Arguments& arguments) {
   const std::vector<SetupOptions> setups = SetupOptions::every_combination(arguments);
   const bool scas = wants_scas(arguments);
   const bool has_systems = scas || setups.front().switches().governor != Governor::off;
-  require_no_systems(setups.front().switches(), arguments, "--reduce");
   require_no_positions(setups.front().switches(), arguments);
   flight_cases(arguments, setups.size());
   const Feedback feedback(arguments, setups.front().switches(), scas);
   Output output(arguments);
   ModeRows rows(arguments, setups, output);
   const AnalysesWorkspace work;
-  const SystemModes with_systems{feedback};
+  SystemModes with_systems{feedback, wants_rigid(arguments), reduction_order(arguments)};
   AirframeModes airframe(arguments, feedback);
   double mast_before = 0;
   double speed_before = 0;
@@ -256,7 +265,7 @@ int run(const Arguments& arguments) {
     if (flight.is_preliminary) return exit_success;
     if (status == Status::ok) {
       if (has_systems) {
-        rows.add(flight, *with_systems.modes, with_systems.matrices->shape, *work);
+        rows.add(flight, *with_systems.modes, with_systems.matrices->shape, with_systems.full_roots(), *work);
       } else {
         rows.add(flight, airframe.tracker.found(), airframe.full_roots());
       }
@@ -283,7 +292,8 @@ Command modes_command() {
       "number `branch`: followed along a sweep of speed at one mast angle (of mast angle at one speed) in\n"
       "steps of at most 10 m/s (10 deg). Where a pair falls apart into two real roots, and at a flight\n"
       "without a trim, branches end. A shard follows them from the beginning of its sweep.\n"
-      "--reduce shows beside each root that of the full model it stands for, and the distance over its size.\n"
+      "--reduce shows beside each root that of the full model it stands for, and the distance over its size; states of\n"
+      "systems stay.\n"
       "--show shapes: one row for every mode and state: magnitude and angle (ahead positive) of the eigenvector\n"
       "over those of the state `normalised_by`, in the units of the model, and how much the state takes part,\n"
       "all states together 1. Rotors stand as mean and difference of right and left.\n"

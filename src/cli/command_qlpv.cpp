@@ -44,11 +44,8 @@ std::string point_json(const QlpvGrid& grid, const SchedulingPoint& at, const Ql
   std::string text = "{\n";
   for (int k = 0; k < kSchedulingVariables; ++k)
     text += "\"" + std::string(kSchedulingNames[k]) + "\": " + json_number(at[k]) + ", ";
-  LinearSettings settings(point.flight->configuration);
-  settings.add(*point.flight);
-  settings.switches.emplace_back("reduce", grid.reduce_word());
-  settings.switches.emplace_back("scas", grid.scas_word());
-  text += "\"status\": " + json_text(point.status) + ",\n\"settings\": " + settings_json(settings);
+  text +=
+      "\"status\": " + json_text(point.status) + ",\n\"settings\": " + settings_json(grid.settings(point));
   if (point.valid) text += ",\n" + matrices_json(point.shown);
   return text + "\n}";
 }
@@ -106,6 +103,7 @@ class Checker {
  private:
   struct Corner {
     std::unique_ptr<VehicleMatrices> model;  // none: not valid
+    ShownModel shown;
     std::string status;
   };
   // Corners are shared by neighbours; those before the first of a cell are not asked for again.
@@ -117,7 +115,7 @@ class Checker {
     QlpvPoint found = grid_.find(at, *work_);
     told(grid_, at, found, progress_);
     if (!found.valid) found.model.reset();
-    return corners_[number] = {std::move(found.model), found.status};
+    return corners_[number] = {std::move(found.model), std::move(found.shown), found.status};
   }
 
   int check_cell(std::size_t number) {
@@ -125,17 +123,22 @@ class Checker {
     std::vector<std::size_t> corners;
     grid_.place_cell(number, centre, corners);
     std::vector<const VehicleMatrices*> models;
+    std::vector<const ShownModel*> shown;
     corners_.erase(corners_.begin(), corners_.lower_bound(corners.front()));
     for (const std::size_t place : corners) {
       const Corner& found = corner(place);
       if (found.model == nullptr) return add_failed(centre, "corner_" + found.status);
       models.push_back(found.model.get());
+      shown.push_back(&found.shown);
     }
     const QlpvPoint exact = grid_.find(centre, *work_);
     told(grid_, centre, exact, progress_);
     if (!exact.valid) return add_failed(centre, exact.status);
     QlpvErrors errors;
-    const Status status = qlpv_errors(*exact.model, *mean_model(models), *work_, errors);
+    const auto mean = mean_model(models);
+    Status status = qlpv_errors(*exact.model, *mean, *work_, errors);
+    if (status == Status::ok && !grid_.outputs().empty())
+      status = qlpv_output_errors(exact, *mean, shown, errors);
     if (status != Status::ok) return add_failed(centre, status_word(status));
     for (const QlpvRoot& root : errors.roots)
       records_.add({centre[kByMast], centre[kBySpeed], centre[kByAltitude], "root", root.name,
@@ -144,6 +147,10 @@ class Checker {
     for (const QlpvResponse& response : errors.responses)
       records_.add({centre[kByMast], centre[kBySpeed], centre[kByAltitude], "response", response.name,
                     kNothing, kNothing, kNothing, kNothing, response.error, response.omega, exact.status});
+    for (const QlpvReading& reading : errors.readings)
+      records_.add({centre[kByMast], centre[kBySpeed], centre[kByAltitude], "output", reading.name,
+                    reading.exact, kNothing, reading.interpolated, kNothing, reading.error(), kNothing,
+                    exact.status});
     return exit_success;
   }
   int add_failed(const SchedulingPoint& centre, const std::string& status) {
@@ -181,12 +188,14 @@ Command qlpv_command() {
       "A point without a trim has no matrices. Flaps and rotor speed are those of `trim` at each mast angle: give\n"
       "--flap and --rotor-rpm where they shall not jump. Shards join in order to the file as one run writes it. With a\n"
       "governor or --scas on rows and columns are those of `linearize`: states of systems, rotor speed among them, throttles.\n"
+      "--outputs and --feedback as in `linearize`: these rows of C, D and y0 (all that instruments read), the closed loop.\n"
       "--show check: at the centre of every cell the mean of its corners against the model of a trim there; of each root\n"
-      "the distance over its size, of each inceptor's response the largest |G' - G|/|G| within 0.1..10 rad/s, and where.\n",
+      "the distance over its size, of each inceptor's response the largest |G' - G|/|G| within 0.1..10 rad/s, and where;\n"
+      "of each of --outputs its y0 (`real`), and its response to the input that moves it most.\n",
       "tiltrotor qlpv --mast 90 --speed 90,100 --show check",
       OptionList{{"--show", "KIND", "model: the file; check: errors of interpolation (model)"}} +
-          reduce_option() + control_set_option() + scas_option() + flight_list() + SetupOptions::list() +
-          Output::list(),
+          reduce_option() + control_set_option() + outputs_option() + scas_option() + feedback_option() +
+          flight_list() + SetupOptions::list() + Output::list(),
       run};
 }
 

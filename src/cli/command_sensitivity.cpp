@@ -40,12 +40,20 @@ struct Sorted {
   Row row;
 };
 
+std::vector<std::string> freed_by(const Arguments& arguments) {
+  std::vector<std::string> names;
+  const std::vector<TrimTargets> sets = target_sets(arguments);  // which let go the same
+  for (const TrimTarget& target : sets.front()) names.push_back(target.freed);
+  return names;
+}
+
 class SensitivityRows {
  public:
   SensitivityRows(const Arguments& arguments, const std::vector<SetupOptions>& setups,
                   const SensitivitySystems& systems)
       : of_(static_cast<Of>(arguments.choice("--of", "modes", {"modes", "trim"}))),
-        parameters_(chosen_parameters(arguments.text("--to", "all"), arguments.where("--to"), systems)),
+        parameters_(chosen_parameters(arguments.text("--to", "all"), arguments.where("--to"), systems,
+                                      freed_by(arguments))),
         modes_(arguments.text("--mode", "body")),
         where_(arguments.where("--mode")),
         output_(arguments),
@@ -258,8 +266,8 @@ Command sensitivity_command() {
   static const std::string description =
       "For each mode, or for the trim, one row a parameter: what its usual `change`, in `unit`, does to first order, the\n"
       "largest effect first: of a pair on the damping ratio, of a real root on the root, of a trim on the power. The trim\n"
-      "moves with the parameter, and with a governor the balance of power; speed, climb, turn rate, sideslip or azimuth and\n"
-      "what --hold let go stay. Exact: second derivatives of the model, which carries the slope of the parameter through every\n"
+      "moves with the parameter, and with a governor the balance of power; speed, climb, turn rate, sideslip or azimuth stay.\n"
+      "With --hold, --bank, --load-factor or --ball what they hold stays, and what they let go moves for it. Exact: second derivatives of the model, which carries the slope of the parameter through every\n"
       "number and table, and both eigenvectors. On a knot of a table, as sideslip 0 is, it is that of the interval above.\n"
       "Parameters: " +
       parameter_names() + ".\n";

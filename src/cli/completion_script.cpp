@@ -4,8 +4,13 @@
 #include <set>
 
 #include "cli/model_options.hpp"
+#include "cli/named_outputs.hpp"
+#include "cli/sensitivity_parameters.hpp"
+#include "cli/targeted_trim.hpp"
+#include "cli/trim_columns.hpp"
 #include "cli/units.hpp"
 #include "text/csv_line.hpp"
+#include "tiltrotor/systems/system_state.hpp"
 
 namespace tiltrotor::cli {
 
@@ -49,6 +54,31 @@ std::vector<std::string> listed_words(const std::string& text) {
 // What stands for a value that is one of some words.
 const std::set<std::string> worded_values = {"KIND", "STATE", "SET", "WHAT", "NAME", "SHELL"};
 
+// Names that options of these commands take beside what their help lists.
+std::vector<std::string> named_values(const std::string& command, const std::string& option) {
+  std::vector<std::string> names;
+  if (option == "--to" && command == "sensitivity") {
+    names.emplace_back("all");
+    for (const SensitivityParameter& parameter : sensitivity_parameters()) names.emplace_back(parameter.name);
+  } else if (option == "--from") {
+    for (int j = 0; j < vehicle_input_count; ++j) names.emplace_back(vehicle_input(j).name);
+  } else if (option == "--hold" || (option == "--columns" && command == "trim")) {
+    names = option == "--hold" ? held_quantities() : trim_columns();
+    for (const std::string& output : output_names())
+      if (std::find(names.begin(), names.end(), output) == names.end()) names.push_back(output);
+  } else if (option == "--outputs" || option == "--columns" || option == "--to") {
+    names = output_names();
+    if (option == "--to") names.emplace_back("psi");
+  }
+  return names;
+}
+
+// Whether the value is a list.
+bool takes_several(const Option& option) {
+  const std::string value = option.value;
+  return value == "NAMES" || value.find(",..") != std::string::npos;
+}
+
 std::string joined(const std::vector<std::string>& words) {
   std::string text;
   for (const std::string& word : words) text += (text.empty() ? "" : " ") + word;
@@ -67,10 +97,10 @@ std::string value_branches(const std::vector<Command>& commands) {
   for (const Command& command : commands)
     for (const Option& option : command.options) {
       const std::string value = option.value;
-      const std::vector<std::string> choices = words_of_value(option);
+      const std::vector<std::string> choices = words_of_value(command.name, option);
       if (!choices.empty())
         words += branch(std::string("\"") + command.name + " " + option.name + "\"",
-                        "choices='" + joined(choices) + "'");
+                        "choices='" + joined(choices) + "'" + (takes_several(option) ? " several=yes" : ""));
       if (value.empty() || !choices.empty()) continue;
       (value == "FILE" ? files : value == "DIR" ? folders : others).insert(option.name);
     }
@@ -97,8 +127,10 @@ std::string switch_branches() {
 
 }  // namespace
 
-std::vector<std::string> words_of_value(const Option& option) {
+std::vector<std::string> words_of_value(const std::string& command, const Option& option) {
   const std::string value = option.value, name = option.name;
+  const std::vector<std::string> named = named_values(command, name);
+  if (!named.empty()) return named;
   if (name == "--units") return unit_words();
   if (name == "--option") {
     std::vector<std::string> names;
@@ -130,7 +162,7 @@ std::string bash_completion(const std::vector<Command>& commands) {
   }
   return "# Completion of tiltrotor in bash: source it, or store it in a folder of completions.\n"
          "_tiltrotor() {\n"
-         "  local word=${COMP_WORDS[COMP_CWORD]} i=$((COMP_CWORD - 1)) choices=''\n"
+         "  local word=${COMP_WORDS[COMP_CWORD]} i=$((COMP_CWORD - 1)) choices='' several='' head=''\n"
          "  COMPREPLY=()\n"
          "  if [ \"$COMP_CWORD\" -eq 1 ]; then\n"
          "    COMPREPLY=($(compgen -W '" +
@@ -158,7 +190,8 @@ std::string bash_completion(const std::vector<Command>& commands) {
          "  if [ -z \"$choices\" ]; then case $command in\n" +
          options +
          "  esac; fi\n"
-         "  COMPREPLY=($(compgen -W \"$choices\" -- \"$word\"))\n"
+         "  if [ -n \"$several\" ]; then case $word in *,*) head=${word%,*},; word=${word##*,} ;; esac; fi\n"
+         "  COMPREPLY=($(compgen -P \"$head\" -W \"$choices\" -- \"$word\"))\n"
          "}\n"
          "complete -F _tiltrotor tiltrotor\n";
 }

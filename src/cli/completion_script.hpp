@@ -9,8 +9,8 @@
 namespace tiltrotor::cli {
 
 // Words that an option's value may be, as its help lists them, "table, csv or json (csv)" or "none; rigid: the 8 ..";
-// none where it is something else.
-std::vector<std::string> words_of_value(const Option& option);
+// or the names of outputs, columns, inputs and parameters that it takes; none where it is something else.
+std::vector<std::string> words_of_value(const std::string& command, const Option& option);
 
 // A script to source in bash; zsh runs it under its bashcompinit.
 std::string bash_completion(const std::vector<Command>& commands);

@@ -73,10 +73,4 @@ void require_no_governor(const Options& options, const Arguments& arguments, con
   throw UsageError(arguments.where(option) + ": goes with governor=off alone");
 }
 
-void require_no_systems(const Options& options, const Arguments& arguments, const char* option) {
-  require_no_governor(options, arguments, option);
-  if (wants_scas(arguments) && arguments.given(option))
-    throw UsageError(arguments.where(option) + ": goes with --scas off alone");
-}
-
 }  // namespace tiltrotor::cli

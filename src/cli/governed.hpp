@@ -33,7 +33,5 @@ double governed_collective(const Configuration<double>& c, const SystemFlight<do
 
 // Throws UsageError when an option is given that goes with governor=off alone.
 void require_no_governor(const Options& options, const Arguments& arguments, const char* option);
-// The same, with --scas off alone as well.
-void require_no_systems(const Options& options, const Arguments& arguments, const char* option);
 
 }  // namespace tiltrotor::cli

@@ -8,8 +8,8 @@ namespace tiltrotor::cli {
 
 OptionList reduce_option() {
   return {{"--reduce", "KIND",
-           "none; rigid: the 8 rigid-body states, rotors and wash to first order;\n"
-           "quasi_steady: with them in balance (none)"}};
+           "none; rigid: the 8 rigid-body states and those of systems, rotors\n"
+           "and wash to first order; quasi_steady: with them in balance (none)"}};
 }
 
 namespace {
@@ -61,6 +61,17 @@ Status reduce_to_rigid(LinearModel<double>& model, Reduction order, OutputMatric
   if (status == Status::ok && rows != nullptr)
     reduce_outputs(model, order, *work, *reduced, rows->outputs, rows->c, rows->d);
   model = *reduced;
+  return status;
+}
+
+Status reduce_to_rigid(VehicleMatrices& model, Reduction order, VehicleOutputs* outputs, VehicleRows* rows) {
+  const auto work = std::make_unique<VehicleReductionWorkspace<double>>();
+  const int inputs = model.shape.inputs;
+  const Status status = reduce_vehicle(order, model.shape, model.a, model.b, *work);
+  if (status == Status::ok && outputs != nullptr)
+    reduce_vehicle_outputs(order, inputs, *work, VehicleOutputs::outputs, outputs->c, outputs->d);
+  if (status == Status::ok && rows != nullptr)
+    reduce_vehicle_outputs(order, inputs, *work, rows->outputs, rows->c, rows->d);
   return status;
 }
 

@@ -3,7 +3,7 @@
 
 #include "cli/arguments.hpp"
 #include "library/vehicle_outputs.hpp"
-#include "tiltrotor/analysis/linear/rigid_model.hpp"
+#include "tiltrotor/analysis/linear/vehicle_reduction.hpp"
 
 namespace tiltrotor::cli {
 
@@ -23,6 +23,9 @@ Status reduce_to_rigid(LinearModel<double>& model, Reduction order);
 // The same with outputs of the full model beside it, where there are some: the first columns of C are then those of the
 // rigid body.
 Status reduce_to_rigid(LinearModel<double>& model, Reduction order, OutputMatrices* outputs,
+                       VehicleRows* rows = nullptr);
+// Of a model with systems, whose states stay. Status as reduce_vehicle().
+Status reduce_to_rigid(VehicleMatrices& model, Reduction order, VehicleOutputs* outputs = nullptr,
                        VehicleRows* rows = nullptr);
 
 }  // namespace tiltrotor::cli

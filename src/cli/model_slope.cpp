@@ -3,6 +3,7 @@
 #include <cstring>
 #include <optional>
 
+#include "cli/held_slope.hpp"
 #include "library/governed_flight.hpp"
 #include "tiltrotor/analysis/linear/linear_model.hpp"
 #include "tiltrotor/model/preparation.hpp"
@@ -95,6 +96,12 @@ Status ModelSlope::airframe(const State<double>& x, const Controls<double>& u,
   const Along torque = m.steps.rotor[right].loads.torque + m.steps.rotor[left].loads.torque;
   slope.power = (m.configuration.setup.rotor_speed * torque).d;
   return finite ? Status::ok : Status::not_finite;
+}
+
+double ModelSlope::held(const TrimTarget& target, const TrimmedFlight& flight,
+                        const TrimMotion<double>& motion) const {
+  return held_slope(target, flight, memory_->configuration, in_along(flight.trim.state, motion.x),
+                    in_along(flight.trim.controls, motion.u));
 }
 
 Status ModelSlope::closed_loop(const State<double>& x, const Controls<double>& u,

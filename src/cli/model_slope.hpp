@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "cli/along_aircraft.hpp"
+#include "cli/trimmed_flights.hpp"
 #include "tiltrotor/analysis/linear/vehicle_model.hpp"
 #include "tiltrotor/analysis/trim/trim_motion.hpp"
 
@@ -36,6 +37,9 @@ class ModelSlope {
   };
   Status airframe(const State<double>& x, const Controls<double>& u, const TrimMotion<double>& motion,
                   Airframe& slope);
+
+  // Of what a target of the trimmed flight holds, in its unit.
+  double held(const TrimTarget& target, const TrimmedFlight& flight, const TrimMotion<double>& motion) const;
 
   // Of A of the closed loop with governor and rate damping as governed() makes it, by its states.
   using Square = Matrix<double, kMaxVehicleStates, kMaxVehicleStates>;

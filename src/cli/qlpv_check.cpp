@@ -10,11 +10,21 @@ namespace tiltrotor::cli {
 
 namespace {
 
+constexpr int kBandSteps = 80;
+double frequency(int step) {
+  return kQlpvBand[0] * std::pow(kQlpvBand[1] / kQlpvBand[0], static_cast<double>(step) / kBandSteps);
+}
+
+double largest_response(TransferOf& of) {
+  double largest = 0;
+  for (int k = 0; k <= kBandSteps; ++k) largest = std::max(largest, std::abs(of.at({0, frequency(k)})));
+  return largest;
+}
+
 QlpvResponse response_error(TransferOf& exact, TransferOf& interpolated) {
-  constexpr int steps = 80;
   QlpvResponse worst{"", 0, kQlpvBand[0]};
-  for (int k = 0; k <= steps; ++k) {
-    const double omega = kQlpvBand[0] * std::pow(kQlpvBand[1] / kQlpvBand[0], static_cast<double>(k) / steps);
+  for (int k = 0; k <= kBandSteps; ++k) {
+    const double omega = frequency(k);
     const std::complex<double> g = exact.at({0, omega});
     const std::complex<double> h = interpolated.at({0, omega});
     const double error = std::abs(h - g) / std::abs(g);
@@ -82,6 +92,7 @@ std::vector<int> continued_by(const Roots& found, const Roots& other) {
 }  // namespace
 
 double QlpvRoot::error() const { return std::abs(interpolated - exact) / std::abs(exact); }
+double QlpvReading::error() const { return std::abs(interpolated - exact) / std::abs(exact); }
 
 std::unique_ptr<VehicleMatrices> mean_model(const std::vector<const VehicleMatrices*>& corners) {
   auto mean = std::make_unique<VehicleMatrices>(*corners.front());
@@ -136,6 +147,50 @@ Status qlpv_errors(const VehicleMatrices& exact, const VehicleMatrices& interpol
     if (status != Status::ok) return status;
     QlpvResponse worst = response_error(g, h);
     worst.name = std::string(vehicle_input(pair.input).name) + ">" + vehicle_variable(pair.output).name;
+    out.responses.push_back(worst);
+  }
+  return Status::ok;
+}
+
+Status qlpv_output_errors(const QlpvPoint& exact, const VehicleMatrices& mean,
+                          const std::vector<const ShownModel*>& corners, QlpvErrors& out) {
+  const VehicleShape& shape = exact.model->shape;
+  const auto mean_of = [&corners](auto&& entry_of) {
+    double sum = 0;
+    for (const ShownModel* corner : corners) sum += entry_of(*corner);
+    return sum / static_cast<double>(corners.size());
+  };
+  TransferOf g, h;
+  for (int i = 0; i < exact.shown.outputs; ++i) {
+    const std::string name = exact.shown.output_name(i);
+    const auto y = static_cast<std::size_t>(i);
+    out.readings.push_back(
+        {name, exact.shown.y[y], mean_of([y](const ShownModel& corner) { return corner.y[y]; })});
+    double most = 0;
+    int by = -1;
+    const auto find_exact = [&](int input) {
+      return g.find(
+          *exact.model, shape.input[input], [&](int j) { return exact.shown.c(i, j); },
+          [&](int k) { return exact.shown.d(i, k); });
+    };
+    for (int k = 0; k < shape.inputs; ++k) {
+      const Status status = find_exact(k);
+      if (status != Status::ok) return status;
+      const double size = largest_response(g) * vehicle_input(shape.input[k]).facts().bend;
+      if (size <= most) continue;
+      most = size;
+      by = k;
+    }
+    if (by < 0) continue;
+    Status status = find_exact(by);
+    if (status == Status::ok)
+      status = h.find(
+          mean, shape.input[by],
+          [&](int j) { return mean_of([&](const ShownModel& corner) { return corner.c(i, j); }); },
+          [&](int k) { return mean_of([&](const ShownModel& corner) { return corner.d(i, k); }); });
+    if (status != Status::ok) return status;
+    QlpvResponse worst = response_error(g, h);
+    worst.name = std::string(vehicle_input(shape.input[by]).name) + ">" + name;
     out.responses.push_back(worst);
   }
   return Status::ok;

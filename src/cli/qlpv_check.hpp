@@ -26,9 +26,17 @@ struct QlpvResponse {
 };
 inline constexpr double kQlpvBand[] = {0.1, 10};  // rad/s
 
+// The reading of a chosen output in the trim, and the mean of the corners.
+struct QlpvReading {
+  std::string name;
+  double exact, interpolated;
+  double error() const;  // of the distance, over the size of the exact one
+};
+
 struct QlpvErrors {
   std::vector<QlpvRoot> roots;
   std::vector<QlpvResponse> responses;
+  std::vector<QlpvReading> readings;
 };
 
 // Mean of models with the same rows and columns.
@@ -37,5 +45,10 @@ std::unique_ptr<VehicleMatrices> mean_model(const std::vector<const VehicleMatri
 // Status: those of vehicle_modes() and transfer_function().
 Status qlpv_errors(const VehicleMatrices& exact, const VehicleMatrices& interpolated, Analyses& work,
                    QlpvErrors& out);
+
+// Adds the readings of the outputs that were chosen, and of each its response to the input that moves it most, both over
+// the distance at which the model bends. `mean`: of the corners. Status: those of transfer_function().
+Status qlpv_output_errors(const QlpvPoint& exact, const VehicleMatrices& mean,
+                          const std::vector<const ShownModel*>& corners, QlpvErrors& out);
 
 }  // namespace tiltrotor::cli

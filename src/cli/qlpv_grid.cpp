@@ -4,7 +4,6 @@
 #include <functional>
 
 #include "cli/errors.hpp"
-#include "cli/governed.hpp"
 #include "cli/targeted_trim.hpp"
 
 namespace tiltrotor::cli {
@@ -20,25 +19,13 @@ std::size_t digit(std::size_t& number, std::size_t count) {
   return found;
 }
 
-VehicleShape shape_of(const LinearModel<double>& model) {
-  VehicleShape shape{};
-  shape.states = model.states;
-  shape.inputs = model.controls;
-  for (int i = 0; i < model.states; ++i) shape.state[i] = model.state[i];
-  for (int j = 0; j < model.controls; ++j) shape.input[j] = model.control[j];
-  return shape;
-}
-
 }  // namespace
 
 QlpvGrid::QlpvGrid(const Arguments& arguments)
     : command_(arguments.command()),
       setup_(SetupOptions::every_combination(arguments).front()),
       flight_(flight_cases(arguments).front()),
-      reduced_(wants_rigid(arguments)),
-      order_(reduction_order(arguments)),
-      controls_(control_set(arguments)),
-      scas_(wants_scas(arguments)) {
+      model_(std::make_unique<ChosenModel>(arguments, setup_.switches())) {
   const Range ranges[] = {kAltitudeRange, kMastRange, kSpeedRange};
   for (int k = 0; k < kSchedulingVariables; ++k) {
     axis_[k] = arguments.sweep(kOptions[k], "0", ranges[k]);
@@ -50,7 +37,6 @@ QlpvGrid::QlpvGrid(const Arguments& arguments)
     throw UsageError(
         command_ +
         ": the scheduling variables are --altitude, --mast and --speed; everything else takes one value");
-  require_no_systems(setup_.switches(), arguments, "--reduce");
   require_no_positions(setup_.switches(), arguments);
   require_few(command_, {axis_[0].size(), axis_[1].size(), axis_[2].size()});
 }
@@ -93,7 +79,7 @@ std::string QlpvGrid::where(const SchedulingPoint& at) const {
 }
 
 QlpvPoint QlpvGrid::find(const SchedulingPoint& at, Analyses& work) const {
-  QlpvPoint point{std::make_unique<TrimmedFlight>(), std::make_unique<VehicleMatrices>(), {}, false, "", ""};
+  QlpvPoint point{std::make_unique<TrimmedFlight>(), nullptr, {}, {}, false, "", ""};
   TrimmedFlight& f = *point.flight;
   f.where = where(at);
   f.mast_deg = at[kByMast];
@@ -115,63 +101,26 @@ QlpvPoint QlpvGrid::find(const SchedulingPoint& at, Analyses& work) const {
   if (f.trim.status != TrimStatus::ok)
     point.explanation = unreached.empty() ? trim_explanation(f.trim) : unreached;
   if (!point.valid) return point;
-  const Status status = find_model(point, work);
-  if (status == Status::ok) return point;
+  const State<double>& x = f.trim.state;
+  const Controls<double>& u = f.trim.controls;
+  const Status status = model_->find(f.configuration, x, u, true, work, point.shown);
+  if (status == Status::ok) {
+    point.model = std::make_unique<VehicleMatrices>(model_->matrices());
+    point.gains = model_->gains(f.configuration, x, u);
+    return point;
+  }
   point.valid = false;
   point.status = status_word(status);
   point.explanation = status_text(status);
   return point;
 }
 
-Status QlpvGrid::find_airframe_model(QlpvPoint& point, Analyses& work) const {
-  const TrimmedFlight& f = *point.flight;
-  const State<double>& x = f.trim.state;
-  const Controls<double>& u = f.trim.controls;
-  const auto model = std::make_unique<LinearModel<double>>();
-  const auto outputs = std::make_unique<OutputMatrices>();
-  Status status = linearize(f.configuration, x, u, controls_, work, *model);
-  if (status == Status::ok) status = linearize_outputs(f.configuration, x, u, controls_, work, *outputs);
-  if (status == Status::ok && reduced_) status = reduce_to_rigid(*model, order_, outputs.get());
-  if (status != Status::ok) return status;
-  point.shown = ShownModel(*model);
-  point.shown.add_outputs(*outputs);
-  VehicleMatrices& m = *point.model;
-  m.shape = shape_of(*model);
-  for (int i = 0; i < m.shape.states; ++i) {
-    for (int j = 0; j < m.shape.states; ++j) m.a(i, j) = model->a(i, j);
-    for (int j = 0; j < m.shape.inputs; ++j) m.b(i, j) = model->b(i, j);
-  }
-  return status;
-}
-
-Status QlpvGrid::find_model(QlpvPoint& point, Analyses& work) const {
-  const TrimmedFlight& f = *point.flight;
-  const Options& options = f.configuration.setup.options;
-  if (options.governor == Governor::off && !scas_) return find_airframe_model(point, work);
-  const State<double>& x = f.trim.state;
-  Controls<double> u = f.trim.controls;
-  const SystemFlight<double> flight = governed(f.configuration, x, u, scas_);
-  const auto outputs = std::make_unique<VehicleOutputs>();
-  Status status = linearize_flight(f.configuration, flight, x, u, controls_, governed_commands(options), work,
-                                   *point.model);
-  if (status == Status::ok)
-    status = linearize_vehicle_outputs(flight, f.configuration, x, u, point.model->shape, *outputs);
-  if (status != Status::ok) return status;
-  point.shown = ShownModel(*point.model, x, flight.state, u, flight.vehicle.commands);
-  point.shown.add_outputs(*outputs);
-  return status;
-}
-
-ShownModel QlpvGrid::names() const {
-  const auto matrices = std::make_unique<VehicleMatrices>();
-  matrices->shape = governed_shape(setup_.switches(), controls_, scas_);
-  if (reduced_) {
-    matrices->shape.states = 0;
-    for (const int state : kRigidOrder) matrices->shape.state[matrices->shape.states++] = state;
-  }
-  ShownModel shown(*matrices, {}, {}, {}, {});
-  shown.outputs = OutputMatrices::outputs;
-  return shown;
+LinearSettings QlpvGrid::settings(const QlpvPoint& point) const {
+  LinearSettings settings(point.flight->configuration);
+  settings.add(*point.flight);
+  model_->tell(settings);
+  settings.feedback = point.gains;
+  return settings;
 }
 
 }  // namespace tiltrotor::cli

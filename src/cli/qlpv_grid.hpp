@@ -5,8 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "cli/linear_options.hpp"
-#include "cli/shown_model.hpp"
+#include "cli/chosen_model.hpp"
 #include "cli/trimmed_flights.hpp"
 
 namespace tiltrotor::cli {
@@ -20,8 +19,9 @@ using SchedulingPoint = double[kSchedulingVariables];
 // A trimmed flight with its model; `status` is that of the trim or, where the model failed, the model's.
 struct QlpvPoint {
   std::unique_ptr<TrimmedFlight> flight;
-  std::unique_ptr<VehicleMatrices> model;  // of the airframe, governor and augmentation with it
+  std::unique_ptr<VehicleMatrices> model;  // of the airframe, with governor, augmentation and feedback law
   ShownModel shown;                        // with its outputs
+  std::vector<FeedbackGain> gains;
   bool valid;
   std::string status;
   std::string explanation;  // of what is not `ok`
@@ -42,22 +42,16 @@ class QlpvGrid {
 
   QlpvPoint find(const SchedulingPoint& at, Analyses& work) const;
   // Names of rows and columns, whatever the flight.
-  ShownModel names() const;
-  const char* reduce_word() const { return cli::reduce_word(reduced_, order_); }
-  const char* scas_word() const { return scas_ ? "on" : "off"; }
+  ShownModel names() const { return model_->names(setup_.switches()); }
+  const std::vector<NamedOutput>& outputs() const { return model_->outputs(); }  // that were chosen
+  LinearSettings settings(const QlpvPoint& point) const;
   std::string where(const SchedulingPoint& at) const;
 
  private:
-  Status find_model(QlpvPoint& point, Analyses& work) const;
-  Status find_airframe_model(QlpvPoint& point, Analyses& work) const;
-
   std::string command_;
   SetupOptions setup_;
   FlightCase flight_;
-  bool reduced_;
-  Reduction order_;
-  ControlSet controls_;
-  bool scas_;
+  std::unique_ptr<ChosenModel> model_;
   std::vector<double> axis_[kSchedulingVariables];
 };
 

@@ -31,10 +31,46 @@ study::Track track_of(const TrimmedFlight& flight, const SteadyFlight<double>& o
   return track_in_wind(other, *flight.azimuth_deg * kRadPerDeg<double>);
 }
 
-// A group of numbers times a factor.
-template <class Shape>
-void scale(double by, Shape& s) {
-  Shape::each(s, [by](double& x) { x *= by; });
+// How velocity follows climb or sideslip at an attitude, m/s per rad: with the track k of steady_velocity(), where
+// sin(k + d) = C/D, D cos(k + d) k' = C'.
+Vec3<double> by_path(const SteadyFlight<double>& flight, const State<double>& x, bool by_climb) {
+  const auto level_to_body = earth_to_body(EulerAngles<double>{x.roll, x.pitch, 0});
+  const Vec3<double> level = level_to_body.apply_inverse(steady_velocity(flight, x.roll, x.pitch));
+  const double sine = std::sin(flight.climb), cosine = std::cos(flight.climb),
+               forward = flight.speed * cosine;
+  const double ck = level.x / forward, sk = level.y / forward;
+  const double c_slope =
+      by_climb ? (std::sin(x.roll) * std::cos(x.pitch) + std::sin(flight.sideslip) * sine) / (cosine * cosine)
+               : std::cos(flight.sideslip) / cosine;
+  const double k_slope = c_slope / (std::cos(x.roll) * ck - std::sin(x.roll) * std::sin(x.pitch) * sk);
+  const Vec3<double> turned = {-level.y * k_slope, level.x * k_slope, 0};
+  const Vec3<double> tilted = {-flight.speed * sine * ck, -flight.speed * sine * sk, -forward};
+  return level_to_body.apply(by_climb ? turned + tilted : turned);
+}
+
+constexpr int kMostTargets = 3;
+
+template <class Shape, std::size_t kCount>
+void add(double by, const Shape& more, Shape& to, double (&sum)[kCount]) {
+  double part[kCount];
+  flatten(to, sum);
+  flatten(more, part);
+  for (std::size_t i = 0; i < kCount; ++i) sum[i] += by * part[i];
+  unflatten(sum, to);
+}
+
+// Motions are linear: a multiple of one beside another.
+void add(double by, const FlightMotion& more, FlightMotion& to) {
+  double x[state_count], u[control_count];
+  add(by, more.trim.x, to.trim.x, x);
+  add(by, more.trim.u, to.trim.u, u);
+  to.power += by * more.power;
+  for (std::size_t i = 0; i < to.root.size(); ++i) {
+    const RootMotion<double>& part = more.root[i];
+    RootMotion<double>& root = to.root[i];
+    root = {root.real + by * part.real, root.imag + by * part.imag, root.frequency + by * part.frequency,
+            root.damping_ratio + by * part.damping_ratio};
+  }
 }
 
 }  // namespace
@@ -56,15 +92,18 @@ struct Sensitivity::Memory {
   ModelMotion<double> motion;
   RootMotionWorkspace<double> roots;
   RootMotion<double> root[kMaxLinearStates];
+  std::vector<FlightMotion> freed;  // by a unit of what each target lets go
+  LU<double, kMostTargets> by_freed;
 };
 
 Sensitivity::Sensitivity(const SensitivitySystems& systems)
     : systems_(systems), memory_(std::make_unique<Memory>()) {}
 Sensitivity::~Sensitivity() = default;
 
-// In systems the aircraft is changed where it can be: they make what follows from a setting anew.
+// In systems the aircraft is changed where it can be: they make what follows from a setting anew, as what is held does.
 bool Sensitivity::changes_aircraft(const SensitivityParameter& p) const {
-  return p.change.along != nullptr && (p.parameter == ConfigurationParameter::count || systems_.any());
+  const bool needed = systems_.any() || !flight_->targets.empty();
+  return p.change.along != nullptr && (p.parameter == ConfigurationParameter::count || needed);
 }
 
 Status Sensitivity::begin(const TrimmedFlight& flight, Analyses& work) {
@@ -86,6 +125,38 @@ Status Sensitivity::begin(const TrimmedFlight& flight, Analyses& work) {
     m.vehicle_system = vehicle_eigensystem(work);
   }
   if (status == Status::ok) name_roots();
+  return status == Status::ok ? begin_targets() : status;
+}
+
+Status Sensitivity::begin_targets() {
+  const int count = static_cast<int>(flight_->targets.size());
+  memory_->freed.assign(flight_->targets.size(), {});
+  if (count == 0) return Status::ok;
+  Matrix<double, kMostTargets, kMostTargets> by_freed;
+  for (int j = 0; j < count; ++j) {
+    const auto place = static_cast<std::size_t>(j);
+    std::vector<double> held;
+    const Status status =
+        move_alone(freed_parameter(flight_->targets[place].freed), memory_->freed[place], held);
+    if (status != Status::ok) return status;
+    for (int i = 0; i < count; ++i) by_freed(i, j) = held[static_cast<std::size_t>(i)];
+  }
+  return lu_factor(by_freed, count, memory_->by_freed);
+}
+
+Status Sensitivity::move(const SensitivityParameter& p, FlightMotion& out) {
+  std::vector<double> held;
+  FlightMotion alone;
+  Status status = move_alone(p, alone, held);
+  if (status == Status::ok && !held.empty()) {
+    status = lu_solve(memory_->by_freed, held.data());
+    for (std::size_t k = 0; k < held.size(); ++k) add(-held[k], memory_->freed[k], alone);
+  }
+  if (status != Status::ok) return status;
+  const double change = changes_aircraft(p) ? p.amount : p.amount * p.in_si(flight_->configuration);
+  out = {};
+  out.root.resize(alone.root.size());
+  add(change, alone, out);
   return status;
 }
 
@@ -116,15 +187,25 @@ Status Sensitivity::begin_slope(const SensitivityParameter& p) {
 
 // At the attitude of the trim velocity is proportional to speed, and body rates to the turn rate.
 State<double> Sensitivity::set_by_flight(const SensitivityParameter& p) const {
+  using F = SteadyFlight<double>;
   const State<double>& x = flight_->trim.state;
-  SteadyFlight<double> unit = flight_->flight;
+  const F& f = flight_->flight;
+  F unit = f;
   unit.*p.held = 1;
   State<double> direct{};
-  if (p.held == &SteadyFlight<double>::speed)
-    direct.velocity = flight_->azimuth_deg
-                          ? study::TrackMotion{track_of(*flight_, unit)}.velocity(x.roll, x.pitch)
-                          : steady_velocity(unit, x.roll, x.pitch);
-  if (p.held == &SteadyFlight<double>::turn_rate) direct.rates = steady_rates(unit, x.roll, x.pitch);
+  if (p.held == &F::turn_rate) direct.rates = steady_rates(unit, x.roll, x.pitch);
+  if (p.held == &F::turn_rate) return direct;
+  if (flight_->azimuth_deg) {
+    study::Track track = track_of(*flight_, unit);
+    if (p.held == &F::climb) {
+      track.speed = -f.speed * std::sin(f.climb);
+      track.down = -f.speed * std::cos(f.climb);
+    }
+    direct.velocity = study::TrackMotion{track}.velocity(x.roll, x.pitch);
+  } else {
+    direct.velocity =
+        p.held == &F::speed ? steady_velocity(unit, x.roll, x.pitch) : by_path(f, x, p.held == &F::climb);
+  }
   return direct;
 }
 
@@ -136,14 +217,15 @@ void Sensitivity::rates_along(const State<double>& direct, double (&rates)[state
     for (int j = 0; j < model.states; ++j) rates[model.state[i]] += model.a(i, j) * x[model.state[j]];
 }
 
-Status Sensitivity::move(const SensitivityParameter& p, FlightMotion& out) {
+Status Sensitivity::move_alone(const SensitivityParameter& p, FlightMotion& out,
+                               std::vector<double>& of_targets) {
   Memory& m = *memory_;
   const Configuration<double>& c = flight_->configuration;
   const State<double>& x = flight_->trim.state;
   const Controls<double>& u = flight_->trim.controls;
   const bool by_aircraft = changes_aircraft(p);
-  const double change = by_aircraft ? p.amount : p.amount * p.in_si(c);
-  Status status = by_aircraft || systems_.any() ? begin_slope(p) : Status::ok;
+  const bool needs_slope = by_aircraft || systems_.any() || !flight_->targets.empty();
+  Status status = needs_slope ? begin_slope(p) : Status::ok;
   if (status != Status::ok) return status;
 
   // With state and controls held.
@@ -180,11 +262,9 @@ Status Sensitivity::move(const SensitivityParameter& p, FlightMotion& out) {
   if (status != Status::ok) return status;
   find_roots(out.root);
 
-  scale(change, out.trim.x);
-  scale(change, out.trim.u);
-  out.power *= change;
-  for (RootMotion<double>& root : out.root)
-    root = {change * root.real, change * root.imag, change * root.frequency, change * root.damping_ratio};
+  of_targets.clear();
+  for (const TrimTarget& target : flight_->targets)
+    of_targets.push_back(m.slope.held(target, *flight_, out.trim));
   return status;
 }
 

@@ -25,7 +25,8 @@ struct FlightMotion {
 };
 
 // Exact: numbers of the aircraft, settings, what follows from them, gains and tables; the trim moves as well, and with
-// systems the balance of power.
+// systems the balance of power. What targets of the trim hold stays, and what they let go moves for it:
+// ds/dp = -(dh/ds)^-1 dh/dp, all along trims.
 class Sensitivity {
  public:
   explicit Sensitivity(const SensitivitySystems& systems);
@@ -35,10 +36,15 @@ class Sensitivity {
   Status begin(const TrimmedFlight& flight, Analyses& work);
   const std::vector<NamedRoot>& roots() const { return roots_; }
 
+  // Status: ok; not_finite; singular (nothing that was let go moves what is held).
   Status move(const SensitivityParameter& parameter, FlightMotion& out);
 
  private:
   struct Memory;
+
+  // By one unit, what is let go staying; `held`: how what the targets hold moves.
+  Status move_alone(const SensitivityParameter& parameter, FlightMotion& out, std::vector<double>& held);
+  Status begin_targets();
 
   void name_roots();
   void find_roots(std::vector<RootMotion<double>>& roots);

@@ -254,18 +254,61 @@ const std::vector<SensitivityParameter>& sensitivity_parameters() {
   return all;
 }
 
+namespace {
+
+struct Freed {
+  const char *column, *parameter;
+};
+constexpr Freed kFreed[] = {{"speed_mps", "speed"},      {"turn_rate_degps", "turn_rate"},
+                            {"mass_kg", "mass"},         {"cg_sl_in", "cg_station"},
+                            {"flap_deg", "flap"},        {"rotor_rpm", "rotor_speed"},
+                            {"altitude_m", "altitude"},  {"climb_deg", "climb"},
+                            {"sideslip_deg", "sideslip"}};
+
+// Which moves with what a target lets go alone.
+const SensitivityParameter kPath[] = {
+    {"climb", 1, "deg", Kind::flight, P::count, degree, {nullptr, nullptr}, &SteadyFlight<double>::climb},
+    {"sideslip",
+     1,
+     "deg",
+     Kind::flight,
+     P::count,
+     degree,
+     {nullptr, nullptr},
+     &SteadyFlight<double>::sideslip}};
+
+std::string parameter_of(const std::string& freed) {
+  return std::find_if(std::begin(kFreed), std::end(kFreed), [&](const Freed& f) { return freed == f.column; })
+      ->parameter;
+}
+
+}  // namespace
+
+const SensitivityParameter& freed_parameter(const std::string& freed) {
+  const std::string name = parameter_of(freed);
+  for (const SensitivityParameter& parameter : kPath)
+    if (name == parameter.name) return parameter;
+  const auto& all = sensitivity_parameters();
+  return *std::find_if(all.begin(), all.end(), [&](const auto& parameter) { return name == parameter.name; });
+}
+
 bool acts(const SensitivityParameter& parameter, const SensitivitySystems& systems) {
   if (parameter.kind == ParameterKind::governor_gain) return systems.governor == Governor::pi;
   return parameter.kind != ParameterKind::scas_gain || systems.scas;
 }
 
 std::vector<const SensitivityParameter*> chosen_parameters(const std::string& text, const std::string& where,
-                                                           const SensitivitySystems& systems) {
+                                                           const SensitivitySystems& systems,
+                                                           const std::vector<std::string>& freed) {
   std::vector<const SensitivityParameter*> chosen;
   std::vector<std::string> names;
+  const auto follows = [&freed](const SensitivityParameter& parameter) {
+    return std::any_of(freed.begin(), freed.end(),
+                       [&](const std::string& name) { return parameter_of(name) == parameter.name; });
+  };
   for (const SensitivityParameter& parameter : sensitivity_parameters()) {
     names.emplace_back(parameter.name);
-    if (text == "all" && acts(parameter, systems)) chosen.push_back(&parameter);
+    if (text == "all" && acts(parameter, systems) && !follows(parameter)) chosen.push_back(&parameter);
   }
   if (text == "all") return chosen;
   for (const std::string& word : split(text, ',')) {
@@ -280,6 +323,9 @@ std::vector<const SensitivityParameter*> chosen_parameters(const std::string& te
       throw UsageError(where + ": " + word + " goes with " +
                        (parameter->kind == ParameterKind::scas_gain ? "--of modes --scas on"
                                                                     : "--of modes --option governor=pi"));
+    if (follows(*parameter))
+      throw UsageError(where + ": " + word +
+                       " follows the others, since a held result lets it go: choose another");
     chosen.push_back(parameter);
   }
   return chosen;

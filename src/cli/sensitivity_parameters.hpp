@@ -48,12 +48,17 @@ struct SensitivitySystems {
   bool any() const { return scas || governor != Governor::off; }
 };
 
+// What moves a quantity that a target of a trim lets go, by one unit of it in SI (deg and rpm: rad, rad/s).
+const SensitivityParameter& freed_parameter(const std::string& freed);
+
 // Whether the parameter can be changed there.
 bool acts(const SensitivityParameter& parameter, const SensitivitySystems& systems);
 
 // "all" that act, or names with commas between. Throws UsageError "<where>: ..." for an unknown one, or one that does
 // not act.
+// `freed`: what targets let go, which follows the others and is none of them.
 std::vector<const SensitivityParameter*> chosen_parameters(const std::string& text, const std::string& where,
-                                                           const SensitivitySystems& systems);
+                                                           const SensitivitySystems& systems,
+                                                           const std::vector<std::string>& freed = {});
 
 }  // namespace tiltrotor::cli

@@ -39,6 +39,11 @@ void ShownModel::add_output(const NamedOutput& which, const VehicleRows& found, 
   add(found, row);
 }
 
+void ShownModel::name_outputs(const std::vector<NamedOutput>& all) {
+  named_ = all;
+  outputs = all.empty() ? OutputMatrices::outputs : static_cast<int>(all.size());
+}
+
 template <class Outputs>
 void ShownModel::add(const Outputs& found, int row) {
   constexpr double point_terms = 1;

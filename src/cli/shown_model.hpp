@@ -24,6 +24,8 @@ class ShownModel {
   void add_output(const NamedOutput& which, const OutputMatrices& found, int row);
   void add_output(const NamedOutput& which, const VehicleOutputs& found, int row);
   void add_output(const NamedOutput& which, const VehicleRows& found, int row);
+  // Names without numbers; none: those of all instruments.
+  void name_outputs(const std::vector<NamedOutput>& all);
 
   int states = 0, controls = 0, outputs = 0;
   std::vector<double> x, u, y;

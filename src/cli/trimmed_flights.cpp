@@ -26,11 +26,6 @@ double TrimmedFlight::setting(const std::string& column) const {
 }
 
 // At rest in axes that turn with it, v' = f/m + g - omega x v = 0.
-double side_force(const State<double>& x) {
-  const double turning = x.rates.z * x.velocity.x - x.rates.x * x.velocity.z;
-  return turning / kGravity<double> - std::sin(x.roll) * std::cos(x.pitch);
-}
-
 void trim_flight(TrimmedFlight& f, Analyses& work) {
   if (f.azimuth_deg) {
     trim_in_wind(f.configuration, f.flight, *f.azimuth_deg * kRadPerDeg<double>, work, f.trim);

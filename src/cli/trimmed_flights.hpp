@@ -43,7 +43,11 @@ void trim_flight(TrimmedFlight& flight, Analyses& work);
 std::string trim_explanation(const TrimResult<double>& trim);
 
 // Specific force to the right at the CG over g, of a steady flight.
-double side_force(const State<double>& x);
+template <class T>
+T side_force(const State<T>& x) {
+  const T turning = x.rates.z * x.velocity.x - x.rates.x * x.velocity.z;
+  return turning / kGravity<Real<T>> - sin(x.roll) * cos(x.pitch);
+}
 
 // Beginning of a message: "trim: mast 30 deg, 10 m/s"
 std::string flight_text(const std::string& command, double mast_deg, double speed);

@@ -82,6 +82,19 @@ TEST(cli_completion_offers_commands_options_and_values) {
   CHECK_EQ(offered("tiltrotor qualities --category EMPTY"), "A B C\n");
   CHECK_EQ(offered("tiltrotor trim --units kn"), "knots\n");
   CHECK_EQ(offered("tiltrotor trim --mast EMPTY"), "\n");
+  // Names of outputs, columns, inputs and parameters, one after another.
+  CHECK_EQ(offered("tiltrotor linearize --outputs load_f"), "load_factor\n");
+  CHECK_EQ(offered("tiltrotor qlpv --outputs nz,airsp"), "nz,airspeed\n");
+  CHECK_EQ(offered("tiltrotor trim --columns pitch_deg,power_k"), "pitch_deg,power_kw\n");
+  CHECK_EQ(offered("tiltrotor trim --columns htail_force_"), "htail_force_x htail_force_y htail_force_z\n");
+  CHECK_EQ(offered("tiltrotor fly --columns htail_moment_y,nz,ny"), "htail_moment_y,nz,ny\n");
+  CHECK_EQ(offered("tiltrotor trim --hold power_k"), "power_kw\n");
+  CHECK_EQ(offered("tiltrotor trim --free clim"), "climb_deg\n");
+  CHECK_EQ(offered("tiltrotor bode --from long_"), "long_stick long_cyclic\n");
+  CHECK_EQ(offered("tiltrotor bode --to q,ps"), "q,psi\n");
+  CHECK_EQ(offered("tiltrotor sensitivity --to mass,tail_inc"), "mass,tail_incidence\n");
+  // Not where one word alone is taken.
+  CHECK_EQ(offered("tiltrotor trim --format csv,j"), "\n");
   CHECK_EQ(offered("tiltrotor help lin"), "linearize\n");
   CHECK_EQ(offered("tiltrotor completion EMPTY"), "bash zsh\n");
 }

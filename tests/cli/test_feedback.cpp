@@ -159,6 +159,32 @@ TEST_OF_XV15(cli_linearize_reduced_outputs_are_those_of_slow_motion) {
   }
 }
 
+// With systems, whose states stay: the stick's response at 0.2 rad/s.
+TEST_OF_XV15(cli_linearize_reduced_outputs_go_with_systems) {
+  struct Kind {
+    std::string systems;
+    std::size_t states, inputs;
+  };
+  for (const Kind& kind : {Kind{"--scas on ", 12, 4}, Kind{"--option governor=pi ", 10, 6},
+                           Kind{"--option governor=ideal " + shipped(), 8, 6}}) {
+    const std::string flight = kFlight + kind.systems;
+    const ExportedModel full(flight), lagging(flight + "--reduce rigid"),
+        steady(flight + "--reduce quasi_steady");
+    CHECK(lagging.outputs == full.outputs && lagging.controls == full.controls && steady.y0 == full.y0);
+    CHECK_EQ(lagging.n(), kind.states);
+    CHECK_EQ(full.m(), kind.inputs);
+    const Numbers expected = transfer(full, 0.2, 1), first = transfer(lagging, 0.2, 1),
+                  none = transfer(steady, 0.2, 1);
+    for (const char* const name :
+         {"airspeed", "climb_rate", "thrust_right", "torque_left", "gimbal_tilt_right"}) {
+      const std::size_t y = ExportedModel::place(full.outputs, name);
+      const double off = std::fabs(first[y] - expected[y]), of_none = std::fabs(none[y] - expected[y]);
+      if (!CHECK_LT(off, 0.1 * of_none + 1e-9)) NOTE(kind.systems << " " << name << " of " << expected[y]);
+      CHECK_LT(off, 0.01 * std::fabs(expected[y]) + 1e-9);
+    }
+  }
+}
+
 // A governor adds a lever's travel: its column of C is that of D, and forces hang on the rest as without.
 TEST_OF_XV15(cli_linearize_governed_outputs_are_those_of_the_airframe) {
   const ExportedModel free(kFlight), governed(kFlight + "--option governor=pi");

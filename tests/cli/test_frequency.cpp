@@ -10,10 +10,12 @@
 
 #include "check.hpp"
 #include "cli/csv_text.hpp"
+#include "cli/exported_model.hpp"
 #include "cli/scratch_folder.hpp"
 #include "csv_file.hpp"
 #include "plot/xml_check.hpp"
 #include "run_program.hpp"
+#include "this_aircraft.hpp"
 
 using check::CsvText;
 using check::run_tiltrotor;
@@ -160,9 +162,8 @@ TEST(cli_bad_frequencies_and_names_are_refused) {
   for (const char* const bad :
        {"bode --from elevatr", "bode --to thta", "bode --frequency 3..1", "bode --frequency 1..a",
         "bode --frequency -1", "bode --gain 2", "bode --show all", "bode --scas maybe",
-        "modes --normalise q2", "modes --normalise q", "modes --scas on --reduce rigid",
-        "modes --reduce first", "qualities --category D", "qualities --figure /nowhere/at/all.svg",
-        "bode --from throttle_R"}) {
+        "modes --normalise q2", "modes --normalise q", "modes --reduce first", "qualities --category D",
+        "qualities --figure /nowhere/at/all.svg", "bode --from throttle_R"}) {
     const check::ProgramResult result = run_tiltrotor(bad);
     CHECK_EQ(result.exit_status, 2);
     CHECK_EQ(result.out, std::string());
@@ -193,6 +194,38 @@ TEST(cli_modes_reduced_show_the_error_of_each_root) {
   }
   CHECK_LT(error[0], 0.03);
   CHECK_LT(0.08, error[1]);
+}
+
+// With systems their states stay, and their roots; what the rotors lag is all that is off.
+TEST(cli_modes_reduced_keep_the_systems) {
+  for (const std::string systems : {"--option governor=pi ", "--option governor=ideal ", "--scas on ",
+                                    "--scas on --option governor=pi --option interconnect=twists "}) {
+    const std::string flight = this_aircraft::flown("--mast 90 --speed 100 --grid realtime " + systems) + " ";
+    const CsvText full(run_tiltrotor("modes --format csv " + flight).out);
+    double error[2] = {};
+    const char* const order[] = {"--reduce rigid ", "--reduce quasi_steady "};
+    for (int k = 0; k < 2; ++k) {
+      const CsvText rows(run_tiltrotor("modes --format csv " + flight + order[k]).out);
+      const check::ExportedModel model(flight + order[k]), whole(flight);
+      CHECK_EQ(whole.n() - model.n(), 15u);  // seven states of each rotor, and the downwash
+      double roots = 0;
+      for (std::size_t i = 0; i < rows.rows.size(); ++i) {
+        const C own(rows.number(i, "real"), rows.number(i, "imag"));
+        const C known(rows.number(i, "full_real"), rows.number(i, "full_imag"));
+        roots += own.imag() > 0 ? 2 : 1;
+        double nearest = HUGE_VAL;
+        for (std::size_t j = 0; j < full.rows.size(); ++j)
+          nearest = std::min(nearest, std::abs(known - C(full.number(j, "real"), full.number(j, "imag"))));
+        CHECK_LT(nearest, 1e-9);
+        CHECK_NEAR(rows.number(i, "root_error"), std::abs(own - known) / std::abs(known), 1e-8);
+        if (std::abs(known) < 5) error[k] = std::max(error[k], rows.number(i, "root_error"));
+      }
+      CHECK_EQ(static_cast<std::size_t>(roots), model.n());
+    }
+    NOTE(systems << ": largest error of a root below 5 rad/s " << error[0] << ", in balance " << error[1]);
+    CHECK_LT(error[0], 0.05);
+    CHECK_LT(error[0], 0.5 * error[1]);
+  }
 }
 
 // theta' = q; the state that is named is one at angle zero, the others stay; participations sum to one.

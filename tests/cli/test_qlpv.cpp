@@ -2,11 +2,13 @@
 // interpolation, which fall with the square of the distance.
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <memory>
 
 #include "check.hpp"
 #include "cli/csv_text.hpp"
 #include "cli/exported_model.hpp"
+#include "cli/feedback_law.hpp"
 #include "cli/json_grammar.hpp"
 #include "cli/refused.hpp"
 #include "run_program.hpp"
@@ -35,11 +37,36 @@ double error_of(const CsvText& rows, const std::string& name) {
   return HUGE_VAL;
 }
 
+// Output y over control v at i omega, by Gauss in complex numbers.
+std::complex<double> response_of(const ExportedModel& m, double omega, std::size_t y, std::size_t v) {
+  const std::size_t n = m.n();
+  std::vector<std::vector<std::complex<double>>> t(n, std::vector<std::complex<double>>(n + 1));
+  for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t j = 0; j < n; ++j) t[i][j] = {-m.a[i * n + j], i == j ? omega : 0};
+    t[i][n] = m.b[i * m.m() + v];
+  }
+  for (std::size_t k = 0; k < n; ++k) {
+    std::size_t pivot = k;
+    for (std::size_t i = k; i < n; ++i)
+      if (std::abs(t[i][k]) > std::abs(t[pivot][k])) pivot = i;
+    std::swap(t[k], t[pivot]);
+    for (std::size_t i = 0; i < n; ++i) {
+      if (i == k) continue;
+      const auto by = t[i][k] / t[k][k];
+      for (std::size_t j = k; j <= n; ++j) t[i][j] -= by * t[k][j];
+    }
+  }
+  std::complex<double> sum = m.d[y * m.m() + v];
+  for (std::size_t k = 0; k < n; ++k) sum += m.c[y * n + k] * t[k][n] / t[k][k];
+  return sum;
+}
+
 }  // namespace
 
 TEST(cli_qlpv_holds_the_models_of_linearize) {
   for (const std::string kind : {"--reduce none", "--reduce rigid", "--option governor=pi",
-                                 "--option governor=ideal --control-set all", "--scas on"}) {
+                                 "--option governor=ideal --control-set all", "--scas on",
+                                 "--option governor=pi --scas on --reduce rigid"}) {
     const std::string axes =
         "--mast 80,90 --speed " + speed(85) + "," + speed(100) + " --altitude 0,300 " + kind;
     const std::string all = run_tiltrotor(grid + axes).out;
@@ -67,6 +94,91 @@ TEST(cli_qlpv_holds_the_models_of_linearize) {
     for (const char* name : {"\"altitude_m\", \"unit\": \"m\"", "\"mast_deg\", \"unit\": \"deg\"",
                              "\"speed_mps\", \"unit\": \"m/s\""})
       CHECK_EQ(count(name), 1u);
+  }
+}
+
+// Closed loop and chosen outputs: those of linearize, and A - B K of the open grid point put together here.
+TEST_OF_XV15(cli_qlpv_takes_outputs_and_feedback) {
+  const check::ScratchFolder folder;
+  const std::string loop = check::law(folder, "law.csv", "input,q,theta\nlong_stick,-7,-8\n");
+  const std::string outputs = "--outputs nz,airspeed,htail_moment_y,q ";
+  for (const std::string kind : {"", "--option governor=pi ", "--scas on --reduce rigid "}) {
+    const std::string all = run_tiltrotor(grid + "--mast 90 --speed 85,100 " + outputs + kind + loop).out;
+    CHECK(check::JsonGrammar::accepts(all));
+    for (const double mps : {85.0, 100.0}) {
+      const std::string flight =
+          "--grid realtime --flap 0 --mast 90 --speed " + speed(mps) + " " + outputs + kind;
+      const std::string one = run_tiltrotor("linearize --format json " + flight + loop).out;
+      const std::size_t matrices = one.find("\"x0\""), names = one.find("\"states\": [");
+      CHECK(all.find(one.substr(matrices, one.rfind("\n}") - matrices)) != std::string::npos);
+      CHECK(all.find(one.substr(names, matrices - names - 2)) != std::string::npos);
+      if (kind.find("--reduce") != std::string::npos) continue;
+      const ExportedModel open(flight), closed(flight + loop);
+      const std::size_t stick = ExportedModel::place(open.controls, "long_stick");
+      const auto check_rows = [&](const std::vector<double>& found, const std::vector<double>& by_state,
+                                  const std::vector<double>& by_control) {
+        for (std::size_t i = 0; i < found.size() / open.n(); ++i)
+          for (std::size_t j = 0; j < open.n(); ++j) {
+            const double gain = open.states[j] == "q" ? -7 : open.states[j] == "theta" ? -8 : 0;
+            const double fed = by_control[i * open.m() + stick] * gain,
+                         expected = by_state[i * open.n() + j] - fed;
+            CHECK_NEAR(found[i * open.n() + j], expected, 1e-12 * (std::fabs(fed) + std::fabs(expected)));
+          }
+      };
+      check_rows(closed.a, open.a, open.b);
+      check_rows(closed.c, open.c, open.d);
+      CHECK_EQ(closed.outputs.size(), 4u);
+      // The row of a state is that state, and airspeed the length of a velocity.
+      const std::size_t q = ExportedModel::place(closed.states, "q");
+      for (std::size_t j = 0; j < closed.n(); ++j) CHECK_EQ(closed.c[3 * closed.n() + j], j == q ? 1.0 : 0.0);
+      CHECK_NEAR(closed.y0[1], mps, 1e-9 * mps);
+      for (const char* const of : {"u", "w"}) {
+        const std::size_t place = ExportedModel::place(closed.states, of);
+        CHECK_NEAR(closed.c[closed.n() + place], closed.x0[place] / mps, 1e-9);
+      }
+    }
+    CHECK(all.find("\"input\": \"long_stick\", \"output\": \"q\", \"gain\": -7") != std::string::npos);
+    CHECK(all.find("law.csv") != std::string::npos);
+  }
+}
+
+// What the check says of outputs, from the models that linearize writes at the corners and at the centre: y0 by their
+// mean, the response by C (i w - A)^-1 B + D solved here at the frequency that it names.
+TEST_OF_XV15(cli_qlpv_check_covers_outputs) {
+  const std::string flight =
+      "--grid realtime --flap 0 --mast 90 --reduce rigid --outputs nz,climb_rate --speed ";
+  const ExportedModel low(flight + "85"), high(flight + "95"), centre(flight + "90");
+  ExportedModel mean = low;
+  const auto average = [](std::vector<double>& to, const std::vector<double>& other) {
+    for (std::size_t i = 0; i < to.size(); ++i) to[i] = (to[i] + other[i]) / 2;
+  };
+  average(mean.a, high.a), average(mean.b, high.b), average(mean.c, high.c), average(mean.d, high.d);
+  average(mean.y0, high.y0);
+  const CsvText found = check_of("--mast 90 --reduce rigid --outputs nz,climb_rate --speed 85,95");
+  const auto row_named = [&](const std::string& kind, const std::string& end) {
+    for (std::size_t i = 0; i < found.rows.size(); ++i) {
+      const std::string name = found.text(i, "name");
+      const bool ends = name.size() >= end.size() && name.substr(name.size() - end.size()) == end;
+      if (ends && found.text(i, "kind") == kind) return i;
+    }
+    throw std::runtime_error("no " + end);
+  };
+  for (const std::size_t y : {0u, 1u}) {
+    const std::size_t reading = row_named("output", centre.outputs[y]);
+    CHECK_NEAR(found.number(reading, "real"), centre.y0[y], 1e-9);
+    CHECK_NEAR(found.number(reading, "interpolated_real"), mean.y0[y], 1e-9);
+    const std::size_t row = row_named("response", ">" + centre.outputs[y]);
+    const std::string name = found.text(row, "name");
+    const std::size_t v = ExportedModel::place(centre.controls, name.substr(0, name.find('>')));
+    const double omega = found.number(row, "worst_rad_s");
+    const auto g = response_of(centre, omega, y, v), h = response_of(mean, omega, y, v);
+    const double expected = std::abs(h - g) / std::abs(g);
+    CHECK_NEAR(found.number(row, "error"), expected, 1e-6 * expected);
+    // No other frequency is worse.
+    for (double other = 0.1; other < 10; other *= 1.3) {
+      const auto g1 = response_of(centre, other, y, v), h1 = response_of(mean, other, y, v);
+      CHECK_LE(std::abs(h1 - g1) / std::abs(g1), 1.05 * expected);
+    }
   }
 }
 
@@ -173,6 +285,7 @@ TEST(cli_bad_qlpv_is_refused_in_one_line) {
   check::check_refused("qlpv --show check", "needs two values");
   check::check_refused("qlpv --show other", "model or check");
   check::check_refused("qlpv --format csv", "json");
-  check::check_refused("qlpv --option governor=pi --reduce rigid", "goes with governor=off alone");
-  check::check_refused("qlpv --scas on --reduce rigid", "goes with --scas off alone");
+  check::check_refused("qlpv --outputs airsped", "airspeed");
+  check::check_refused("qlpv --outputs nz,nz", "twice");
+  check::check_refused("qlpv --feedback /nowhere/law.csv", "law.csv");
 }

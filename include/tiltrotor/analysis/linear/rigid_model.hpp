@@ -62,29 +62,32 @@ struct FullRoot {
   R error;       // |root - full| / |full|; infinite beside a root at zero
 };
 
-// of[k]: of eigenvalue k of `reduced`. Nearest ones belong together, the surest first; each serves once.
-// NaN where `full` has too few. Cost: states of both, times those of the reduced one.
-template <class R>
-void find_full_roots(const ModeSet<R>& full, const ModeSet<R>& reduced, FullRoot<R> (&of)[kMaxLinearStates]) {
-  const auto& known = full.system.values;
-  const auto& root = reduced.system.values;
-  bool used[kMaxLinearStates] = {}, found[kMaxLinearStates] = {};
+// of[k]: of eigenvalue k of a reduced model, among those of the full one. Nearest ones belong together, the surest first;
+// each serves once. NaN where `known` has too few. Cost: states of both, times those of the reduced one.
+template <class R, int N, int kRoots>
+void find_full_roots(const Eigenvalues<R, N>& known, const Eigenvalues<R, N>& root,
+                     FullRoot<R> (&of)[kRoots]) {
+  bool used[N] = {}, found[N] = {};
   const R nan = std::numeric_limits<R>::quiet_NaN();
   for (FullRoot<R>& none : of) none = {nan, nan, nan};
   const auto distance = [&](int k, int i) {
     const R x = root.real[k] - known.real[i], y = root.imag[k] - known.imag[i];
     return tiltrotor::sqrt(x * x + y * y);
   };
-  for (int pass = 0; pass < reduced.states; ++pass) {
+  for (int pass = 0; pass < root.size; ++pass) {
     int best = -1, its = -1;
-    for (int k = 0; k < reduced.states; ++k)
-      for (int i = 0; i < full.states; ++i)
+    for (int k = 0; k < root.size; ++k)
+      for (int i = 0; i < known.size; ++i)
         if (!found[k] && !used[i] && (best < 0 || distance(k, i) < distance(best, its))) best = k, its = i;
     if (best < 0) return;
     found[best] = used[its] = true;
     const R x = known.real[its], y = known.imag[its];
     of[best] = {x, y, distance(best, its) / tiltrotor::sqrt(x * x + y * y)};
   }
+}
+template <class R>
+void find_full_roots(const ModeSet<R>& full, const ModeSet<R>& reduced, FullRoot<R> (&of)[kMaxLinearStates]) {
+  find_full_roots(full.system.values, reduced.system.values, of);
 }
 
 }  // namespace tiltrotor
