@@ -15,9 +15,10 @@ namespace tiltrotor::cli {
 namespace {
 
 constexpr double radian = kRadPerDeg<double>;
-constexpr double tolerance = 1e-10;  // of a target, over its size or 1
-constexpr double jump = 1e-6;        // the same: what is left where the quantity is not continuous
-constexpr int most_trims = 3000;     // in all, of one flight
+constexpr double tolerance = 1e-10;     // of a target, over its size or 1
+constexpr double jump = 1e-6;           // the same: what is left where the quantity is not continuous
+constexpr int most_trims = 3000;        // in all, of one flight
+constexpr int most_wide_searches = 20;  // of those inside, after their window
 constexpr double window = 8;  // steps to each side, of a search inside another that has been done before
 
 double quantity(const std::string& name, const TrimmedFlight& flight) {
@@ -60,16 +61,34 @@ class Search {
  public:
   Search(const TrimTargets& targets, Analyses& work, TrimmedFlight& flight)
       : targets_(targets), work_(work), flight_(flight) {
-    for (const TrimTarget& target : targets) levels_.push_back({start_of(target, flight), 0, false});
+    begin();
   }
 
-  std::string run() { return reach(0) ? "" : fault_; }
+  // Once more where nothing was found, with those inside looked for everywhere when they left their window.
+  std::string run() {
+    const TrimmedFlight given = flight_;
+    if (reach(0)) return "";
+    if (targets_.size() < 2 || trims_ >= most_trims) return fault_;
+    const TrimmedFlight nearest = flight_;
+    const std::string fault = fault_;
+    flight_ = given;
+    wide_searches_ = most_wide_searches;
+    begin();
+    if (reach(0)) return "";
+    flight_ = nearest;
+    return fault;
+  }
 
  private:
   struct Level {
     double start, first;
     bool has_run;
   };
+
+  void begin() {
+    levels_.clear();
+    for (const TrimTarget& target : targets_) levels_.push_back({start_of(target, flight_), 0, false});
+  }
 
   // --load-factor by a turn to the right, whatever is to the left.
   Range range_of(std::size_t level) const {
@@ -105,6 +124,12 @@ class Search {
       flight_ = kept;
       here = {search.best().at, freed.step / closer, true};  // the next search begins near
       return true;
+    }
+    // It may have moved farther than the window since.
+    if (!outermost && here.has_run && wide_searches_ > 0) {
+      --wide_searches_;
+      here = {start, 0, false};
+      return reach(level);
     }
     if (!std::isfinite(search.best().miss)) {
       if (outermost) tell_nothing_found(target, start);
@@ -156,7 +181,7 @@ class Search {
   TrimmedFlight& flight_;
   std::vector<Level> levels_;
   std::string fault_;
-  int trims_ = 0;
+  int trims_ = 0, wide_searches_ = 0;
 };
 
 }  // namespace

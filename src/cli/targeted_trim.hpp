@@ -2,8 +2,10 @@
 //
 // One quantity is searched all through its range, outward from where it is given (axis_search.hpp); of several solutions
 // the nearest whose trim is within the limits, else the nearest. Several quantities are searched one inside the other;
-// those inside begin where they were found last, look eight steps to each side and take the nearest. Every trim is one from a cold start, so that what is found does not
-// depend on the way. One target takes some 20 to 300 trims, several at most 3000 together.
+// those inside begin where they were found last, look eight steps to each side and take the nearest. Where all that finds
+// nothing, it is done once more, and where the window holds nothing the whole range is looked through, twenty times at
+// most. Every trim is one from a cold start, so that what is found does not depend on the way. One target takes some 20
+// to 300 trims, several at most 3000 together.
 #pragma once
 
 #include "cli/trimmed_flights.hpp"

@@ -130,3 +130,29 @@ TEST_OF_XV15(cli_trim_examples_of_the_page) {
   CHECK_LT(5, count);
   CHECK_LT(2, figures);
 }
+
+// What is inside moves farther than its window from one value outside to the next: flights that are there are found.
+TEST_OF_XV15(cli_trim_looks_beyond_the_window_inside) {
+  const std::string common = "trim --grid realtime --format csv ";
+  const struct {
+    const char *flight, *there, *from, *outer, *of_outer, *inner, *of_inner;
+  } cases[] = {
+      {"--mast 90 --speed 84.7828 --climb 1.5396 --cg-sl 297.0193 --altitude 337.6985 --rotor-rpm 586.7294 "
+       "--turn-rate -2.7088 --sideslip -1.2510 ",
+       "--flap 8.95 --mass 5233", "--flap 19.5634 --mass 4806.94", "roll_deg", "flap_deg", "long_stick_in",
+       "mass_kg"},
+      {"--mast 30 --climb 7.3733 --mass 5236.5 --altitude 545.76 --rotor-rpm 527.0867 --turn-rate -0.3153 "
+       "--sideslip 0.965 --flap 14.6083 ",
+       "--speed 46.86 --cg-sl 292.48", "--speed 56.0978 --cg-sl 300.6575", "thrust_right_n", "speed_mps",
+       "alpha_deg", "cg_sl_in"}};
+  for (const auto& it : cases) {
+    const CsvText there(run_tiltrotor(common + it.flight + it.there).out);
+    const CsvText found(run_tiltrotor(common + it.flight + it.from + " --hold " + it.outer + "=" +
+                                      there.text(0, it.outer) + " --free " + it.of_outer + " --hold " +
+                                      it.inner + "=" + there.text(0, it.inner) + " --free " + it.of_inner)
+                            .out);
+    CHECK_EQ(found.text(0, "status"), std::string("ok"));
+    for (const char* held : {it.outer, it.inner})
+      CHECK_NEAR(found.number(0, held), there.number(0, held), 1e-6 * std::fabs(there.number(0, held)));
+  }
+}
