@@ -232,15 +232,18 @@ TEST(fmu_adjoints_of_components_are_those_of_directions) {
   }
 }
 
-// The mass times what the accelerometers feel; in steps as in a flight that is integrated.
+// The mass times what the accelerometers feel; in steps, in turbulence and with the augmentation as well.
 TEST(fmu_loads_of_all_components_move_the_aircraft) {
-  Master m(Master::co_simulation);
-  CHECK_LE(m.start(40, 45 * this_aircraft::speed()), fmi3Warning);
-  CHECK_EQ(m.set(input(TR_PEDAL), 0.3), fmi3OK);
-  for (int k = 0; k < 20; ++k) CHECK_EQ(m.step(k * 0.01, 0.01), fmi3OK);
-  const int all = kOutputLoads + (kLoadedComponents - 1) * kNumbersOfLoads;
-  const double mass = m.get(setting(kMass));
-  for (int axis = 0; axis < 3; ++axis)
-    CHECK_REL(m.get(output(all + axis)), mass * m.get(output(3 + axis)), 1e-12);
+  for (const bool systems : {false, true}) {
+    Master m(Master::co_simulation);
+    for (const int k : {kTurbulence, kScas}) CHECK_EQ(m.set_switch(k, systems), fmi3OK);
+    CHECK_LE(m.start(40, 45 * this_aircraft::speed()), fmi3Warning);
+    CHECK_EQ(m.set(input(TR_PEDAL), 0.3), fmi3OK);
+    for (int k = 0; k < 20; ++k) CHECK_EQ(m.step(k * 0.01, 0.01), fmi3OK);
+    const int all = kOutputLoads + (kLoadedComponents - 1) * kNumbersOfLoads;
+    const double mass = m.get(setting(kMass));
+    for (int axis = 0; axis < 3; ++axis)
+      CHECK_REL(m.get(output(all + axis)), mass * m.get(output(3 + axis)), 1e-12);
+  }
 }
 #endif
