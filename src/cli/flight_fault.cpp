@@ -66,9 +66,11 @@ std::string flight_fault_text(const Configuration<double>& c, const SystemFlight
   const std::string name = state < 0 ? "" : vehicle_variable(state).name;
   const std::string otherwise = (name.empty() ? "" : ", " + name) + ": " + status_text(status);
   if (status != Status::out_of_range) return otherwise;
-  if (state < 0) {
+  const SystemState<int>& at = kSystemIndex;
+  const int system = state - state_count;
+  if (state < 0 || system == at.fuel || system == at.mast || system == at.mast_rate || system == at.flap) {
     const std::string found = setting_at_its_end(c);
-    return found.empty() ? otherwise : found;
+    if (state < 0 || !found.empty()) return found.empty() ? otherwise : found;
   }
   if (state == state_count + kSystemIndex.governor)
     return ", governor: the rotors take the power of the engines at no collective";
