@@ -1,7 +1,5 @@
 #include "cli/feedback_flight.hpp"
 
-#include <algorithm>
-
 #include "cli/errors.hpp"
 #include "cli/output.hpp"
 #include "tiltrotor/analysis/linear/linear_eigenvalues.hpp"
@@ -59,11 +57,16 @@ Status FeedbackFlight::begin(const Configuration<double>& c, const Simulation<do
 void FeedbackFlight::check_cost(const Simulation<double>& simulation) const {
   const double dt = simulation.dt;
   if (flight_step::parts(simulation.integrator, dt, loop_->fastest) <= kMostParts) return;
+  const StabilityLimits& limits =
+      simulation.integrator == Integrator::rk3 ? kRungeKutta3Limits : kRungeKutta4Limits;
   const FastestRates<double>& fastest = loop_->fastest;
+  const bool decays = fastest.decay / limits.decay > fastest.oscillation / limits.oscillation;
+  const double most = kMostParts * (decays ? limits.decay : limits.oscillation) / dt;
   throw UsageError("--feedback " + feedback_.name() + ": a root of the closed loop is " +
-                   number_text(std::max(fastest.decay, fastest.oscillation), 3) +
-                   " 1/s, for which a step of " + number_text(dt) + " s would be cut into more than " +
-                   std::to_string(kMostParts) + " parts; give smaller gains or steps");
+                   number_text(decays ? fastest.decay : fastest.oscillation, 3) + " 1/s, outside 0.." +
+                   number_text(most, 3) + " 1/s, where a step of " + number_text(dt) +
+                   " s is cut into at most " + std::to_string(kMostParts) +
+                   " parts; give smaller gains or steps");
 }
 
 Status FeedbackFlight::find_fastest(const Configuration<double>& c, const Simulation<double>& simulation) {

@@ -13,7 +13,7 @@ class FeedbackFlight {
   // `systems`: those of the flight, or nullptr; they and `work` outlive it.
   FeedbackFlight(const Feedback& feedback, SystemFlight<double>* systems, Analyses& work);
   // The law counts from here. Status: those of linearize_outputs(). Throws UsageError where the closed loop is so fast
-  // that steps would be cut into hundreds of parts.
+  // here that steps would be cut into hundreds of parts; a scheduled law may be as fast later, up to kMaxParts.
   Status begin(const Configuration<double>& c, const Simulation<double>& simulation);
 
   // What acts from now on. Status: those of feed_back().

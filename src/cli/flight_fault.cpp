@@ -27,9 +27,8 @@ std::string sentence(const Left& left) {
          " in the last good step)";
 }
 
-Left setting(const Configuration<double>& c, SetupField field, double value, const char* name = nullptr) {
-  return {name == nullptr ? setup_field_name(field) : name, value, setup_range(*c.aircraft, field),
-          setup_field_unit(field)};
+Left setting(const Configuration<double>& c, SetupField field, double value) {
+  return {setup_field_name(field), value, setup_range(*c.aircraft, field), setup_field_unit(field)};
 }
 
 // Of its range, from the nearer end.
@@ -38,23 +37,44 @@ double margin(const Left& left) {
          (left.range.high - left.range.low);
 }
 
+// The rotor that is nearer an end of the range of both.
+Left rotor_at_its_end(const Configuration<double>& c) {
+  const double mean = c.setup.rotor_speed, half = 0.5 * c.setup.rotor_difference;
+  const Left slower = setting(c, SetupField::rotor_speed, mean - half);
+  const Left faster = setting(c, SetupField::rotor_speed, mean + half);
+  return margin(slower) < margin(faster) ? slower : faster;
+}
+
 // A step refused for its setting leaves that of the step before: what stands at the end of its range has left it.
-std::string setting_at_its_end(const Configuration<double>& c) {
+std::string motion_at_its_end(const Configuration<double>& c) {
   constexpr double step = 0.01;  // at most, of a range
-  const FlightSetup<double>& s = c.setup;
-  const Left moving[] = {
-      setting(c, SetupField::mass, s.mass),
-      setting(c, SetupField::altitude, s.altitude),
-      setting(c, SetupField::rotor_speed, s.rotor_speed - 0.5 * s.rotor_difference),
-      setting(c, SetupField::rotor_speed, s.rotor_speed + 0.5 * s.rotor_difference),
-      setting(c, SetupField::mast_rate, s.mast_rate),
-      setting(c, SetupField::mast_acceleration, s.mast_acceleration),
-      setting(c, SetupField::rotor_acceleration, s.rotor_acceleration),
-  };
+  const Left moving[] = {setting(c, SetupField::altitude, c.setup.altitude), rotor_at_its_end(c),
+                         setting(c, SetupField::mast_rate, c.setup.mast_rate),
+                         setting(c, SetupField::mast_acceleration, c.setup.mast_acceleration),
+                         setting(c, SetupField::rotor_acceleration, c.setup.rotor_acceleration)};
   const auto* const nearest =
       std::min_element(std::begin(moving), std::end(moving),
                        [](const Left& one, const Left& other) { return margin(one) < margin(other); });
   return margin(*nearest) < step ? sentence(*nearest) : "";
+}
+
+// What a state of the systems has put beyond its range: system_behind().
+bool find_setting(const Configuration<double>& c, int system, Left& left) {
+  const SystemState<int>& at = kSystemIndex;
+  const FlightSetup<double>& s = c.setup;
+  if (system == at.mast)
+    left = setting(c, SetupField::mast_deg, s.mast_deg);
+  else if (system == at.mast_rate)
+    left = setting(c, SetupField::mast_rate, s.mast_rate);
+  else if (system == at.flap)
+    left = setting(c, SetupField::flap_deg, s.flap_deg);
+  else if (system == at.fuel)
+    left = setting(c, SetupField::mass, s.mass);
+  else if (system == at.rotor_speed || system == at.twist_rate)
+    left = rotor_at_its_end(c);
+  else
+    return false;
+  return true;
 }
 
 }  // namespace
@@ -66,18 +86,19 @@ std::string flight_fault_text(const Configuration<double>& c, const SystemFlight
   const std::string name = state < 0 ? "" : vehicle_variable(state).name;
   const std::string otherwise = (name.empty() ? "" : ", " + name) + ": " + status_text(status);
   if (status != Status::out_of_range) return otherwise;
-  const SystemState<int>& at = kSystemIndex;
-  const int system = state - state_count;
-  if (state < 0 || system == at.fuel || system == at.mast || system == at.mast_rate || system == at.flap) {
-    const std::string found = setting_at_its_end(c);
-    if (state < 0 || !found.empty()) return found.empty() ? otherwise : found;
+  if (state < 0) {
+    const std::string found = motion_at_its_end(c);
+    return found.empty() ? otherwise : found;
   }
   if (state == state_count + kSystemIndex.governor)
     return ", governor: the rotors take the power of the engines at no collective";
-  if (state == state_count + kSystemIndex.rotor_speed)
-    return sentence(setting(c, SetupField::rotor_speed, flight.state.rotor_speed, name.c_str()));
-  if (state == kStateIndex.position.z)
-    return sentence(setting(c, SetupField::altitude, c.setup.altitude, "down, altitude"));
+  if (state == kStateIndex.position.z) {
+    Left down = setting(c, SetupField::altitude, c.setup.altitude);
+    down.name = "down, altitude";
+    return sentence(down);
+  }
+  Left left;
+  if (find_setting(c, state - state_count, left)) return sentence(left);
   double x[vehicle_state_count];
   flatten(current_state(simulation), x);
   flatten(flight.state, x + state_count);

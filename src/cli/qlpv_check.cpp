@@ -11,6 +11,7 @@ namespace tiltrotor::cli {
 namespace {
 
 constexpr int kBandSteps = 80;
+constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
 double frequency(int step) {
   return kQlpvBand[0] * std::pow(kQlpvBand[1] / kQlpvBand[0], static_cast<double>(step) / kBandSteps);
 }
@@ -92,7 +93,10 @@ std::vector<int> continued_by(const Roots& found, const Roots& other) {
 }  // namespace
 
 double QlpvRoot::error() const { return std::abs(interpolated - exact) / std::abs(exact); }
-double QlpvReading::error() const { return std::abs(interpolated - exact) / std::abs(exact); }
+double QlpvReading::error() const {
+  constexpr double rounding = 1e-9;  // of a search for a trim
+  return std::abs(exact) > rounding * reach ? std::abs(interpolated - exact) / std::abs(exact) : kNothing;
+}
 
 std::unique_ptr<VehicleMatrices> mean_model(const std::vector<const VehicleMatrices*>& corners) {
   auto mean = std::make_unique<VehicleMatrices>(*corners.front());
@@ -119,11 +123,10 @@ Status qlpv_errors(const VehicleMatrices& exact, const VehicleMatrices& interpol
   Status status = found->find(exact, work);
   if (status == Status::ok) status = other->find(interpolated, work);
   if (status != Status::ok) return status;
-  constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
   const std::vector<int> by = continued_by(*found, *other);
   for (int i = 0; i < found->modes.count; ++i) {
     const VehicleMode<double>& m = found->modes.mode[i];
-    QlpvRoot root{m.is_system ? "system" : axis_word(m.axis), m.name, {m.real, m.imag}, {nothing, nothing}};
+    QlpvRoot root{m.is_system ? "system" : axis_word(m.axis), m.name, {m.real, m.imag}, {kNothing, kNothing}};
     const int k = by[static_cast<std::size_t>(i)];
     if (k >= 0) root.interpolated = {other->modes.mode[k].real, other->modes.mode[k].imag};
     out.roots.push_back(root);
@@ -164,9 +167,8 @@ Status qlpv_output_errors(const QlpvPoint& exact, const VehicleMatrices& mean,
   for (int i = 0; i < exact.shown.outputs; ++i) {
     const std::string name = exact.shown.output_name(i);
     const auto y = static_cast<std::size_t>(i);
-    out.readings.push_back(
-        {name, exact.shown.y[y], mean_of([y](const ShownModel& corner) { return corner.y[y]; })});
-    double most = 0;
+    QlpvReading reading{name, exact.shown.y[y],
+                        mean_of([y](const ShownModel& corner) { return corner.y[y]; }), 0};
     int by = -1;
     const auto find_exact = [&](int input) {
       return g.find(
@@ -177,11 +179,15 @@ Status qlpv_output_errors(const QlpvPoint& exact, const VehicleMatrices& mean,
       const Status status = find_exact(k);
       if (status != Status::ok) return status;
       const double size = largest_response(g) * vehicle_input(shape.input[k]).facts().bend;
-      if (size <= most) continue;
-      most = size;
+      if (size <= reading.reach) continue;
+      reading.reach = size;
       by = k;
     }
-    if (by < 0) continue;
+    out.readings.push_back(reading);
+    if (by < 0) {
+      out.responses.push_back({"none>" + name, kNothing, kNothing});
+      continue;
+    }
     Status status = find_exact(by);
     if (status == Status::ok)
       status = h.find(

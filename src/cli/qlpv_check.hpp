@@ -30,7 +30,9 @@ inline constexpr double kQlpvBand[] = {0.1, 10};  // rad/s
 struct QlpvReading {
   std::string name;
   double exact, interpolated;
-  double error() const;  // of the distance, over the size of the exact one
+  double reach;  // how far an input bends it
+  double error()
+      const;  // of the distance, over the size of the exact one; NaN where that is a rounding of the reach
 };
 
 struct QlpvErrors {
@@ -46,8 +48,8 @@ std::unique_ptr<VehicleMatrices> mean_model(const std::vector<const VehicleMatri
 Status qlpv_errors(const VehicleMatrices& exact, const VehicleMatrices& interpolated, Analyses& work,
                    QlpvErrors& out);
 
-// Adds the readings of the outputs that were chosen, and of each its response to the input that moves it most, both over
-// the distance at which the model bends. `mean`: of the corners. Status: those of transfer_function().
+// Adds the readings of the outputs that were chosen, and of each its response to the input that moves it most, over the
+// distance at which the model bends; "none" in its place where no input does. `mean`: of the corners. Status: those of transfer_function().
 Status qlpv_output_errors(const QlpvPoint& exact, const VehicleMatrices& mean,
                           const std::vector<const ShownModel*>& corners, QlpvErrors& out);
 

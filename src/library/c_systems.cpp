@@ -179,7 +179,7 @@ tr_status follow_systems(Sim& s, int* blamed) {
   if (status == Status::ok) {
     keep(c, s);
   } else if (blamed != nullptr) {
-    const int system = system_behind(first_out_of_range(*c.aircraft, wanted).field);
+    const int system = system_behind(*c.aircraft, wanted);
     *blamed = system < 0 ? kNone : state_count + system;
   }
   return translated(status);

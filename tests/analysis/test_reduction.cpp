@@ -72,6 +72,15 @@ TEST(residualised_model_at_the_ends_of_its_range) {
   full.b(kRigidStates + 1, 0) = std::nan("");
   CHECK(residualise(full, work, again) == Status::not_finite);
   CHECK_EQ(again.states, 0);
+  for (const int column : {1, kRigidStates + 1}) {  // A_rr, A_rf
+    linear_model(configuration(0), p.x, p.u, kInceptors, full);
+    full.a(2, column) = std::nan("");
+    CHECK(residualise(full, work, again) == Status::not_finite);
+    CHECK_EQ(again.states, 0);
+  }
+  linear_model(configuration(0), p.x, p.u, kInceptors, full);
+  full.b(2, 0) = std::nan("");
+  CHECK(residualise(full, work, again) == Status::not_finite);
 }
 
 // Work beyond the fast states there are is left alone: with the most there can be, it would lie outside.

@@ -69,13 +69,15 @@ TEST(capi_fault_names_the_system_behind_a_configuration) {
   CHECK_EQ(tr_get_systems(&sim, &systems), TR_OK);
   systems.conversion = systems.engines = 1;
   systems.governor = TR_GOVERNOR_PI;
+  systems.interconnect = 1;
   CHECK_EQ(tr_set_systems(&sim, &systems), TR_OK);
   const tr_state good = state_of(sim);
   const struct {
     std::int32_t state;
     tr_real number;
-  } cases[] = {{TR_MAST, tr_real(-0.1)}, {TR_FLAP, tr_real(1.9)}, {TR_ROTOR_SPEED, tr_real(5)},
-               {TR_FUEL, tr_real(-1e5)}, {TR_FUEL, tr_real(9e5)}, {TR_MAST_RATE, tr_real(1.9)}};
+  } cases[] = {{TR_MAST, tr_real(-0.1)},     {TR_FLAP, tr_real(1.9)},      {TR_ROTOR_SPEED, tr_real(5)},
+               {TR_FUEL, tr_real(-1e5)},     {TR_FUEL, tr_real(9e5)},      {TR_MAST_RATE, tr_real(1.9)},
+               {TR_TWIST_RATE, tr_real(80)}, {TR_TWIST_RATE, tr_real(-80)}};
   for (const auto& one : cases) {
     tr_state bad = good;
     bad.x[one.state] = one.number;

@@ -219,7 +219,7 @@ TEST_OF_XV15(fly_names_what_leaves_its_range) {
   CHECK(says(light, "s, mass: leaves 3000..10000 kg (3000 kg in the last good step)\n"));
   const Flown slow = fly("0 release all\n0 throttle 0\n0 collective 20\n30 end\n", "--speed 40 --height 900");
   CHECK_EQ(slow.result.exit_status, 1);
-  CHECK(says(slow, "s, rotor_speed: leaves 20..80 rad/s (20."));
+  CHECK(says(slow, "s, rotor speed: leaves 20..80 rad/s (20."));
 }
 
 // A collective that was taken goes on as the governor has made it, and so do blades under another governor: no step, and

@@ -162,7 +162,8 @@ Status arrive(const MovingConfiguration<R>& moving, R time, bool at_stop, const 
   const SetupField fault = first_out_of_range(*c.aircraft, c.setup).field;
   if (fault == SetupField::none) return Status::ok;
   if (fault == SetupField::altitude) fault_state = kStateIndex.position.z;
-  if (f.systems != nullptr && system_behind(fault) >= 0) fault_state = state_count + system_behind(fault);
+  const int system = f.systems == nullptr ? -1 : system_behind(*c.aircraft, c.setup);
+  if (system >= 0) fault_state = state_count + system;
   return Status::out_of_range;
 }
 

@@ -40,6 +40,7 @@ Status residualise(const LinearModel<R>& full, ResidualisationWorkspace<R>& work
   }
   reduced.states = r;
   reduced.controls = m;
+  bool finite = true;
   for (int i = 0; i < r; ++i) {
     reduced.state[i] = full.state[i];
     reduced.x[i] = full.x[i];
@@ -49,8 +50,13 @@ Status residualise(const LinearModel<R>& full, ResidualisationWorkspace<R>& work
     for (int j = 0; j < m; ++j) row[r + j] = full.b(i, j);
     for (int k = 0; k < f; ++k)
       padded::add_scaled(-full.a(i, r + k), work.response.row(k), row, 0, lane_ceil<R>(r + m));
+    for (int j = 0; j < r + m; ++j) finite &= is_finite(row[j]);
     for (int j = 0; j < r; ++j) reduced.a(i, j) = row[j];
     for (int j = 0; j < m; ++j) reduced.b(i, j) = row[r + j];
+  }
+  if (!finite) {
+    clear(reduced);
+    return Status::not_finite;
   }
   for (int j = 0; j < m; ++j) {
     reduced.control[j] = full.control[j];

@@ -9,7 +9,7 @@ namespace tiltrotor {
 
 inline constexpr int kMaxKeptStates = kMaxVehicleStates - kMaxFastStates;
 
-// Whether a state stays, by its place in vehicle_variable().
+// Whether a state stays, by its place in vehicle_variable(). North, east and yaw are in no linear model.
 constexpr bool stays_in_reduction(int state) {
   return state >= state_count || state == kStateIndex.position.z || is_rigid(state);
 }
@@ -62,6 +62,8 @@ Status balance_fast(const A& a, const B& b, int m, VehicleReductionWorkspace<R>&
       work.slow(i, j) = j < r ? a(work.kept[i], work.kept[j]) : b(work.kept[i], j - r);
     for (int k = 0; k < f; ++k)
       for (int j = 0; j < r + m; ++j) work.slow(i, j) += -a(work.kept[i], work.fast[k]) * work.response(k, j);
+    for (int j = 0; j < r + m; ++j)
+      if (!is_finite(work.slow(i, j))) status = Status::not_finite;
   }
   return status;
 }
