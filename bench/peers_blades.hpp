@@ -14,11 +14,12 @@ class SingleBlades {
  public:
   static constexpr int kBlades = 1;
   void set_input(const tiltrotor::RotorInput<T>&, const tiltrotor::FeltInflow<T>&) {}
-  void compute_blades(const tiltrotor::Configuration<double>&, double,
+  using Air = tiltrotor::ElementAir<double, double>;
+  void compute_blades(const tiltrotor::Configuration<double>&, const Air&, double,
                       const tiltrotor::AzimuthStations<double>&, int) {}
-  tiltrotor::BladeLoads<T> loads(const tiltrotor::Configuration<double>& c, int,
+  tiltrotor::BladeLoads<T> loads(const tiltrotor::Configuration<double>& c, const Air& air, int,
                                  const tiltrotor::BladeFlow<T>& flow) const {
-    return tiltrotor::blade_loads(c, flow);
+    return tiltrotor::blade_loads(c, air, flow);
   }
 };
 

@@ -101,9 +101,10 @@ tr_status tr_get_systems(const tr_sim* sim, tr_systems* systems);
  * TR_NOT_FINITE, TR_OUT_OF_RANGE (also of that velocity), TR_BAD_ARGUMENT (an unknown choice): nothing is changed. Cost: 1 derivative.
  *
  * With systems on: a step takes 3 or 4 derivatives a part as before and a twentieth of one more for each, with an ideal
- * governor some five times as many. tr_linearize covers their states; where masts, rotor speed, air or ground move it
- * takes some 6 derivatives more, and holds the turbulence, whose scale follows the height. tr_trim takes up to 6 of its trims where gear or ground count. tr_directional
- * takes some 4 derivatives, tr_linearize_outputs as many for every 7 of its columns; both then know every state of
+ * governor some five times as many. tr_linearize covers their states, takes 2 Jacobians where masts, rotor speed, air or
+ * ground move and some 7 derivatives more with an ideal governor, and holds the turbulence, whose scale follows the height.
+ * tr_trim takes up to 6 of its trims where gear or ground count. tr_directional
+ * takes a Jacobian, tr_linearize_outputs as much and one derivative for every 7 of its columns; both then know every state of
  * tr_state, fuel, position and attitude that is held included, and hold the turbulence alone. Where an
  * ideal governor finds no collective all of these are TR_NOT_CONVERGED. Modes of systems are named after the state that
  * takes part most; on a microcontroller tr_work is too small for them: tr_modes is TR_BAD_ARGUMENT

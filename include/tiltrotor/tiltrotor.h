@@ -49,7 +49,7 @@ extern "C" {
 
 /* Less is enough on a microcontroller. */
 #if defined(__ARM_ARCH_PROFILE) && __ARM_ARCH_PROFILE == 'M'
-#define TR_DOUBLE_WORK_SIZE 96000
+#define TR_DOUBLE_WORK_SIZE 97664
 #define TR_SINGLE_WORK_SIZE 51200
 #else
 #define TR_DOUBLE_WORK_SIZE 245760
@@ -58,14 +58,14 @@ extern "C" {
 
 #ifdef TR_SINGLE_PRECISION
 typedef float tr_real;
-#define TR_API_VERSION 0x00060004u
+#define TR_API_VERSION 0x00070004u
 #define TR_SIM_SIZE 3968
 #define TR_WORK_SIZE TR_SINGLE_WORK_SIZE
 #else
 typedef double tr_real;
 /* Changes when a program must be compiled again: interface in the upper half, bytes of a tr_real in the
  * lower. */
-#define TR_API_VERSION 0x00060008u
+#define TR_API_VERSION 0x00070008u
 #define TR_SIM_SIZE 7424 /* bytes */
 #define TR_WORK_SIZE TR_DOUBLE_WORK_SIZE
 #endif

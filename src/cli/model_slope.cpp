@@ -117,12 +117,14 @@ Status ModelSlope::closed_loop(const State<double>& x, const Controls<double>& u
   m.put.around = with_turbulence(m.configuration, at, held, flight.vehicle, flight.state);
   set_zero(slope);
   bool finite = true;
-  const auto put_a = [&](int i, int j, const Along& entry) {
-    slope(i, j) = entry.d;
-    finite &= std::isfinite(entry.d);
+  const auto put_a = [&](int i, int j, int count, const Along* entry) {
+    for (int k = 0; k < count; ++k) {
+      slope(i, j + k) = entry[k].d;
+      finite &= std::isfinite(entry[k].d);
+    }
   };
   const Status status = linearize_vehicle(flight.vehicle, m.put, at, flight.state, held, shape, m.vehicle,
-                                          m.rates, m.system_rates, put_a, [](int, int, const Along&) {});
+                                          m.rates, m.system_rates, put_a, [](int, int, int, const Along*) {});
   return status == Status::ok && !finite ? Status::not_finite : status;
 }
 

@@ -69,9 +69,10 @@ Status lead(const Configuration<double>& c, Governor governor, double throttle, 
   SystemState<double> system_rates;
   return linearize_vehicle(
       v, put, at.trim.state, s, at.trim.controls, shape, at.vehicle, rates, system_rates,
-      [&m](int i, int j, double slope) { m.a(i, j) = slope; },
-      [&m, throttles](int i, int j, double slope) {
-        m.b(i, j < throttles ? 0 : j + (throttles == 0 ? 0 : 1 - throttles)) += slope;
+      [&m](int i, int j, int count, const double* slope) { copy_row(slope, count, m.a.row(i) + j); },
+      [&m, throttles](int i, int first, int count, const double* slope) {
+        for (int j = first; j < first + count; ++j)
+          m.b(i, j < throttles ? 0 : j + (throttles == 0 ? 0 : 1 - throttles)) += *slope++;
       });
 }
 

@@ -5,7 +5,7 @@ FIRMWARE_FRAMES ?= 600
 MEASURED_STATES ?= 1000
 FIRMWARE_RAM    ?= 128K
 FIRMWARE_STACK  ?= 17K
-C_FLAGS := -std=c99 -O2 $(CPPFLAGS) $(CFLAGS) $(ARCH_FLAGS) -ffp-contract=off -Wall -Wextra -Wpedantic $(if $(WERROR),-Werror) \
+C_FLAGS := -std=c99 $(if $(TARGET),-Os,-O2) $(CPPFLAGS) $(CFLAGS) $(ARCH_FLAGS) -ffp-contract=off -Wall -Wextra -Wpedantic $(if $(WERROR),-Werror) \
            $(DEFINED:%=-D%) -Iinclude -Isrc
 FIRMWARE_HEADERS := $(wildcard src/firmware/*.h include/tiltrotor/*.h)
 

@@ -67,8 +67,9 @@ Status linearize_vehicle(const Vehicle<double>& v, Configuration<double>& c, con
   set_zero(matrices.b);
   return linearize_vehicle(
       v, c, x, s, u, matrices.shape, work.vehicle, xdot, sdot,
-      [&](int i, int j, double slope) { matrices.a(i, j) = slope; },
-      [&](int i, int j, double slope) { matrices.b(i, j) = slope; }, azimuth);
+      [&](int i, int j, int count, const double* slope) { copy_row(slope, count, matrices.a.row(i) + j); },
+      [&](int i, int j, int count, const double* slope) { copy_row(slope, count, matrices.b.row(i) + j); },
+      azimuth);
 }
 
 Status vehicle_modes(const VehicleMatrices& matrices, Analyses& work, VehicleModes<double>& found) {

@@ -62,9 +62,10 @@ tr_status linearize_systems(const Sim& s, tr_work* work, std::int32_t columns, t
   SystemState<R> system_rates{};
   const Status status = linearize_vehicle(
       v, equipped_in_air(s, call.configuration), evaluated_state(s), s.systems.state, s.u, of, call.model,
-      rates, system_rates, [&](int i, int j, R slope) { to.a[at(i, j, of.states)] = slope; },
-      [&](int i, int j, R slope) {
-        if (wants_b) to.b[at(i, j, of.inputs)] = slope;
+      rates, system_rates,
+      [&](int i, int j, int count, const R* slope) { copy_row(slope, count, to.a + at(i, j, of.states)); },
+      [&](int i, int j, int count, const R* slope) {
+        if (wants_b) copy_row(slope, count, to.b + at(i, j, of.inputs));
       });
   flatten(rates, xdot);
   flatten(system_rates, xdot + state_count);

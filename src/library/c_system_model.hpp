@@ -5,12 +5,12 @@
 #include "tiltrotor/analysis/linear/vehicle_model.hpp"
 
 // The airframe with a configuration that moves: compiled once, in c_system_model.cpp.
-#define TILTROTOR_SYSTEM_INSTANCES(PREFIX)                                                \
-  PREFIX template void derivative(const Configuration<SensitivityWorkspace<tr_real>::T>&, \
-                                  const State<SensitivityWorkspace<tr_real>::T>&,         \
-                                  const Controls<SensitivityWorkspace<tr_real>::T>&,      \
-                                  DerivativeSteps<SensitivityWorkspace<tr_real>::T>&,     \
-                                  State<SensitivityWorkspace<tr_real>::T>&, tr_real);
+#define TILTROTOR_SYSTEM_INSTANCES(PREFIX)                                                               \
+  PREFIX template void derivative(                                                                       \
+      const Configuration<SensitivityWorkspace<tr_real>::T>&,                                            \
+      const State<SensitivityWorkspace<tr_real>::T>&, const Controls<SensitivityWorkspace<tr_real>::T>&, \
+      ExpandedRotors<tr_real>, tr_real, DerivativeSteps<SensitivityWorkspace<tr_real>::T>&,              \
+      State<SensitivityWorkspace<tr_real>::T>&);
 
 namespace tiltrotor {
 TILTROTOR_SYSTEM_INSTANCES(extern)

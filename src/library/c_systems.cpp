@@ -8,6 +8,7 @@
 #include "library/c_state.hpp"
 #include "library/c_words.hpp"
 #include "tiltrotor/analysis/flight/attitude.hpp"
+#include "tiltrotor/systems/system_behind.hpp"
 
 namespace tiltrotor::c_interface {
 

@@ -28,7 +28,7 @@ WINDOWS := x86_64-w64-mingw32
 WINDOWS_BUILD := $(BUILD)/$(WINDOWS)
 WINDOWS_LIBRARIES := $(addprefix $(WINDOWS_BUILD)/,libtiltrotor.a libtiltrotor-aircraft.a)
 # In single precision the linker knows the functions by other names.
-WINDOWS_NAMES := $(if $(filter single,$(PRECISION)),s/_0x00060008u/_0x00060004u/; t; s/^    tr_.*/&_single/)
+WINDOWS_NAMES := $(if $(filter single,$(PRECISION)),s/_0x00070008u/_0x00070004u/; t; s/^    tr_.*/&_single/)
 .PHONY: windows
 windows: ## build the libraries for Windows, static and DLL, below build/x86_64-w64-mingw32, and there installed/ with files for CMake
 	+$(Q)tests/tool.sh windows $(WINDOWS)-g++ g++-mingw-w64-x86-64 || exit 0; set -e; \

@@ -54,7 +54,7 @@ if _single and not hasattr(_library, "tr_init_single"):
 tr_real = ctypes.c_float if _single else ctypes.c_double
 
 # ---- constants ----
-TR_API_VERSION = 0x00060004 if _single else 0x00060008
+TR_API_VERSION = 0x00070004 if _single else 0x00070008
 TR_SIM_SIZE = 3968 if _single else 7424  # bytes
 TR_WORK_SIZE = 135168 if _single else 245760
 TR_HASH_START = 14695981039346656037

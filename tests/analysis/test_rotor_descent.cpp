@@ -49,7 +49,7 @@ std::vector<double> roots(const Configuration<double>& c, double axial, double c
     in.collective = collective_deg * kRadPerDeg<double>;
     in.coning.angle = c.coning;
     in.state.lambda_0 = v / c.tip_speed;
-    rotor_response(c, c.rotor[right], in, c.azimuth, work, out);
+    rotor_response(c, rotor_conditions(c, right), in, c.azimuth, work, out);
     if (before * out.inflow.lambda_0 < 0) found.push_back(v - step / 2);
     before = out.inflow.lambda_0;
   }

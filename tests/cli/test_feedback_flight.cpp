@@ -182,7 +182,8 @@ TEST_OF_XV15(cli_bad_feedback_of_endless_cost_is_refused) {
   const std::string flight = "respond --duration 1 --dt 0.01 " + kFlight + loop;
   check::check_refused(flight, "law.csv: a root of the closed loop is ");
   // 256 parts of 2.61: where rk4 is stable (limits of its stability function: test_stable_step.cpp).
-  check::check_refused(flight, " 1/s, outside 0..6.68e+04 1/s, where a step of 0.01 s is cut into at most 256 parts");
+  check::check_refused(flight,
+                       " 1/s, outside 0..6.68e+04 1/s, where a step of 0.01 s is cut into at most 256 parts");
   const std::string script = quoted(folder.write("script.txt", "0 scas off\n1 end\n"));
   check::check_refused("fly --script " + script + " " + kFlight + loop,
                        "law.csv: a root of the closed loop is ");

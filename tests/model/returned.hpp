@@ -18,7 +18,7 @@ RotorLoads<T> rotor_loads(const Configuration<Real<T>>& c, const RotorInput<T>& 
                           const AzimuthStations<Real<T>>& azimuth) {
   BladeGroup<T> blades;
   RotorLoads<T> sum;
-  rotor_loads(c, c.rotor[right], in, azimuth, blades, sum);
+  rotor_loads(c, rotor_conditions(c, right), in, azimuth, blades, sum);
   return sum;
 }
 
@@ -27,7 +27,7 @@ RotorResponse<T> rotor_response(const Configuration<Real<T>>& c, const RotorInpu
                                 const AzimuthStations<Real<T>>& azimuth) {
   RotorWorkspace<T> work;
   RotorResponse<T> out;
-  rotor_response(c, c.rotor[right], in, azimuth, work, out);
+  rotor_response(c, rotor_conditions(c, right), in, azimuth, work, out);
   return out;
 }
 
@@ -35,30 +35,30 @@ RotorResponse<T> rotor_response(const Configuration<Real<T>>& c, const RotorInpu
 template <class T>
 FlapRates<T> flap_rates(const Configuration<Real<T>>& c, const RotorState<T>& x, const Vec3<T>& hub_rates,
                         const T& mc, const T& ms) {
-  return flap_rates(c, c.rotor[right], x, hub_rates, mc, ms);
+  return flap_rates(c, rotor_conditions(c, right), x, hub_rates, mc, ms);
 }
 template <class T>
 FlapRates<T> quasi_static_flap_rates(const Configuration<Real<T>>& c, const RotorState<T>& x,
                                      const Vec3<T>& hub_rates, const T& mc, const T& ms) {
-  return quasi_static_flap_rates(c, c.rotor[right], x, hub_rates, mc, ms);
+  return quasi_static_flap_rates(c, rotor_conditions(c, right), x, hub_rates, mc, ms);
 }
 template <class T>
 T coning_acceleration(const Configuration<Real<T>>& c, const ConingState<T>& x, const T& m0) {
-  return coning_acceleration(c, c.rotor[right], x, m0);
+  return coning_acceleration(c, rotor_conditions(c, right), x, m0);
 }
 template <class T>
 InflowRates<T> inflow_rates(const Configuration<Real<T>>& c, const RotorState<T>& x,
                             const InflowForcing<T>& f) {
-  return inflow_rates(c, c.rotor[right], x, f);
+  return inflow_rates(c, rotor_conditions(c, right), x, f);
 }
 template <class T>
 InflowForcing<T> inflow_forcing(const Configuration<Real<T>>& c, const RotorInput<T>& in,
                                 const RotorLoads<T>& loads) {
-  return inflow_forcing(c, c.rotor[right], in, loads);
+  return inflow_forcing(c, rotor_conditions(c, right), in, loads);
 }
 template <class T>
 FeltInflow<T> felt_inflow(const Configuration<Real<T>>& c, const RotorInput<T>& in) {
-  return felt_inflow(c, c.rotor[right], in);
+  return felt_inflow(c, rotor_conditions(c, right), in);
 }
 
 template <class T>

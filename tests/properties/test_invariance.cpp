@@ -236,7 +236,7 @@ TEST(property_rotor_power_balance) {
       const double flap = in.coning.angle + x.b1c * cosine + x.b1s * sine;
       const BladeFlow<double> flow = blade_flow(c.setup.rotor_speed, c.pitch_flap, in, inflow, std::sin(flap),
                                                 std::cos(flap), cosine, sine);
-      const BladeLoads<double> blade = blade_loads(c, flow);
+      const BladeLoads<double> blade = blade_loads(c, element_air(rotor_conditions(c, right)), flow);
       harmonics += c.azimuth.weight * std::cos(flap) * omega * (x.lambda_c * cosine + x.lambda_s * sine) *
                    blade.normal_moment;
       int region = 0;

@@ -21,8 +21,9 @@ const Matrices& matrices(const Vehicle<double>& v, const Configuration<double>& 
   m.shape.inputs = vehicle_input_count;
   for (int j = 0; j < vehicle_input_count; ++j) m.shape.input[j] = j;
   m.status = linearize_vehicle(
-      v, at, x, s, u, m.shape, work, m.xdot, m.sdot, [](int i, int j, double slope) { m.a[i][j] = slope; },
-      [](int i, int j, double slope) { m.b[i][j] = slope; });
+      v, at, x, s, u, m.shape, work, m.xdot, m.sdot,
+      [](int i, int j, int count, const double* slope) { std::copy(slope, slope + count, m.a[i] + j); },
+      [](int i, int j, int count, const double* slope) { std::copy(slope, slope + count, m.b[i] + j); });
   return m;
 }
 

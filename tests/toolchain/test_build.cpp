@@ -86,7 +86,7 @@ TEST(build_shared_library_exports_the_interface_alone) {
 TEST(build_windows_list_is_the_interface) {
   if (!is_native() || !has("nm")) return;
 #ifdef TR_SINGLE_PRECISION
-  const std::string renamed = "s/_0x00060008u/_0x00060004u/; t; s/$/_single/";
+  const std::string renamed = "s/_0x00070008u/_0x00070004u/; t; s/$/_single/";
 #else
   const std::string renamed;
 #endif
@@ -192,7 +192,7 @@ TEST(build_precision_is_in_the_names) {
   int counted = 0;
   for (std::string name; std::getline(names, name); ++counted) {
     const bool marked = (name.size() > 7 && name.substr(name.size() - 7) == "_single") ||
-                        name.find("0x00060004u") != std::string::npos;
+                        name.find("0x00070004u") != std::string::npos;
     if (!CHECK(marked)) NOTE("no name of its own in single precision: " << name);
   }
   CHECK(counted >= 23);

@@ -157,7 +157,7 @@ struct RotorProblem {
 
   void values(const R* z, R* residual) {
     place(set, cyclic, z, in);
-    rotor_response(c, c.rotor[right], in, c.azimuth, work.plain, out);
+    rotor_response(c, rotor_conditions(c, right), in, c.azimuth, work.plain, out);
     residuals(c, set, out, residual);
   }
   void jacobian(const R* z, R* residual, Matrix<R, kRotorUnknowns, kRotorUnknowns>& slopes) {
@@ -170,7 +170,7 @@ struct RotorProblem {
     const int n = set.count();
     for (int j = 0; j < n; ++j) seeded.variable[j] = D::variable(z[j], j);
     place(set, cyclic, seeded.variable, seeded.in);
-    rotor_response(c, c.rotor[right], seeded.in, c.azimuth, seeded.rotor, seeded.out);
+    rotor_response(c, rotor_conditions(c, right), seeded.in, c.azimuth, seeded.rotor, seeded.out);
     residuals(c, set, seeded.out, seeded.residual);
     for (int i = 0; i < n; ++i) {
       residual[i] = seeded.residual[i].v;

@@ -4,7 +4,7 @@
 
 #include "tiltrotor/model/airframe/engine_jet.hpp"
 #include "tiltrotor/model/component_inputs.hpp"
-#include "tiltrotor/model/derivative_steps.hpp"
+#include "tiltrotor/model/rotor_expansion.hpp"
 #include "tiltrotor/model/state_rates.hpp"
 
 namespace tiltrotor {
@@ -19,12 +19,13 @@ struct Evaluation {
   T wing_downwash;            // at the tail, not lagged, rad
 };
 
-// xdot and, in `steps`, what leads to it; `record(component, loads)` sees the loads of every component.
+// xdot and, in `steps`, what leads to it; `record(component, loads)` sees the loads of every component;
+// `rotors(c, side, azimuth, steps)` finds steps.rotor[side] (rotor_expansion.hpp).
 // `azimuth`: position of the right rotor's first blade (rad), used in the individual-blade mode alone; the
 // left rotor mirrors it.
-template <class T, class C, class Record>
+template <class T, class C, class Record, class Rotors = AskedRotors>
 void recorded_derivative(const Configuration<C>& c, const State<T>& x, const Controls<T>& u, Real<T> azimuth,
-                         DerivativeSteps<T>& steps, State<T>& rates, Record&& record) {
+                         DerivativeSteps<T>& steps, State<T>& rates, Record&& record, Rotors rotors = {}) {
   out_of_line([&] {
     const Vec3<T> velocity_b = x.velocity - u.gust;
     steps.controls = mix_controls(c, u, velocity_b);
@@ -33,8 +34,7 @@ void recorded_derivative(const Configuration<C>& c, const State<T>& x, const Con
 
   for (const Side side : {right, left}) {
     rotor_input(c, x, steps.velocity_b, steps.controls, side, steps.rotor_input);
-    local_rotor_response(c, steps.rotor_input, side, azimuth, steps.local.first, steps.seen_by_rotor,
-                         steps.rotor);
+    rotors(c, side, azimuth, steps);
     out_of_line([&] {
       steps.advance_ratio[side] = advance_ratio(c, side, steps.rotor_input.velocity_a);
       steps.hub_loads[side] = hub_loads(c, side, x.rotor[side], steps.rotor[side].loads);
@@ -88,10 +88,20 @@ void evaluate_aircraft(const Configuration<C>& c, const State<T>& x, const Contr
 }
 
 // xdot alone.
+template <class T, class C, class Rotors>
+void derivative(const Configuration<C>& c, const State<T>& x, const Controls<T>& u, Rotors rotors,
+                Real<T> azimuth, DerivativeSteps<T>& steps, State<T>& rates) {
+  recorded_derivative(
+      c, x, u, azimuth, steps, rates, [](Component, const auto&) {}, rotors);
+}
 template <class T, class C>
 void derivative(const Configuration<C>& c, const State<T>& x, const Controls<T>& u, DerivativeSteps<T>& steps,
                 State<T>& rates, Real<T> azimuth = Real<T>(0)) {
-  recorded_derivative(c, x, u, azimuth, steps, rates, [](Component, const auto&) {});
+  if constexpr (kIsPlain<C> && OuterPartials<T>::count > 0) {
+    derivative(c, x, u, KnownRotors<Real<T>>{nullptr}, azimuth, steps, rates);
+  } else {
+    derivative(c, x, u, AskedRotors{}, azimuth, steps, rates);
+  }
 }
 template <class T, class C>
 void derivative(const Configuration<C>& c, const State<T>& x, const Controls<T>& u, State<T>& rates,

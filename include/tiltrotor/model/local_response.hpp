@@ -29,8 +29,9 @@ void local_rotor_response(const Configuration<C>& c, const RotorInput<T>& in, in
   const bool averaged = c.setup.options.azimuth == AzimuthMode::averaged;
   if (!averaged) individual_azimuth(c.aircraft->rotor.blades, azimuth, work.inner.stations);
   const AzimuthStations<Real<T>>& stations = averaged ? c.azimuth : work.inner.stations;
+  const RotorConditions<C> conditions = rotor_conditions(c, side);
   preaccumulate(in, work.chain, out, [&](const auto& local, auto& found) {
-    rotor_response(c, c.rotor[side], local, stations, work.inner, found);
+    rotor_response(c, conditions, local, stations, work.inner, found);
   });
 }
 

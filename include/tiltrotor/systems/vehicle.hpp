@@ -98,27 +98,6 @@ inline ActiveSystems active_systems(const SystemSwitches& on) {
   return active;
 }
 
-// The state that puts the first field of a setup out of its range, among kSystemVariables; -1: none does.
-template <class R>
-int system_behind(const Aircraft<R>& aircraft, const FlightSetup<R>& setup) {
-  const Bounds<R>& speeds = aircraft.limits.rotor_speed;
-  switch (first_out_of_range(aircraft, setup).field) {
-    case SetupField::mast_deg:
-      return kSystemIndex.mast;
-    case SetupField::mast_rate:
-      return kSystemIndex.mast_rate;
-    case SetupField::flap_deg:
-      return kSystemIndex.flap;
-    case SetupField::rotor_speed:  // of a rotor
-      return is_within(setup.rotor_speed, speeds.low, speeds.high) ? kSystemIndex.twist_rate
-                                                                   : kSystemIndex.rotor_speed;
-    case SetupField::mass:
-      return kSystemIndex.fuel;
-    default:
-      return -1;
-  }
-}
-
 // What the airframe is to feel.
 template <class T>
 struct AirframeDemand {
@@ -353,23 +332,14 @@ bool hold_power(const Configuration<Real<T>>& c, const T& guess, const T& power,
   return rest < most && rest > -most;
 }
 
-// Rates of all states. `airframe(demand, answer)`: rates of the airframe, and torque of its rotors;
-// `airframe.add(loads, rates)`: what a load beside those does to the rates.
+// What follows from the airframe's answer, in it and in `rates`. `airframe.add(loads, rates)`: what a load beside those
+// that it knows does to the rates.
 template <class T, class Airframe>
-void vehicle_rates(const Vehicle<Real<T>>& v, const Configuration<Real<T>>& c,
-                   const ConfigurationSetting<Real<T>>& base, Configuration<T>& at, const State<T>& x,
-                   const SystemState<T>& s, const Commands<T>& commands, const Controls<T>& u,
-                   Airframe&& airframe, AirframeDemand<T>& demand, AirframeAnswer<T>& answer,
-                   VehicleFlows<T>& flows, SystemState<T>& rates) {
+void follow_airframe(const Vehicle<Real<T>>& v, const Configuration<Real<T>>& c, const State<T>& x,
+                     const SystemState<T>& s, const Commands<T>& commands, Airframe&& airframe,
+                     const AirframeDemand<T>& demand, AirframeAnswer<T>& answer, const VehicleFlows<T>& flows,
+                     SystemState<T>& rates) {
   using R = Real<T>;
-  airframe_demand(v, c, base, at, x, s, commands, u, demand, flows, rates);
-  flows.governed = T(R(0));
-  flows.held = true;
-  if (v.on.governor == Governor::ideal) {
-    flows.held = hold_power(c, s.governor, flows.power, airframe, demand, answer, flows.governed);
-  } else {
-    airframe(demand, answer);
-  }
   drift(mean_wind(v, c.aircraft->gust, c.around.wind_n), x, answer.rates);
   if (v.on.governor != Governor::pi) return;
   T rotor_speed[2] = {s.rotor_speed, s.rotor_speed}, faster[2];  // rad/s, rad/s^2
@@ -393,6 +363,26 @@ void vehicle_rates(const Vehicle<Real<T>>& v, const Configuration<Real<T>>& c,
     rotor.lambda_c = rotor.lambda_c - slower * x.rotor[side].lambda_c;
     rotor.lambda_s = rotor.lambda_s - slower * x.rotor[side].lambda_s;
   }
+}
+
+// Rates of all states. `airframe(demand, answer)`: rates of the airframe, and torque of its rotors; `airframe.add` as
+// above.
+template <class T, class Airframe>
+void vehicle_rates(const Vehicle<Real<T>>& v, const Configuration<Real<T>>& c,
+                   const ConfigurationSetting<Real<T>>& base, Configuration<T>& at, const State<T>& x,
+                   const SystemState<T>& s, const Commands<T>& commands, const Controls<T>& u,
+                   Airframe&& airframe, AirframeDemand<T>& demand, AirframeAnswer<T>& answer,
+                   VehicleFlows<T>& flows, SystemState<T>& rates) {
+  using R = Real<T>;
+  airframe_demand(v, c, base, at, x, s, commands, u, demand, flows, rates);
+  flows.governed = T(R(0));
+  flows.held = true;
+  if (v.on.governor == Governor::ideal) {
+    flows.held = hold_power(c, s.governor, flows.power, airframe, demand, answer, flows.governed);
+  } else {
+    airframe(demand, answer);
+  }
+  follow_airframe(v, c, x, s, commands, airframe, demand, answer, flows, rates);
 }
 
 }  // namespace tiltrotor

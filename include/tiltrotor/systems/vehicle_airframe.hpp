@@ -38,17 +38,18 @@ void add_load(const Configuration<C>& c, const Loads<T>& load, State<T>& rates) 
   }
 }
 
-// `c`: put into each demand.
-template <class T>
+// `c`: put into each demand; `rotors`: rotor_expansion.hpp.
+template <class T, class Rotors = AskedRotors>
 struct VehicleAirframe {
   Configuration<T>& c;
   const State<T>& x;
   DerivativeSteps<T>& steps;
   Real<T> azimuth;
+  Rotors rotors = {};
 
   void operator()(const AirframeDemand<T>& demand, AirframeAnswer<T>& answer) const {
     put_into(demand, c);
-    derivative(c, x, demand.controls, steps, answer.rates, azimuth);
+    derivative(c, x, demand.controls, rotors, azimuth, steps, answer.rates);
     for (const Side side : {right, left}) answer.torque[side] = steps.rotor[side].loads.torque;
   }
   void add(const Loads<T>& loads, State<T>& rates) const { add_load(c, loads, rates); }

@@ -19,6 +19,7 @@
 
 #include "tiltrotor/analysis/flight/jacobian_steps.hpp"
 #include "tiltrotor/analysis/flight/stable_step.hpp"
+#include "tiltrotor/systems/system_behind.hpp"
 
 namespace tiltrotor {
 

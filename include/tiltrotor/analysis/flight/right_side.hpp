@@ -110,7 +110,7 @@ struct RightSide {
     R u[control_count];
     flatten(controls, u);
     for (int i = 0; i < state_count; ++i) at.x[i] = T(work.whole[i]);
-    for (int j = 0; j < control_count; ++j) at.u[j] = T(u[j]);
+    for (int j = 0; j < control_count; ++j) at.u()[j] = T(u[j]);
     for (int k = 0; k < work.active.count; ++k) {
       const int i = work.active.index[k];
       at.x[i] = sum_of(i) < 0 ? x[k] : at.x[i] + x[k];
@@ -149,7 +149,7 @@ struct RightSide {
   void rates_with_systems(ModelWorkspace<R>& at, const R* x, R* rates, R azimuth) const {
     const Vehicle<R>& v = systems->flight->vehicle;
     unflatten(at.x, at.state);
-    unflatten(at.u, at.controls);
+    unflatten(at.u(), at.controls);
     SystemState<R> found;
     vehicle_rates(v, c, systems->base, *systems->c, at.state, system_state(x), v.commands, at.controls,
                   VehicleAirframe<R>{*systems->c, at.state, at.derivative, azimuth}, work.demand, work.answer,

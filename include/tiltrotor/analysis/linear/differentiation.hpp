@@ -162,36 +162,44 @@ constexpr R control_scale(int index) {
 
 // State, control and rate of one evaluation of the model on scalar T, the flat arrays to fill them from (x in
 // the order of State::each), and what leads from one to the other. What is not needed at the same time lies
-// in one place where the scalar allows it: x is read before the evaluation and written after it, u is read
-// before the rates are written.
+// in one place where the scalar allows it: x and u are read before the evaluation, and x is written after it; controls
+// are read before the rates are written.
 template <class T, bool = std::is_trivially_default_constructible_v<T>&& std::is_trivially_destructible_v<T>>
 struct ModelWorkspace {
+  struct Flat {
+    T x[state_count];
+    T u[control_count];
+  };
   union {
     T x[state_count];
+    Flat flat;
     DerivativeSteps<T> derivative;
   };
   union {
-    T u[control_count];
+    Controls<T> controls;
     State<T> rates;
   };
   State<T> state;
-  Controls<T> controls;
+
+  T (&u())[control_count] { return flat.u; }
 };
 template <class T>
 struct ModelWorkspace<T, false> {
   T x[state_count];
+  T given[control_count];
   DerivativeSteps<T> derivative;
-  T u[control_count];
+  Controls<T> controls;
   State<T> rates;
   State<T> state;
-  Controls<T> controls;
+
+  T (&u())[control_count] { return given; }
 };
 
-// x, u -> xdot, all in `work`: work.x becomes xdot, work.u is lost.
+// x, u -> xdot, all in `work`: work.x becomes xdot, work.u() is lost.
 template <class T>
 void model_rates(const Configuration<Real<T>>& c, Real<T> azimuth, ModelWorkspace<T>& work) {
   unflatten(work.x, work.state);
-  unflatten(work.u, work.controls);
+  unflatten(work.u(), work.controls);
   derivative(c, work.state, work.controls, work.derivative, work.rates, azimuth);
   flatten(work.rates, work.x);
 }

@@ -78,7 +78,9 @@ template <class R, class Policy = DefaultDifferentiation>
 struct LinearizationWorkspace {
   static constexpr int kInputs = kMaxLinearStates + kMaxLinearControls;
   using Seeded = typename Policy::template Scalar<R, kModelDirections>;
-  typename Policy::template InPlaceWorkspace<R, kModelDirections, kInputs, state_count> differentiation;
+  static constexpr int kOutputs =
+      state_count + 2;  // rates, and torques of the rotors where they are asked for
+  typename Policy::template InPlaceWorkspace<R, kModelDirections, kInputs, kOutputs> differentiation;
   ModelWorkspace<Seeded> evaluation;
   R base_x[state_count];
   R base_u[control_count];
@@ -153,9 +155,9 @@ template <class T, class R, class Policy>
 void place_point(const T* input, const LinearPoint<R>& point, LinearizationWorkspace<R, Policy>& work) {
   ModelWorkspace<T>& at = work.evaluation;
   for (int i = 0; i < state_count; ++i) at.x[i] = T(work.base_x[i]);
-  for (int j = 0; j < control_count; ++j) at.u[j] = T(work.base_u[j]);
+  for (int j = 0; j < control_count; ++j) at.u()[j] = T(work.base_u[j]);
   for (int i = 0; i < point.states; ++i) at.x[point.state[i]] = input[i];
-  for (int j = 0; j < point.controls; ++j) at.u[point.control[j]] = input[point.states + j];
+  for (int j = 0; j < point.controls; ++j) at.u()[point.control[j]] = input[point.states + j];
 }
 
 // A and B at (x, u). The arguments are not changed; the model keeps no memory.

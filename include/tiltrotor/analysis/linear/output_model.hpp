@@ -33,7 +33,7 @@ template <class T>
 TILTROTOR_NOINLINE void rates_and_readings(const Configuration<Real<T>>& c, Real<T> azimuth,
                                            ModelWorkspace<T>& at, Instruments<T>& readings) {
   unflatten(at.x, at.state);
-  unflatten(at.u, at.controls);
+  unflatten(at.u(), at.controls);
   derivative(c, at.state, at.controls, at.derivative, at.rates, azimuth);
   read_instruments(c, at.state, at.derivative, at.rates, readings);
 }
@@ -93,7 +93,7 @@ Status directional(const Configuration<R>& c, const State<R>& x, const Controls<
     using T = std::remove_reference_t<decltype(*found)>;
     ModelWorkspace<T>& at = work.evaluation;
     for (int i = 0; i < state_count; ++i) at.x[i] = work.base_x[i] + dx[i] * way[0];
-    for (int j = 0; j < control_count; ++j) at.u[j] = work.base_u[j] + du[j] * way[0];
+    for (int j = 0; j < control_count; ++j) at.u()[j] = work.base_u[j] + du[j] * way[0];
     output_model_detail::rates_and_readings(c, azimuth, at, work.readings);
     flatten(at.rates, found);
     flatten(work.readings, found + state_count);

@@ -52,8 +52,8 @@ Status system_gains(Configuration<R> c, const State<R>& x, const Controls<R>& u,
   SystemState<R> system_rates;
   const Status status = linearize_vehicle(
       v, c, x, s, u, shape, work.model, rates, system_rates,
-      [&](int i, int j, R slope) { work.a(i, j) = slope; },
-      [&](int i, int j, R slope) { work.b(i, j) = slope; });
+      [&](int i, int j, int count, const R* slope) { copy_row(slope, count, work.a.row(i) + j); },
+      [&](int i, int j, int count, const R* slope) { copy_row(slope, count, work.b.row(i) + j); });
   if (status != Status::ok) return status;
 
   int row[vehicle_state_count];

@@ -1,7 +1,7 @@
 // How rates and instruments of the whole vehicle change along directions of its states and inputs, exactly: the vehicle
-// itself on dual numbers, with its configuration. It shares neither the expansion of the airframe nor the choice of
-// states with vehicle_model.hpp: heading, position, fuel and what the augmentation holds count as well. Only the
-// turbulence is held.
+// itself on dual numbers, with its configuration, its rotors by their expansion. It shares neither the expansion of the
+// airframe nor the choice of states with vehicle_model.hpp: heading, position, fuel and what the augmentation holds
+// count as well. Only the turbulence is held.
 #pragma once
 
 #include <type_traits>
@@ -28,6 +28,8 @@ struct VehicleDirectionWorkspace {
   VehicleFlows<T> flows;
   Instruments<T> readings;
   T states[vehicle_state_count], inputs[vehicle_input_count];  // before they are placed
+  RotorExpansion<R> rotors;                                    // about the point
+  RotorExpansionWorkspace<R> expanding;
   R governed;                 // collective of an ideal governor at the point, rad
   R follows[kVehicleSlopes];  // and how it changes along each direction
   bool ideal;
@@ -41,23 +43,30 @@ struct VehicleDirectionWorkspace {
 
 namespace vehicle_direction_detail {
 
-// The collective of an ideal governor at the point; `c` is put into what the systems ask for. False: there is none.
+// The point: `c` is put into what the systems ask for there, the rotors are expanded about it. False: an ideal governor
+// finds no collective.
 template <class R>
-bool find_governed(const Vehicle<R>& v, Configuration<R>& c, const State<R>& x, const SystemState<R>& s,
-                   const Controls<R>& u, R azimuth, VehicleDirectionWorkspace<R>& work) {
-  work.ideal = v.on.governor == Governor::ideal;
-  work.governed = R(0);
-  if (!work.ideal) return true;
-  DerivativeSteps<R> steps;
+bool find_point(const Vehicle<R>& v, Configuration<R>& c, const State<R>& x, const SystemState<R>& s,
+                const Controls<R>& u, R azimuth, VehicleDirectionWorkspace<R>& work) {
   AirframeDemand<R> demand;
-  AirframeAnswer<R> answer;
   VehicleFlows<R> flows;
   SystemState<R> rates;
   const ConfigurationSetting<R> base = c.setup;
-  vehicle_rates(v, c, base, c, x, s, v.commands, u, VehicleAirframe<R>{c, x, steps, azimuth}, demand, answer,
-                flows, rates);
-  work.governed = flows.governed;
-  return flows.held;
+  work.ideal = v.on.governor == Governor::ideal;
+  work.governed = R(0);
+  if (work.ideal) {
+    DerivativeSteps<R> steps;
+    AirframeAnswer<R> answer;
+    vehicle_rates(v, c, base, c, x, s, v.commands, u, VehicleAirframe<R>{c, x, steps, azimuth}, demand,
+                  answer, flows, rates);
+    work.governed = flows.governed;
+    if (!flows.held) return false;
+  } else {
+    airframe_demand(v, c, base, c, x, s, v.commands, u, demand, flows, rates);
+    put_into(demand, c);
+  }
+  expand_rotors(c, x, demand.controls, azimuth, work.expanding, work.rotors);
+  return true;
 }
 
 // Rates and instruments from the seeded states and inputs of `work`. An ideal governor's collective is one more input,
@@ -70,15 +79,17 @@ void evaluate_seeded(const Vehicle<R>& v, const Configuration<R>& c, const Confi
   Vehicle<R> open = v;
   if (work.ideal) open.on.governor = Governor::off;
   const T added = T::variable(work.governed, kVehicleSlopes);
-  struct Airframe : VehicleAirframe<T> {
+  using Expanded = VehicleAirframe<T, ExpandedRotors<R>>;
+  struct Airframe : Expanded {
     const T* added;  // collective, or nullptr
     void operator()(AirframeDemand<T>& demand, AirframeAnswer<T>& answer) const {
       if (added != nullptr) demand.controls.collective = demand.controls.collective + *added;
-      VehicleAirframe<T>::operator()(demand, answer);
+      Expanded::operator()(demand, answer);
     }
   };
   vehicle_rates<T>(open, c, base, work.configuration, work.x, work.s, work.commands, work.u,
-                   Airframe{{work.configuration, work.x, work.steps, azimuth}, work.ideal ? &added : nullptr},
+                   Airframe{{work.configuration, work.x, work.steps, azimuth, {work.rotors}},
+                            work.ideal ? &added : nullptr},
                    work.demand, work.answer, work.flows, work.rates);
   const Aircraft<R>& aircraft = *c.aircraft;
   out_of_line([&] {
@@ -101,7 +112,7 @@ Status vehicle_direction(const Vehicle<R>& v, Configuration<R>& c, const State<R
   using T = typename VehicleDirectionWorkspace<R>::T;
   if (c.aircraft == nullptr) return Status::bad_argument;
   const ConfigurationSetting<R> base = c.setup;
-  if (!vehicle_direction_detail::find_governed(v, c, x, s, u, azimuth, work)) return Status::not_converged;
+  if (!vehicle_direction_detail::find_point(v, c, x, s, u, azimuth, work)) return Status::not_converged;
   vehicle_linearization::seed(x, s, v.commands, u, VehicleShape{}, 0, 0, work);
   const auto along = [](const R* way, auto&... parts) {
     const auto add = [&way](T& number) { number.d.set(0, *way++); };
@@ -136,7 +147,7 @@ Status linearize_vehicle_rows(const Vehicle<R>& v, Configuration<R>& c, const St
                               PutD&& put_d, R azimuth = R(0)) {
   if (c.aircraft == nullptr) return Status::bad_argument;
   const ConfigurationSetting<R> base = c.setup;
-  if (!vehicle_direction_detail::find_governed(v, c, x, s, u, azimuth, work)) return Status::not_converged;
+  if (!vehicle_direction_detail::find_point(v, c, x, s, u, azimuth, work)) return Status::not_converged;
   bool finite = true;
   const int all = shape.states + shape.inputs;
   for (int first = 0; first < all; first += kVehicleSlopes) {

@@ -8,9 +8,8 @@
 #include <new>
 #include <type_traits>
 
-#include "tiltrotor/analysis/linear/configuration_sensitivity.hpp"
+#include "tiltrotor/analysis/linear/airframe_expansion.hpp"
 #include "tiltrotor/analysis/linear/linear_model.hpp"
-#include "tiltrotor/systems/vehicle_airframe.hpp"
 
 namespace tiltrotor {
 
@@ -45,94 +44,6 @@ void vehicle_states(const Vehicle<R>& v, const Options& options, VehicleShape& s
       shape.state[shape.states++] = state_count + active.index[k];
 }
 
-namespace vehicle_linearization {
-
-// Rates; those of north and east, which nobody asks for, leave their places to the torques of the rotors.
-inline constexpr int kRows = state_count;
-inline constexpr int kTorqueRow[2] = {kStateIndex.position.x, kStateIndex.position.y};
-inline constexpr ConfigurationParameter kMoved[] = {ConfigurationParameter::mast,
-                                                    ConfigurationParameter::mast_rate,
-                                                    ConfigurationParameter::mast_acceleration,
-                                                    ConfigurationParameter::flap,
-                                                    ConfigurationParameter::rotor_speed,
-                                                    ConfigurationParameter::rotor_difference,
-                                                    ConfigurationParameter::altitude,
-                                                    ConfigurationParameter::ground_wash_right,
-                                                    ConfigurationParameter::ground_wash_left,
-                                                    ConfigurationParameter::download};
-inline constexpr int kMovedCount = sizeof kMoved / sizeof kMoved[0];
-inline constexpr int kColumns = state_count + control_count + kMovedCount;
-inline constexpr int kFirstControl = state_count;
-inline constexpr int kFirstMoved = state_count + control_count;
-
-// What the airframe depends on, in the order of the columns: mast and flap in rad.
-template <class T>
-void list_inputs(const State<T>& x, const AirframeDemand<T>& demand, T* to) {
-  using R = Real<T>;
-  flatten(x, to);
-  flatten(demand.controls, to + kFirstControl);
-  const ConfigurationSetting<T>& s = demand.setting;
-  const T moved[kMovedCount] = {s.mast_deg * kRadPerDeg<R>,
-                                s.mast_rate,
-                                s.mast_acceleration,
-                                s.flap_deg * kRadPerDeg<R>,
-                                s.rotor_speed,
-                                s.rotor_difference,
-                                s.altitude,
-                                demand.ground.wash[right],
-                                demand.ground.wash[left],
-                                demand.ground.download};
-  for (int k = 0; k < kMovedCount; ++k) to[kFirstMoved + k] = moved[k];
-}
-
-// The airframe to first order about a point.
-template <class R>
-struct Expansion {
-  R input[kColumns];
-  R output[kRows];
-  Loads<R> outside, twist;  // of the gear, and of a shaft that twists
-  Matrix<R, kRows, kColumns> slope;
-  bool used[kColumns];
-};
-
-template <class T>
-struct ExpandedWorkspace {
-  T input[kColumns], output[kRows];
-  bool moves[kColumns];  // in this pass: states that are seeded, and what the systems ask for
-};
-
-template <class T>
-struct ExpandedAirframe {
-  const Expansion<Real<T>>& about;
-  const Configuration<Real<T>>& c;
-  const State<T>& x;
-  ExpandedWorkspace<T>& work;
-
-  void operator()(const AirframeDemand<T>& demand, AirframeAnswer<T>& answer) const {
-    T(&z)[kColumns] = work.input;
-    T(&found)[kRows] = work.output;
-    list_inputs(x, demand, z);
-    for (int i = 0; i < kRows; ++i) found[i] = T(about.output[i]);
-    for (int j = 0; j < kColumns; ++j) {
-      if (!work.moves[j]) continue;
-      const T away = z[j] - about.input[j];
-      for (int i = 0; i < kRows; ++i) found[i] += about.slope(i, j) * away;
-    }
-    unflatten(found, answer.rates);
-    const Loads<T> more = {minus_fixed(demand.gear.total.force, about.outside.force),
-                           minus_fixed(demand.gear.total.moment, about.outside.moment)};
-    add_load(c, more, answer.rates);
-    for (const Side side : {right, left}) answer.torque[side] = found[kTorqueRow[side]];
-  }
-  void add(const Loads<T>& loads, State<T>& rates) const {
-    const Loads<T> more = {minus_fixed(loads.force, about.twist.force),
-                           minus_fixed(loads.moment, about.twist.moment)};
-    add_load(c, more, rates);
-  }
-};
-
-}  // namespace vehicle_linearization
-
 // Of one pass through the systems: in vectors twice as many cost a third more, on a microcontroller twice as much and code
 // besides. Each direction is computed alike.
 inline constexpr int kVehicleDirections = kWidestLanes<double> > 1 ? 16 : 8;
@@ -157,6 +68,7 @@ struct VehicleModelWorkspace {
     Stage() {}
     DerivativeSteps<R> point;
     LinearizationWorkspace<R, Policy> airframe;
+    RotorExpansionWorkspace<R> rotors;
     SensitivityWorkspace<R> configuration;
     Systems systems;
   } stage;
@@ -164,84 +76,98 @@ struct VehicleModelWorkspace {
   AirframeDemand<R> demand;
   AirframeAnswer<R> answer;
   vehicle_linearization::Expansion<R> about;
+  RotorExpansion<R> rotors;
 };
 
 namespace vehicle_linearization {
 
-// Which columns the systems move.
+// Controls through which the airframe feels systems and inputs.
 template <class R>
-void mark_used(const Vehicle<R>& v, const VehicleShape& shape, Expansion<R>& about) {
-  for (bool& used : about.used) used = false;
-  for (int i = 0; i < shape.states; ++i)
-    if (shape.state[i] < state_count && !kStateVariables[shape.state[i]].facts().ignorable)
-      about.used[shape.state[i]] = true;
-  const auto use = [&about](int control) { about.used[kFirstControl + control] = true; };
+ControlSet felt_controls(const Vehicle<R>& v, const VehicleShape& shape) {
+  bool used[control_count] = {};
   const Controls<int>& at = kControlIndex;
   if (v.on.actuators) {
-    for (const int j : kBladeControls.index) use(j);
-    use(at.lateral_cyclic);
+    for (const int j : kBladeControls.index) used[j] = true;
+    used[at.lateral_cyclic] = true;
   }
   for (int j = 0; j < shape.inputs; ++j) {
     const int input = shape.input[j];
     const bool reaches =
         !v.on.actuators || kControlVariables[input < control_count ? input : 0].kind == VariableKind::gust;
-    if (input < control_count && reaches) use(input);
+    if (input < control_count && reaches) used[input] = true;
   }
-  if (v.on.governor != Governor::off) use(at.collective);
+  if (v.on.governor != Governor::off) used[at.collective] = true;
   if (v.on.augmentation && !v.on.actuators)
-    for (const int j : {at.long_stick, at.lat_stick, at.pedal}) use(j);
-  for (int k = 0; k < kMovedCount; ++k) {
-    const ConfigurationParameter moved = kMoved[k];
-    using P = ConfigurationParameter;
-    about.used[kFirstMoved + k] = moved == P::rotor_speed         ? v.on.governor == Governor::pi
-                                  : moved == P::rotor_difference  ? twists(v.on)
-                                  : moved == P::altitude          ? v.air_follows
-                                  : moved >= P::ground_wash_right ? v.on.ground_effect
-                                                                  : v.on.conversion;
-  }
+    for (const int j : {at.long_stick, at.lat_stick, at.pedal}) used[j] = true;
+  ControlSet set{0, {}};
+  for (int j = 0; j < control_count; ++j)
+    if (used[j]) set.index[set.count++] = j;
+  return set;
 }
 
-// Slopes with respect to what the systems move of the configuration.
+// What systems move of the configuration.
+template <class R>
+bool is_moved(const Vehicle<R>& v, ConfigurationParameter parameter) {
+  using P = ConfigurationParameter;
+  return parameter == P::rotor_speed         ? v.on.governor == Governor::pi
+         : parameter == P::rotor_difference  ? twists(v.on)
+         : parameter == P::altitude          ? v.air_follows
+         : parameter >= P::ground_wash_right ? v.on.ground_effect
+                                             : v.on.conversion;
+}
+
+// Rows and columns of an expansion about `point`.
+template <class R>
+void list_columns(const Vehicle<R>& v, const VehicleShape& shape, const LinearPoint<R>& point,
+                  Expansion<R>& about) {
+  about.rows = 0;
+  for (int& place : about.place) place = -1;
+  const auto ask = [&about](int row) {
+    about.place[row] = about.rows;
+    about.row[about.rows++] = row;
+  };
+  for (int i = 0; i < shape.states; ++i)
+    if (shape.state[i] < state_count) ask(shape.state[i]);
+  for (const int torque : kTorqueRow) ask(torque);
+  about.columns = 0;
+  for (int i = 0; i < point.states; ++i) about.column[about.columns++] = point.state[i];
+  about.states = about.columns;
+  for (int j = 0; j < point.controls; ++j) about.column[about.columns++] = kFirstControl + point.control[j];
+  for (int k = 0; k < kMovedCount; ++k)
+    if (is_moved(v, kMoved[k])) about.column[about.columns++] = kFirstMoved + k;
+}
+
+// Slopes with respect to what the systems move of the configuration: columns from `first_column`.
 template <class R, class Policy>
 void add_configuration_slopes(const Configuration<R>& c, const State<R>& x, const AirframeDemand<R>& demand,
-                              R azimuth, VehicleModelWorkspace<R, Policy>& work, Expansion<R>& about) {
+                              R azimuth, int first_column, VehicleModelWorkspace<R, Policy>& work,
+                              Expansion<R>& about) {
   using Moved = SensitivityWorkspace<R>;
   using T = typename Moved::T;
-  ParameterSet set{0, {}};
-  int column[kMovedCount];
-  for (int k = 0; k < kMovedCount; ++k) {
-    if (!about.used[kFirstMoved + k]) continue;
-    column[set.count] = kFirstMoved + k;
-    set.parameter[set.count++] = kMoved[k];
-  }
-  if (set.count == 0) return;
+  if (first_column == about.columns) return;
   Moved& at = *::new (static_cast<void*>(&work.stage)) Moved;
   in_scalar(x, at.x);
   in_scalar(demand.controls, at.u);
-  for (int first = 0; first < set.count; first += kParameterDirections) {
-    const int count = set.count - first < kParameterDirections ? set.count - first : kParameterDirections;
+  for (int first = first_column; first < about.columns; first += kParameterDirections) {
+    const int rest = about.columns - first, count = rest < kParameterDirections ? rest : kParameterDirections;
+    ConfigurationParameter moved[kParameterDirections];
     T by[kParameterDirections];
-    for (int k = 0; k < count; ++k) by[k] = T::variable(R(0), k);
-    moved_configuration(c, set.parameter + first, by, count, at.configuration);
+    for (int k = 0; k < count; ++k) {
+      moved[k] = kMoved[about.column[first + k] - kFirstMoved];
+      by[k] = T::variable(R(0), k);
+    }
+    moved_configuration(c, moved, by, count, at.configuration);
     at.configuration.outside.force = plus_fixed(at.configuration.outside.force, demand.gear.total.force);
     const Vec3<R> moment = demand.gear.total.moment + about.twist.moment;
     at.configuration.outside.moment = plus_fixed(at.configuration.outside.moment, moment);
-    derivative(at.configuration, at.x, at.u, at.derivative, at.evaluation.rates, azimuth);
+    derivative(at.configuration, at.x, at.u, ExpandedRotors<R>{work.rotors}, azimuth, at.derivative,
+               at.evaluation.rates);
     T found[kRows];
     flatten(at.evaluation.rates, found);
     for (const Side side : {right, left}) found[kTorqueRow[side]] = at.derivative.rotor[side].loads.torque;
-    for (int i = 0; i < kRows; ++i)
-      for (int k = 0; k < count; ++k) about.slope(i, column[first + k]) = found[i].d.get(k);
+    for (int i = 0; i < about.rows; ++i)
+      for (int k = 0; k < count; ++k) about.slope(i, first + k) = found[about.row[i]].d.get(k);
   }
-}
-
-// Columns through which the airframe feels the directions `first` to `last`.
-template <class R, class T>
-void mark_moves(const Expansion<R>& about, const VehicleShape& shape, int first, int last,
-                ExpandedWorkspace<T>& to) {
-  for (int j = 0; j < kColumns; ++j) to.moves[j] = about.used[j] && j >= kFirstControl;
-  for (int k = first; k < last && k < shape.states; ++k)
-    if (shape.state[k] < state_count) to.moves[shape.state[k]] = about.used[shape.state[k]];
 }
 
 // All states and inputs of a pass, those of its directions seeded.
@@ -270,12 +196,13 @@ void seed(const State<R>& x, const SystemState<R>& s, const Commands<R>& command
 
 }  // namespace vehicle_linearization
 
-// put_a(i, j, df_i/dx_j) and put_b(i, j, df_i/du_j) at (x, s, u), rows and columns as `shape` says; `xdot` and `sdot`:
-// the rates there. `c`: as the systems have put it at this state (put_into()), and put there again.
-// Status: ok; not_finite (a rate or an entry is not finite); bad_argument (c is not prepared); not_converged (an
+// put_a(i, j, count, slopes): df_i/dx_j and the next ones of its row, and put_b(i, j, count, slopes): df_i/du_j, at (x, s, u),
+// rows and columns as `shape` says, its states those of vehicle_states(); `xdot` and `sdot`: the rates there. `c`: as the systems have put it at this state
+// (put_into()), and put there again.
+// Status: ok; not_finite (a rate or an entry is not finite); bad_argument (c is not prepared, or other states); not_converged (an
 // ideal governor finds no collective for the power of the engines).
-// Cost: 2 derivatives (7 with an ideal governor), a Jacobian (2 beyond 32 directions), a pass of configuration_sensitivity() where
-// masts, rotor speed or air move.
+// Cost: a Jacobian (2 beyond 32 directions), a pass of configuration_sensitivity() where masts, rotor speed or air move,
+// and half a Jacobian for the systems; with an ideal governor 7 derivatives more.
 template <class R, class Policy, class PutA, class PutB>
 Status linearize_vehicle(const Vehicle<R>& v, Configuration<R>& c, const State<R>& x, const SystemState<R>& s,
                          const Controls<R>& u, const VehicleShape& shape,
@@ -284,84 +211,113 @@ Status linearize_vehicle(const Vehicle<R>& v, Configuration<R>& c, const State<R
   namespace d = vehicle_linearization;
   if (c.aircraft == nullptr) return Status::bad_argument;
   d::Expansion<R>& about = work.about;
-  // The point;
-  DerivativeSteps<R>& steps = *::new (static_cast<void*>(&work.stage)) DerivativeSteps<R>;
+  // What the systems ask for;
   const ConfigurationSetting<R> base = c.setup;
+  const bool searches = v.on.governor == Governor::ideal;
   VehicleFlows<R> flows;
-  vehicle_rates(v, c, base, c, x, s, v.commands, u, VehicleAirframe<R>{c, x, steps, azimuth}, work.demand,
-                work.answer, flows, sdot);
-  xdot = work.answer.rates;
-  if (!flows.held) return Status::not_converged;
   SystemState<R> point_state = s;
-  if (v.on.governor == Governor::ideal) point_state.governor = flows.governed;
+  if (searches) {
+    DerivativeSteps<R>& steps = *::new (static_cast<void*>(&work.stage)) DerivativeSteps<R>;
+    vehicle_rates(v, c, base, c, x, s, v.commands, u, VehicleAirframe<R>{c, x, steps, azimuth}, work.demand,
+                  work.answer, flows, sdot);
+    xdot = work.answer.rates;
+    if (!flows.held) return Status::not_converged;
+    point_state.governor = flows.governed;
+  } else {
+    airframe_demand(v, c, base, c, x, s, v.commands, u, work.demand, flows, sdot);
+    put_into(work.demand, c);
+  }
   d::list_inputs(x, work.demand, about.input);
-  about.outside = work.demand.gear.total;
-  about.twist =
-      twists(v.on) ? vehicle_parts::twist_reaction(c, work.demand.setting, sdot.twist_rate) : Loads<R>{};
-  c.outside = c.outside + about.twist;  // until the next put_into()
-  d::mark_used(v, shape, about);
-  set_zero(about.slope);
+
+  // the rotors, where the configuration moves,
+  bool moves = false;
+  for (const ConfigurationParameter parameter : d::kMoved) moves |= d::is_moved(v, parameter);
+  if (moves) {
+    auto& rotors = *::new (static_cast<void*>(&work.stage)) RotorExpansionWorkspace<R>;
+    expand_rotors(c, x, work.demand.controls, azimuth, rotors, work.rotors);
+  }
 
   // the airframe: states and controls,
-  ControlSet columns{0, {}};
-  for (int j = 0; j < control_count; ++j)
-    if (about.used[d::kFirstControl + j]) columns.index[columns.count++] = j;
   using Airframe = LinearizationWorkspace<R, Policy>;
   Airframe& airframe = *::new (static_cast<void*>(&work.stage)) Airframe;
   LinearPoint<R>& point = work.point;
-  const Status possible = set_point(c, x, work.demand.controls, columns, airframe, point);
+  const Status possible = set_point(c, x, work.demand.controls, d::felt_controls(v, shape), airframe, point);
   if (possible != Status::ok) return possible;
+  for (int i = 0; i < point.states; ++i)
+    if (i >= shape.states || shape.state[i] != point.state[i]) return Status::bad_argument;
+  d::list_columns(v, shape, point, about);
   const auto answer_of = [&](const auto* input, auto* found) {
     place_point(input, point, airframe);
     auto& at = airframe.evaluation;
     unflatten(at.x, at.state);
-    unflatten(at.u, at.controls);
-    derivative(c, at.state, at.controls, at.derivative, at.rates, azimuth);
+    unflatten(at.u(), at.controls);
+    derivative(c, at.state, at.controls, KnownRotors<R>{moves ? &work.rotors : nullptr}, azimuth,
+               at.derivative, at.rates);
     flatten(at.rates, found);
     for (const Side side : {right, left}) found[d::kTorqueRow[side]] = at.derivative.rotor[side].loads.torque;
   };
-  const int n = point.states;
-  Policy::jacobian(answer_of, {n + point.controls, d::kRows, airframe.input, airframe.scale, about.output},
-                   airframe.differentiation, [&](int i, int j, int count, const R* slope) {
-                     for (const R* const end = slope + count; slope < end; ++j)
-                       about.slope(i, j < n ? point.state[j] : d::kFirstControl + point.control[j - n]) =
-                           *slope++;
+  const int directions = point.states + point.controls;
+  Policy::jacobian(answer_of, {directions, d::kRows, airframe.input, airframe.scale, about.output},
+                   airframe.differentiation, [&](int row, int j, int count, const R* slope) {
+                     const int i = about.place[row];
+                     if (i >= 0) copy_row(slope, count, about.slope.row(i) + j);
                    });
 
-  // and the configuration;
-  d::add_configuration_slopes(c, x, work.demand, azimuth, work, about);
+  // the rates, of which the airframe's are known;
+  about.outside = work.demand.gear.total;
+  about.twist = Loads<R>{};
+  if (!searches) {
+    unflatten(about.output, work.answer.rates);
+    for (const Side side : {right, left}) work.answer.torque[side] = about.output[d::kTorqueRow[side]];
+    follow_airframe(v, c, x, s, v.commands, d::FoundAirframe<R>{c}, work.demand, work.answer, flows, sdot);
+    xdot = work.answer.rates;
+  }
+  if (twists(v.on)) {
+    about.twist = vehicle_parts::twist_reaction(c, work.demand.setting, sdot.twist_rate);
+    State<R> twisted;
+    unflatten(about.output, twisted);
+    add_load(c, about.twist, twisted);
+    flatten(twisted, about.output);
+  }
 
-  // the systems, through its expansion.
+  // the configuration;
+  d::add_configuration_slopes(c, x, work.demand, azimuth, directions, work, about);
+
+  // the systems, through the airframe's expansion.
   using T = typename VehicleModelWorkspace<R, Policy>::T;
   using Systems = typename VehicleModelWorkspace<R, Policy>::Systems;
   Systems& systems = *::new (static_cast<void*>(&work.stage)) Systems;
   static_cast<FixedSetup<R>&>(systems.configuration) = c;
   systems.configuration.setup.options = c.setup.options;
   systems.configuration.around = c.around;
-  R poison = R(0);  // x * 0 is 0 for every finite x and NaN otherwise
+  T poison = T(R(0));  // x * 0 is 0 for every finite x and NaN otherwise
   const int all = shape.states + shape.inputs;
   for (int first = 0; first < all; first += kVehicleDirections) {
     const int last = first + kVehicleDirections < all ? first + kVehicleDirections : all;
     d::seed(x, point_state, v.commands, u, shape, first, last, systems);
-    d::mark_moves(about, shape, first, last, systems.expanded);
+    systems.expanded.first_state = first < about.states ? first : about.states;
+    systems.expanded.last_state = last < about.states ? last : about.states;
     vehicle_rates<T>(v, c, base, systems.configuration, systems.x, systems.s, systems.commands, systems.u,
                      d::ExpandedAirframe<T>{about, c, systems.x, systems.expanded}, systems.demand,
                      systems.answer, systems.flows, systems.rates);
     T(&found)[vehicle_state_count] = systems.states;
     flatten(systems.answer.rates, found);
     flatten(systems.rates, found + state_count);
+    const int states = last < shape.states ? last - first : first < shape.states ? shape.states - first : 0;
+    const int inputs = last - first - states;
     for (int i = 0; i < shape.states; ++i) {
       const T& rate = found[shape.state[i]];
       R slope[kVehicleDirections];
       rate.d.copy_to(slope);
-      poison += rate.v * R(0);
-      for (int j = first; j < last; ++j) poison += slope[j - first] * R(0);
-      int j = first;
-      for (; j < last && j < shape.states; ++j) put_a(i, j, slope[j - first]);
-      for (; j < last; ++j) put_b(i, j - shape.states, slope[j - first]);
+      poison += rate * R(0);
+      if (states > 0) put_a(i, first, states, static_cast<const R*>(slope));
+      if (inputs > 0) put_b(i, first + states - shape.states, inputs, static_cast<const R*>(slope + states));
     }
   }
-  return poison == R(0) ? Status::ok : Status::not_finite;
+  R slopes[kVehicleDirections];
+  poison.d.copy_to(slopes);
+  for (const R& slope : slopes) poison.v += slope;
+  return poison.v == R(0) ? Status::ok : Status::not_finite;
 }
 
 }  // namespace tiltrotor

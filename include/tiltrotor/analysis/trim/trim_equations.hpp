@@ -174,9 +174,9 @@ TILTROTOR_NOINLINE void set_steady_motion(const SteadyFlight<Real<T>>& flight, M
   work.x[kStateIndex.rates.x] = rates.x;
   work.x[kStateIndex.rates.y] = rates.y;
   work.x[kStateIndex.rates.z] = rates.z;
-  work.u[kControlIndex.gust.x] = T(gust.x);
-  work.u[kControlIndex.gust.y] = T(gust.y);
-  work.u[kControlIndex.gust.z] = T(gust.z);
+  work.u()[kControlIndex.gust.x] = T(gust.x);
+  work.u()[kControlIndex.gust.y] = T(gust.y);
+  work.u()[kControlIndex.gust.z] = T(gust.z);
 }
 
 // A force of `part` of the weight, upwards, added to the rates in work.x (m/s^2). Roll and pitch in rad.
@@ -198,15 +198,15 @@ void trim_residuals(const Configuration<Real<T>>& c, const SteadyFlight<Real<T>>
                     T* residual) {
   using R = Real<T>;
   for (T& x : work.x) x = T(R(0));
-  for (T& u : work.u) u = T(R(0));
-  work.u[kControlIndex.collective] = T(equations.collective);
+  for (T& u : work.u()) u = T(R(0));
+  work.u()[kControlIndex.collective] = T(equations.collective);
   T carried(equations.carried);
   for (int j = 0; j < equations.count; ++j) {
     const TrimEquation<R>& row = equations.row[j];
     if (row.state >= 0) {
       work.x[row.state] = z[j];
     } else if (row.control >= 0) {
-      work.u[row.control] = z[j];
+      work.u()[row.control] = z[j];
     } else {
       carried = z[j];
     }

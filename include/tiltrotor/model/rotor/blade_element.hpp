@@ -66,9 +66,13 @@ struct ElementAir {
   Density density;      // kg/m^3
   Sound inverse_sound;  // one over the speed of sound, s/m
 };
-template <class C>
-ElementAir<C, C> element_air(const Configuration<C>& c) {
-  return {c.air.density, Real<C>(1) / c.air.speed_of_sound};
+template <class S>
+ElementAir<S, S> element_air(const S& density, const S& speed_of_sound) {
+  return {density, Real<S>(1) / speed_of_sound};
+}
+template <class S>
+ElementAir<S, S> element_air(const RotorConditions<S>& at) {
+  return element_air(at.density, at.speed_of_sound);
 }
 
 template <class T>
@@ -118,12 +122,12 @@ ElementFlow<T> element_flow(const BladeFlow<T>& flow, const BladeStation<Real<T>
 }
 
 // Sum over the stations of one blade.
-template <class T, class C>
-BladeLoads<T> blade_loads(const Configuration<C>& c, const BladeFlow<T>& flow) {
+template <class T, class C, class Air>
+BladeLoads<T> blade_loads(const Configuration<C>& c, const Air& air, const BladeFlow<T>& flow) {
   using R = Real<T>;
   BladeLoads<T> sum{T(R(0)), T(R(0)), T(R(0)), T(R(0))};
   each_element<T>(
-      c, element_air(c), [&flow](const BladeStation<R>& station) { return element_flow(flow, station); },
+      c, air, [&flow](const BladeStation<R>& station) { return element_flow(flow, station); },
       [&sum](const BladeStation<R>& station, const ElementLoads<T>& element) {
         sum.normal += element.normal;
         sum.tangential += element.tangential;
@@ -133,28 +137,28 @@ BladeLoads<T> blade_loads(const Configuration<C>& c, const BladeFlow<T>& flow) {
   return sum;
 }
 
-// Loads of one blade with their slopes along the six numbers of its flow, and where the configuration carries
-// partials along the inverse speed of sound.
+// Loads of one blade with their slopes along the six numbers of its flow, and where the air carries partials along the
+// inverse speed of sound.
 template <class V>
 struct BladeSlopes {
   BladeLoads<Dual<V, BladeFlow<V>::kCount>> along_flow;
-  BladeLoads<V> along_inverse_sound;  // zero for a plain configuration
+  BladeLoads<V> along_inverse_sound;  // not set for plain air
 };
 
 // U_T and U_P are linear in the radius and in its inflow shape, so the slopes of the sums are moments of the
 // slopes of the elements, which have three, or four.
-template <class V, class C>
-void blade_loads_and_slopes(const Configuration<C>& c, const BladeFlow<V>& flow, BladeSlopes<V>& out) {
+template <class V, class C, class S>
+void blade_loads_and_slopes(const Configuration<C>& c, const ElementAir<S, S>& around,
+                            const BladeFlow<V>& flow, BladeSlopes<V>& out) {
   using R = Real<V>;
-  constexpr bool kPlain = kIsPlain<C>;
+  constexpr bool kPlain = kIsPlain<S>;
   constexpr int kSound = 3;
   using D = Dual<V, kPlain ? 3 : 4>;
-  const auto air = [&c] {
-    const ElementAir<C, C> at = element_air(c);
+  const auto air = [&around] {
     if constexpr (kPlain) {
-      return at;
+      return around;
     } else {
-      return ElementAir<R, D>{value(at.density), D::variable(V(value(at.inverse_sound)), kSound)};
+      return ElementAir<R, D>{value(around.density), D::variable(V(value(around.inverse_sound)), kSound)};
     }
   }();
   D normal[3] = {D(V(R(0))), D(V(R(0))), D(V(R(0)))};  // sums of the load times 1, r, r^2

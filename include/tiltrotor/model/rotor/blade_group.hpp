@@ -2,8 +2,8 @@
 //
 // The elements of these blades are nearly all the work of a rotor. They are computed on batches of plain
 // numbers, with slopes along the six numbers of BladeFlow when the rotor's scalar carries partials; the
-// slopes are then chained. Where the configuration carries partials as well, the air makes two numbers more: its
-// speed of sound, and its density, to which the loads are proportional.
+// slopes are then chained. Where the air carries partials as well, it makes two numbers more: its speed of sound, and its
+// density, to which the loads are proportional.
 #pragma once
 
 #include <complex>
@@ -51,31 +51,32 @@ class BladeGroup {
   }
 
   // Blades at the azimuths from `first`; `omega`: rotor speed, rad/s.
-  template <class C>
-  void compute_blades(const Configuration<C>& c, R omega, const AzimuthStations<R>& azimuth, int first) {
+  template <class C, class S>
+  void compute_blades(const Configuration<C>& c, const ElementAir<S, S>& air, R omega,
+                      const AzimuthStations<R>& azimuth, int first) {
     const Batch<R> cosine = blade_group_detail::load_batch(azimuth.cosine + first);
     const Batch<R> sine = blade_group_detail::load_batch(azimuth.sine + first);
     const Batch<R> flap = flap_angle(in_, cosine, sine);
     const BladeFlow<Batch<R>> flow =
         blade_flow(omega, c.pitch_flap, in_, inflow_, sin(flap), cos(flap), cosine, sine);
     if constexpr (kTakesSlopes) {
-      blade_loads_and_slopes(c, flow, loads_);
+      blade_loads_and_slopes(c, air, flow, loads_);
     } else {
-      loads_ = blade_loads(c, flow);
+      loads_ = blade_loads(c, air, flow);
     }
   }
 
   // Loads of one blade of the group, seeing `flow`.
-  template <class C>
-  BladeLoads<T> loads(const Configuration<C>& c, int lane, const BladeFlow<T>& flow) const {
+  template <class C, class S>
+  BladeLoads<T> loads(const Configuration<C>&, const ElementAir<S, S>& air, int lane,
+                      const BladeFlow<T>& flow) const {
     if constexpr (kTakesSlopes) {
-      constexpr bool kPlain = kIsPlain<C>;
+      constexpr bool kPlain = kIsPlain<S>;
       using Load = Dual<Batch<R>, BladeFlow<T>::kCount>;
       constexpr int kFlow = BladeFlow<T>::kCount;
       T seen[kPlain ? kFlow : kFlow + 2];
       flatten(flow, seen);
       if constexpr (!kPlain) {
-        const ElementAir<C, C> air = element_air(c);
         seen[kFlow] = air.inverse_sound;
         seen[kFlow + 1] = air.density;
       }
@@ -84,7 +85,7 @@ class BladeGroup {
         for (int j = 0; j < kFlow; ++j) slope[j] = load.d.get(j).get(lane);
         if constexpr (!kPlain) {
           slope[kFlow] = along_inverse_sound.get(lane);
-          slope[kFlow + 1] = load.v.get(lane) / value(c.air.density);
+          slope[kFlow + 1] = load.v.get(lane) / value(air.density);
         }
         return chain(load.v.get(lane), slope, seen);
       };
@@ -113,11 +114,11 @@ class BladeGroup<std::complex<R>> {
  public:
   static constexpr int kBlades = 1;
   void set_input(const RotorInput<T>&, const FeltInflow<T>&) {}
-  template <class C>
-  void compute_blades(const Configuration<C>&, R, const AzimuthStations<R>&, int) {}
-  template <class C>
-  BladeLoads<T> loads(const Configuration<C>& c, int, const BladeFlow<T>& flow) const {
-    return blade_loads(c, flow);
+  template <class C, class Air>
+  void compute_blades(const Configuration<C>&, const Air&, R, const AzimuthStations<R>&, int) {}
+  template <class C, class Air>
+  BladeLoads<T> loads(const Configuration<C>& c, const Air& air, int, const BladeFlow<T>& flow) const {
+    return blade_loads(c, air, flow);
   }
 };
 

@@ -67,12 +67,12 @@ InflowGainInverse<T> inflow_gain_inverse(const T& xc, const T& xs, const T& k, R
 }
 
 // lambda' = Omega M^-1 [ C - diag(V_T, V_m, V_m) L^-1 lambda ]
-template <class T, class C>
-InflowRates<T> inflow_rates(const Configuration<C>& c, const RotorSetting<C>& turn, const RotorState<T>& x,
+template <class T, class C, class S>
+InflowRates<T> inflow_rates(const Configuration<C>& c, const RotorConditions<S>& turn, const RotorState<T>& x,
                             const InflowForcing<T>& f) {
   using R = Real<T>;
   const SmoothingWidths<R>& e = c.aircraft->smooth;
-  const C omega = turn.speed;
+  const S omega = turn.speed;
   const R m0 = c.apparent_mass_0;
   const R m1 = c.aircraft->inflow.apparent_mass_cyclic;
 

@@ -20,11 +20,11 @@ class BladeGroup<Nested<Dual<R, N>>> {
  public:
   static constexpr int kBlades = 1;
   void set_input(const RotorInput<T>&, const FeltInflow<T>&) {}
-  template <class C>
-  void compute_blades(const Configuration<C>&, R, const AzimuthStations<R>&, int) {}
+  template <class C, class Air>
+  void compute_blades(const Configuration<C>&, const Air&, R, const AzimuthStations<R>&, int) {}
 
-  template <class C>
-  BladeLoads<T> loads(const Configuration<C>& c, int, const BladeFlow<T>& flow) const {
+  template <class C, class Air>
+  BladeLoads<T> loads(const Configuration<C>& c, const Air& outside, int, const BladeFlow<T>& flow) const {
     T seen[kFlow];
     flatten(flow, seen);
     Local inside[kFlow];
@@ -34,7 +34,6 @@ class BladeGroup<Nested<Dual<R, N>>> {
     }
     BladeFlow<Local> local;
     unflatten(inside, local);
-    const ElementAir<C, C> outside = element_air(c);
     const ElementAir<Local, Local> air = {moving(outside.density), moving(outside.inverse_sound)};
     BladeLoads<Local> sum = {Local(R(0)), Local(R(0)), Local(R(0)), Local(R(0))};
     each_element<Local>(

@@ -19,12 +19,12 @@ namespace tiltrotor {
 // Part of the mean inflow that follows the shape: c = lambda_+ / V_T of the inflow law. In descent it fades out from the
 // end of momentum theory to the descent at which no air passes the disk. Choosing there is safe: the fade begins and
 // ends with two zero derivatives. `even`: mean inflow, m/s.
-template <class T, class C>
-T radial_inflow(const Configuration<C>& c, const RotorSetting<C>& turn, const RotorInput<T>& in,
+template <class T, class C, class S>
+T radial_inflow(const Configuration<C>& c, const RotorConditions<S>& turn, const RotorInput<T>& in,
                 const T& even) {
   using R = Real<T>;
   const SmoothingWidths<R>& e = c.aircraft->smooth;
-  const C inverse_tip = R(1) / turn.tip_speed;
+  const S inverse_tip = R(1) / turn.tip_speed;
   const T mu_x = in.velocity_a.x * inverse_tip;
   const T mu_y = in.velocity_a.y * inverse_tip;
   const T mu_z = in.velocity_a.z * inverse_tip;
@@ -38,8 +38,9 @@ T radial_inflow(const Configuration<C>& c, const RotorSetting<C>& turn, const Ro
   return T(shaped * (R(1) - smooth_step(T((descent - start) * (R(1) / (R(1) - start))))));
 }
 
-template <class T, class C>
-FeltInflow<T> felt_inflow(const Configuration<C>& c, const RotorSetting<C>& turn, const RotorInput<T>& in) {
+template <class T, class C, class S>
+FeltInflow<T> felt_inflow(const Configuration<C>& c, const RotorConditions<S>& turn,
+                          const RotorInput<T>& in) {
   const T even = (turn.tip_speed * turn.ground_wash) * in.state.lambda_0;
   return {even, radial_inflow(c, turn, in, even)};
 }
@@ -55,7 +56,9 @@ struct AnnularHover {
 
   // Of one blade element at the induced speed v, N.
   R lift(int region, const BladeStation<R>& s, R v) const {
-    return element_loads<R>(c, region, s, element_air(c), {omega * s.radius, v, collective + s.twist}).normal;
+    return element_loads<R>(c, region, s, element_air(c.air.density, c.air.speed_of_sound),
+                            {omega * s.radius, v, collective + s.twist})
+        .normal;
   }
   // Where the lift of all blades is the change of momentum, dT = 4 pi rho r v^2 dr.
   R induced_speed(int region, const BladeStation<R>& s) const {

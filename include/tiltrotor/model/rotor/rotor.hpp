@@ -36,15 +36,15 @@ struct RotorResponse {
 static_assert(lists_its_members<RotorResponse>(), "each member of RotorResponse is listed and counted");
 
 // What drives the inflow: load coefficients and the motion of the hub through the air.
-template <class T, class C>
-InflowForcing<T> inflow_forcing(const Configuration<C>& c, const RotorSetting<C>& turn,
+template <class T, class C, class S>
+InflowForcing<T> inflow_forcing(const Configuration<C>& c, const RotorConditions<S>& turn,
                                 const RotorInput<T>& in, const RotorLoads<T>& loads) {
   using R = Real<T>;
   const Options& o = c.setup.options;
   const RotorTables<R>& rotor = c.aircraft->rotor;
-  const C inverse_tip = R(1) / turn.tip_speed;
-  const C inverse_force = R(1) / (c.air.density * kPi<R> * square(rotor.radius) * square(turn.tip_speed));
-  const C inverse_moment = inverse_force / rotor.radius;
+  const S inverse_tip = R(1) / turn.tip_speed;
+  const S inverse_force = R(1) / (turn.density * kPi<R> * square(rotor.radius) * square(turn.tip_speed));
+  const S inverse_moment = inverse_force / rotor.radius;
   InflowForcing<T> f;
   f.mu_x = -(in.velocity_a.x * inverse_tip);
   f.mu_y = -(in.velocity_a.y * inverse_tip);
@@ -66,8 +66,8 @@ InflowForcing<T> inflow_forcing(const Configuration<C>& c, const RotorSetting<C>
 
 // First-order flapping: tilt rates in balance with the loads of a gimbal at rest, then the loads at those
 // rates.
-template <class T, class C>
-void quasi_static_rotor(const Configuration<C>& c, const RotorSetting<C>& turn, const RotorInput<T>& in,
+template <class T, class C, class S>
+void quasi_static_rotor(const Configuration<C>& c, const RotorConditions<S>& turn, const RotorInput<T>& in,
                         const AzimuthStations<Real<T>>& azimuth, RotorWorkspace<T>& work,
                         RotorResponse<T>& out) {
   using R = Real<T>;
@@ -85,11 +85,11 @@ void quasi_static_rotor(const Configuration<C>& c, const RotorSetting<C>& turn, 
 }
 
 // The complete rotor. `azimuth` holds the stations to sum over: the configuration's averaged set, or the
-// blades. `turn`: c.rotor[] of its side. Momentum balances all of the mean inflow, also where the ground leaves less to the
+// blades. `turn`: rotor_conditions() of its side. Momentum balances all of the mean inflow, also where the ground leaves less to the
 // blades.
 // Cost: one derivative is two of these and little more.
-template <class T, class C>
-void rotor_response(const Configuration<C>& c, const RotorSetting<C>& turn, const RotorInput<T>& in,
+template <class T, class C, class S>
+void rotor_response(const Configuration<C>& c, const RotorConditions<S>& turn, const RotorInput<T>& in,
                     const AzimuthStations<Real<T>>& azimuth, RotorWorkspace<T>& work, RotorResponse<T>& out) {
   const bool second_order = c.setup.options.flapping == FlapOrder::second;
   if (second_order) {

@@ -38,6 +38,24 @@ struct RotorInput {
 };
 static_assert(lists_its_members<RotorInput>(), "each member of RotorInput is listed and counted");
 
+// A rotor's input, and its conditions.
+template <class T>
+struct PlacedRotorInput {
+  RotorInput<T> in;
+  T speed, ground_wash, density, speed_of_sound;  // RotorConditions
+
+  static constexpr int kCount = RotorInput<T>::kCount + 4;
+  template <class Self, class Visit>
+  static constexpr void each(Self& s, Visit&& visit) {
+    RotorInput<T>::each(s.in, visit);
+    visit(s.speed);
+    visit(s.ground_wash);
+    visit(s.density);
+    visit(s.speed_of_sound);
+  }
+};
+static_assert(lists_its_members<PlacedRotorInput>(), "each member of PlacedRotorInput is listed and counted");
+
 // Flap angle of the blade at one azimuth.
 template <class T, class Plain>
 T flap_angle(const RotorInput<T>& in, const Plain& cosine, const Plain& sine) {

@@ -26,15 +26,15 @@ struct RotorLoads {
 // Adds the loads of the blade at one azimuth, number `lane` of its group. Derived here: forces along the
 // blade normal (-sin b cos psi, -sin b sin psi, cos b) and the direction of rotation (-sin psi, cos psi, 0),
 // and their moments about the hub centre.
-template <class T, class C>
-void add_blade(const Configuration<C>& c, const C& omega, const RotorInput<T>& in,
-               const FeltInflow<T>& inflow, Real<T> cosine, Real<T> sine, const BladeGroup<T>& group,
-               int lane, RotorLoads<T>& sum) {
+template <class T, class C, class S>
+void add_blade(const Configuration<C>& c, const ElementAir<S, S>& air, const S& omega,
+               const RotorInput<T>& in, const FeltInflow<T>& inflow, Real<T> cosine, Real<T> sine,
+               const BladeGroup<T>& group, int lane, RotorLoads<T>& sum) {
   const T flap = flap_angle(in, cosine, sine);
   const T sin_flap = sin(flap);
   const T cos_flap = cos(flap);
-  const BladeLoads<T> blade =
-      group.loads(c, lane, blade_flow(omega, c.pitch_flap, in, inflow, sin_flap, cos_flap, cosine, sine));
+  const BladeLoads<T> blade = group.loads(
+      c, air, lane, blade_flow(omega, c.pitch_flap, in, inflow, sin_flap, cos_flap, cosine, sine));
   const T radial = sin_flap * blade.normal;  // inward along the blade's projection on the disk
   sum.force_a.x -= cosine * radial + sine * blade.tangential;
   sum.force_a.y += cosine * blade.tangential - sine * radial;
@@ -46,17 +46,18 @@ void add_blade(const Configuration<C>& c, const C& omega, const RotorInput<T>& i
 }
 
 // Blade-element loads of the rotor.
-template <class T, class C>
-void rotor_loads(const Configuration<C>& c, const RotorSetting<C>& turn, const RotorInput<T>& in,
+template <class T, class C, class S>
+void rotor_loads(const Configuration<C>& c, const RotorConditions<S>& turn, const RotorInput<T>& in,
                  const AzimuthStations<Real<T>>& azimuth, BladeGroup<T>& blades, RotorLoads<T>& sum) {
   using R = Real<T>;
   RotorLoads<T>::each(sum, [](T& x) { x = T(R(0)); });
+  const ElementAir<S, S> air = element_air(turn);
   const FeltInflow<T> inflow = felt_inflow(c, turn, in);
   blades.set_input(in, inflow);
   for (int k = 0; k < azimuth.count; ++k) {
     const int lane = k % BladeGroup<T>::kBlades;
-    if (lane == 0) blades.compute_blades(c, value(turn.speed), azimuth, k);
-    add_blade(c, turn.speed, in, inflow, azimuth.cosine[k], azimuth.sine[k], blades, lane, sum);
+    if (lane == 0) blades.compute_blades(c, air, value(turn.speed), azimuth, k);
+    add_blade(c, air, turn.speed, in, inflow, azimuth.cosine[k], azimuth.sine[k], blades, lane, sum);
   }
   RotorLoads<T>::each(sum, [&azimuth](T& x) { x = azimuth.weight * x; });
 }

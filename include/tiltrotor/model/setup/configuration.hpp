@@ -79,6 +79,13 @@ struct RotorSetting {
   C ground_wash;  // what the ground leaves of the mean inflow that its blades feel: systems/ground_effect.hpp
 };
 
+// A rotor with the air around it: all that moves in flight of what it sees of the configuration, but for its acceleration.
+template <class C>
+struct RotorConditions : RotorSetting<C> {
+  C density;         // kg/m^3
+  C speed_of_sound;  // m/s
+};
+
 template <class C>
 struct Configuration : FixedSetup<Real<C>> {
   FlightSetup<C> setup;  // as it is now
@@ -188,6 +195,11 @@ void configure(Configuration<C>& c) {
   c.tail_pressure_mast[0] = grid_point(aircraft.htail.pressure_ratio.linear[0], mast_deg);
   c.sidewash_mast_flap[0] = grid_point(aircraft.fin.sidewash.linear[0], mast_deg);
   c.sidewash_mast_flap[1] = grid_point(aircraft.fin.sidewash.linear[1], flap_deg);
+}
+
+template <class C>
+RotorConditions<C> rotor_conditions(const Configuration<C>& c, int side) {
+  return {c.rotor[side], c.air.density, c.air.speed_of_sound};
 }
 
 // Another setting in the same flight: `c` becomes what prepare() makes of it with the same aircraft and options,
