@@ -101,7 +101,7 @@ std::string value_branches(const std::vector<Command>& commands) {
       if (!choices.empty())
         words += branch(std::string("\"") + command.name + " " + option.name + "\"",
                         "choices='" + joined(choices) + "'" + (takes_several(option) ? " several=yes" : "") +
-                            (value.rfind("NAME=", 0) == 0 ? " tail==" : ""));
+                            (value.rfind("NAME=", 0) == 0 ? " tail='='" : ""));
       if (value.empty() || !choices.empty()) continue;
       (value == "FILE" ? files : value == "DIR" ? folders : others).insert(option.name);
     }
