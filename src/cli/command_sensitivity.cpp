@@ -29,10 +29,11 @@ const std::vector<std::string> mode_columns = {
     "d_frequency_rad_s", "d_real",    "d_imag",   "damping_ratio",
     "frequency_rad_s",   "real",      "imag",     "status",
     "altitude_m",        "mass_kg",   "cg_sl_in", "flap_deg"};
-const std::vector<std::string> trim_columns = {
+// And what was let go, behind the power.
+const std::vector<std::string> trim_begin = {
     "mast_deg",   "speed_mps",          "parameter",       "change",         "unit",       "d_pitch_deg",
-    "d_roll_deg", "d_collective75_deg", "d_long_stick_in", "d_lat_stick_in", "d_pedal_in", "d_power_kw",
-    "status",     "altitude_m",         "mass_kg",         "cg_sl_in",       "flap_deg"};
+    "d_roll_deg", "d_collective75_deg", "d_long_stick_in", "d_lat_stick_in", "d_pedal_in", "d_power_kw"};
+const std::vector<std::string> trim_end = {"status", "altitude_m", "mass_kg", "cg_sl_in", "flap_deg"};
 
 // A row before it has its place among the others.
 struct Sorted {
@@ -40,11 +41,25 @@ struct Sorted {
   Row row;
 };
 
-std::vector<std::string> freed_by(const Arguments& arguments) {
+// What every flight holds and lets go, if not the values.
+std::vector<std::string> of_targets(const Arguments& arguments, std::string TrimTarget::*name) {
   std::vector<std::string> names;
-  const std::vector<TrimTargets> sets = target_sets(arguments);  // which let go the same
-  for (const TrimTarget& target : sets.front()) names.push_back(target.freed);
+  const std::vector<TrimTargets> sets = target_sets(arguments);
+  for (const TrimTarget& target : sets.front()) names.push_back(target.*name);
   return names;
+}
+
+std::vector<std::string> trim_columns(const std::vector<std::string>& freed) {
+  std::vector<std::string> columns = trim_begin;
+  for (const std::string& name : freed) columns.push_back("d_" + name);
+  columns.insert(columns.end(), trim_end.begin(), trim_end.end());
+  return columns;
+}
+
+bool holds_power(const Arguments& arguments) {
+  const std::vector<std::string> held = of_targets(arguments, &TrimTarget::held);
+  return std::any_of(held.begin(), held.end(),
+                     [](const std::string& name) { return name.rfind("power_", 0) == 0; });
 }
 
 class SensitivityRows {
@@ -52,12 +67,15 @@ class SensitivityRows {
   SensitivityRows(const Arguments& arguments, const std::vector<SetupOptions>& setups,
                   const SensitivitySystems& systems)
       : of_(static_cast<Of>(arguments.choice("--of", "modes", {"modes", "trim"}))),
-        parameters_(chosen_parameters(arguments.text("--to", "all"), arguments.where("--to"), systems,
-                                      freed_by(arguments))),
+        freed_(of_targets(arguments, &TrimTarget::freed)),
+        by_freed_(holds_power(arguments)),
+        parameters_(
+            chosen_parameters(arguments.text("--to", "all"), arguments.where("--to"), systems, freed_)),
         modes_(arguments.text("--mode", "body")),
         where_(arguments.where("--mode")),
         output_(arguments),
-        records_(arguments, setups, output_, of_ == Of::modes ? mode_columns : trim_columns, Output::to_read),
+        records_(arguments, setups, output_, of_ == Of::modes ? mode_columns : trim_columns(freed_),
+                 Output::to_read),
         sensitivity_(systems) {}
 
   const Shard& shard() const { return output_.shard(); }
@@ -190,27 +208,31 @@ class SensitivityRows {
          {motion.trim.x.pitch / radian, motion.trim.x.roll / radian, motion.trim.u.collective / radian,
           motion.trim.u.long_stick, motion.trim.u.lat_stick, motion.trim.u.pedal, motion.power / 1000})
       row.emplace_back(number);
+    for (const double number : motion.freed) row.emplace_back(number);
     end(flight, trim_status_word(flight.trim.status), row);
-    return {std::abs(motion.power), row};
+    return {std::abs(by_freed_ ? motion.freed.front() : motion.power), row};
   }
 
   int add_failed(const TrimmedFlight& flight, const char* status, const char* parameter = "") {
     Row row = head(flight);
     const bool of_modes = of_ == Of::modes;
     if (of_modes) row.insert(row.end(), {"", ""});
-    row.insert(row.end(), {parameter, kNothing, "", ""});
-    row.insert(row.end(), of_modes ? 8 : 7, kNothing);
+    row.insert(row.end(), {parameter, kNothing, ""});
+    row.insert(row.end(), of_modes ? 8 : 7 + freed_.size(), kNothing);
     end(flight, status, row);
     write(flight, row);
     return exit_case_failed;
   }
   int fail(const TrimmedFlight& flight, Status status, const char* parameter) {
+    const std::string& fault = sensitivity_.fault();
     std::fprintf(stderr, "tiltrotor: %s: %s%s%s\n", flight.where.c_str(), parameter,
-                 *parameter == '\0' ? "" : ": ", status_text(status));
+                 *parameter == '\0' ? "" : ": ", fault.empty() ? status_text(status) : fault.c_str());
     return add_failed(flight, status_word(status), parameter);
   }
 
   Of of_;
+  std::vector<std::string> freed_;
+  bool by_freed_;  // rows of trims are in the order of what is let go first, since their power stays
   std::vector<const SensitivityParameter*> parameters_;
   std::string modes_, where_;
   Output output_;  // last of what arguments can refuse
@@ -267,8 +289,11 @@ Command sensitivity_command() {
       "For each mode, or for the trim, one row a parameter: what its usual `change`, in `unit`, does to first order, the\n"
       "largest effect first: of a pair on the damping ratio, of a real root on the root, of a trim on the power. The trim\n"
       "moves with the parameter, and with a governor the balance of power; speed, climb, turn rate, sideslip or azimuth stay.\n"
-      "With --hold, --bank, --load-factor or --ball what they hold stays, and what they let go moves for it. Exact: second derivatives of the model, which carries the slope of the parameter through every\n"
-      "number and table, and both eigenvectors. On a knot of a table, as sideslip 0 is, it is that of the interval above.\n"
+      "With --hold, --bank, --load-factor or --ball what they hold stays, and what they let go moves for it: in --of trim a\n"
+      "column for each (`d_climb_deg`), and the order of rows where power is held. Where nothing let go moves what is held,\n"
+      "as power at its least, the status is `singular`. Exact: second derivatives of the model, which carries the slope of\n"
+      "the parameter through every number and table, and both eigenvectors. On a knot of a table, as sideslip 0 is, it is\n"
+      "that of the interval above.\n"
       "Parameters: " +
       parameter_names() + ".\n";
   return {

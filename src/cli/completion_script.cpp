@@ -100,7 +100,8 @@ std::string value_branches(const std::vector<Command>& commands) {
       const std::vector<std::string> choices = words_of_value(command.name, option);
       if (!choices.empty())
         words += branch(std::string("\"") + command.name + " " + option.name + "\"",
-                        "choices='" + joined(choices) + "'" + (takes_several(option) ? " several=yes" : ""));
+                        "choices='" + joined(choices) + "'" + (takes_several(option) ? " several=yes" : "") +
+                            (value.rfind("NAME=", 0) == 0 ? " tail='='" : ""));
       if (value.empty() || !choices.empty()) continue;
       (value == "FILE" ? files : value == "DIR" ? folders : others).insert(option.name);
     }
@@ -162,7 +163,7 @@ std::string bash_completion(const std::vector<Command>& commands) {
   }
   return "# Completion of tiltrotor in bash: source it, or store it in a folder of completions.\n"
          "_tiltrotor() {\n"
-         "  local word=${COMP_WORDS[COMP_CWORD]} i=$((COMP_CWORD - 1)) choices='' several='' head=''\n"
+         "  local word=${COMP_WORDS[COMP_CWORD]} i=$((COMP_CWORD - 1)) choices='' several='' head='' tail=''\n"
          "  COMPREPLY=()\n"
          "  if [ \"$COMP_CWORD\" -eq 1 ]; then\n"
          "    COMPREPLY=($(compgen -W '" +
@@ -191,7 +192,9 @@ std::string bash_completion(const std::vector<Command>& commands) {
          options +
          "  esac; fi\n"
          "  if [ -n \"$several\" ]; then case $word in *,*) head=${word%,*},; word=${word##*,} ;; esac; fi\n"
-         "  COMPREPLY=($(compgen -P \"$head\" -W \"$choices\" -- \"$word\"))\n"
+         "  COMPREPLY=($(compgen -P \"$head\" -S \"$tail\" -W \"$choices\" -- \"$word\"))\n"
+         "  # a value follows at once; zsh has no compopt\n"
+         "  if [ -n \"$tail\" ]; then compopt -o nospace 2>/dev/null; fi\n"
          "}\n"
          "complete -F _tiltrotor tiltrotor\n";
 }

@@ -1,5 +1,8 @@
 #include "cli/sensitivity.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 #include "cli/governed.hpp"
 #include "cli/model_slope.hpp"
 #include "cli/wind_trim.hpp"
@@ -32,23 +35,71 @@ study::Track track_of(const TrimmedFlight& flight, const SteadyFlight<double>& o
 }
 
 // How velocity follows climb or sideslip at an attitude, m/s per rad: with the track k of steady_velocity(), where
-// sin(k + d) = C/D, D cos(k + d) k' = C'.
+// sin(k + d) = C/D, D cos(k + d) k' = C'. Of vertical flight with level wings: it leans to the nose or the tail.
 Vec3<double> by_path(const SteadyFlight<double>& flight, const State<double>& x, bool by_climb) {
   const auto level_to_body = earth_to_body(EulerAngles<double>{x.roll, x.pitch, 0});
-  const Vec3<double> level = level_to_body.apply_inverse(steady_velocity(flight, x.roll, x.pitch));
-  const double sine = std::sin(flight.climb), cosine = std::cos(flight.climb),
-               forward = flight.speed * cosine;
-  const double ck = level.x / forward, sk = level.y / forward;
+  const double sine = std::sin(flight.climb), cosine = std::cos(flight.climb);
+  if (is_vertical(flight))
+    return level_to_body.apply(Vec3<double>{by_climb ? -flight.speed * sine : 0, 0, 0});
+  SteadyFlight<double> unit = flight;  // so that nothing is divided by the speed
+  unit.speed = 1;
+  const Vec3<double> level = level_to_body.apply_inverse(steady_velocity(unit, x.roll, x.pitch));
+  const double ck = level.x / cosine, sk = level.y / cosine;
   const double c_slope =
       by_climb ? (std::sin(x.roll) * std::cos(x.pitch) + std::sin(flight.sideslip) * sine) / (cosine * cosine)
                : std::cos(flight.sideslip) / cosine;
   const double k_slope = c_slope / (std::cos(x.roll) * ck - std::sin(x.roll) * std::sin(x.pitch) * sk);
   const Vec3<double> turned = {-level.y * k_slope, level.x * k_slope, 0};
-  const Vec3<double> tilted = {-flight.speed * sine * ck, -flight.speed * sine * sk, -forward};
-  return level_to_body.apply(by_climb ? turned + tilted : turned);
+  const Vec3<double> tilted = {-sine * ck, -sine * sk, -cosine};
+  return flight.speed * level_to_body.apply(by_climb ? turned + tilted : turned);
 }
 
 constexpr int kMostTargets = 3;
+using Targets = Matrix<double, kMostTargets, kMostTargets>;
+
+// Searches leave 1e-10 of what is held, which where it is largest or least is a place wrong by about 1e-5 steps: a
+// slope less than this, of its size over a step, may be that of the wrong place alone.
+constexpr double kLeastSlope = 1e-5;
+// What is held stays when this is all that it moves by, of its size.
+constexpr double kStays = 1e-9;
+// Sine of the bank of level wings.
+constexpr double kLevel = 1e-9;
+
+// What the flight does not let move: at rest there is no path, and straight up or down sideslip follows from the
+// attitude.
+bool is_fixed(const TrimTarget& target, const SteadyFlight<double>& flight) {
+  const bool at_rest = flight.speed < kLeastSpeed<double>;
+  if (target.freed == "climb_deg") return at_rest;
+  return target.freed == "sideslip_deg" && (at_rest || is_vertical(flight));
+}
+
+double size_of(const TrimTarget& target) { return std::max(std::fabs(target.value), 1.0); }
+
+std::string with_and(const TrimTargets& targets, std::string TrimTarget::*name) {
+  std::string text;
+  for (const TrimTarget& target : targets) text += (text.empty() ? "" : " and ") + target.*name;
+  return text;
+}
+
+// Whose row or column holds nothing, or that no single one does; the slopes are scaled.
+std::string unmoved(const Targets& slope, const TrimTargets& targets) {
+  const auto part = [&](std::string TrimTarget::*name, auto&& entry) {
+    for (std::size_t i = 0; i < targets.size(); ++i) {
+      double most = 0;
+      for (std::size_t k = 0; k < targets.size(); ++k)
+        most = std::max(most, std::fabs(entry(static_cast<int>(i), static_cast<int>(k))));
+      if (most < kLeastSlope) return targets[i].*name;
+    }
+    return std::string();
+  };
+  const std::string held = part(&TrimTarget::held, [&](int i, int k) { return slope(i, k); });
+  const std::string freed = part(&TrimTarget::freed, [&](int j, int k) { return slope(k, j); });
+  const std::string all_held = with_and(targets, &TrimTarget::held),
+                    all_freed = with_and(targets, &TrimTarget::freed);
+  if (!held.empty()) return held + " does not move with " + all_freed + " here: free another";
+  if (!freed.empty()) return all_held + " do not move with " + freed + " here: free another";
+  return all_held + " do not each move alone with " + all_freed + " here: free others";
+}
 
 template <class Shape, std::size_t kCount>
 void add(double by, const Shape& more, Shape& to, double (&sum)[kCount]) {
@@ -93,7 +144,8 @@ struct Sensitivity::Memory {
   RootMotionWorkspace<double> roots;
   RootMotion<double> root[kMaxLinearStates];
   std::vector<FlightMotion> freed;  // by a unit of what each target lets go
-  LU<double, kMostTargets> by_freed;
+  Targets by_freed;                 // how what is held moves with it
+  LU<double, kMostTargets> scaled;  // the same by steps of the search, of the size of what is held
 };
 
 Sensitivity::Sensitivity(const SensitivitySystems& systems)
@@ -110,6 +162,7 @@ Status Sensitivity::begin(const TrimmedFlight& flight, Analyses& work) {
   Memory& m = *memory_;
   flight_ = &flight;
   work_ = &work;
+  fault_.clear();
   const Configuration<double>& c = flight.configuration;
   const State<double>& x = flight.trim.state;
   const Controls<double>& u = flight.trim.controls;
@@ -129,34 +182,95 @@ Status Sensitivity::begin(const TrimmedFlight& flight, Analyses& work) {
 }
 
 Status Sensitivity::begin_targets() {
-  const int count = static_cast<int>(flight_->targets.size());
-  memory_->freed.assign(flight_->targets.size(), {});
+  Memory& m = *memory_;
+  const TrimTargets& targets = flight_->targets;
+  const SteadyFlight<double>& flight = flight_->flight;
+  const int count = static_cast<int>(targets.size());
+  m.freed.assign(targets.size(), {});
+  set_zero(m.by_freed);
   if (count == 0) return Status::ok;
-  Matrix<double, kMostTargets, kMostTargets> by_freed;
+  Targets scaled;
+  set_zero(scaled);
   for (int j = 0; j < count; ++j) {
     const auto place = static_cast<std::size_t>(j);
+    const TrimTarget& target = targets[place];
+    m.freed[place].root.resize(roots_.size());
+    if (is_fixed(target, flight)) {
+      scaled(j, j) = 1;
+      continue;
+    }
+    if (target.freed == "climb_deg" && is_vertical(flight) &&
+        std::fabs(std::sin(flight_->trim.state.roll)) > kLevel) {
+      fault_ = "climb_deg has no slope in vertical flight with a bank: free another";
+      return Status::out_of_range;
+    }
+    const SensitivityParameter& freed = freed_parameter(target.freed);
     std::vector<double> held;
-    const Status status =
-        move_alone(freed_parameter(flight_->targets[place].freed), memory_->freed[place], held);
+    const Status status = move_alone(freed, m.freed[place], held);
     if (status != Status::ok) return status;
-    for (int i = 0; i < count; ++i) by_freed(i, j) = held[static_cast<std::size_t>(i)];
+    const double step = freed_quantity(target.freed).step * freed.in_si(flight_->configuration);
+    for (int i = 0; i < count; ++i) {
+      const auto of = static_cast<std::size_t>(i);
+      m.by_freed(i, j) = held[of];
+      if (!is_fixed(targets[of], flight)) scaled(i, j) = held[of] * step / size_of(targets[of]);
+    }
   }
-  return lu_factor(by_freed, count, memory_->by_freed);
+  Status status = lu_factor(scaled, count, m.scaled);
+  for (int i = 0; i < count && status == Status::ok; ++i) {
+    double steps[kMostTargets] = {};
+    steps[i] = 1;
+    status = lu_solve(m.scaled, steps);
+    for (const double step : steps)
+      if (std::fabs(step) > 1 / kLeastSlope) status = Status::singular;
+  }
+  if (status == Status::singular) fault_ = unmoved(scaled, targets);
+  return status;
+}
+
+// What is let go moves so that what is held stays, where the flight lets it.
+Status Sensitivity::keep_targets(const SensitivityParameter& p, double change,
+                                 const std::vector<double>& held, FlightMotion& motion) {
+  const Memory& m = *memory_;
+  const TrimTargets& targets = flight_->targets;
+  const std::size_t count = targets.size();
+  if (count == 0) return Status::ok;
+  double steps[kMostTargets] = {}, left[kMostTargets] = {};
+  for (std::size_t i = 0; i < count; ++i) {
+    left[i] = held[i];
+    steps[i] = is_fixed(targets[i], flight_->flight) ? 0 : -held[i] / size_of(targets[i]);
+  }
+  const Status status = lu_solve(m.scaled, steps);
+  if (status != Status::ok) return status;
+  for (std::size_t j = 0; j < count; ++j) {
+    motion.freed.push_back(steps[j] * freed_quantity(targets[j].freed).step);
+    const double by = motion.freed[j] * freed_parameter(targets[j].freed).in_si(flight_->configuration);
+    add(by, m.freed[j], motion);
+    for (std::size_t i = 0; i < count; ++i)
+      left[i] += m.by_freed(static_cast<int>(i), static_cast<int>(j)) * by;
+  }
+  for (std::size_t i = 0; i < count; ++i) {
+    if (!is_fixed(targets[i], flight_->flight) || std::fabs(left[i] * change) <= kStays * size_of(targets[i]))
+      continue;
+    fault_ = targets[i].held + " moves with " + p.name + ", for which " + targets[i].freed +
+             " has no effect here: free another";
+    return Status::singular;
+  }
+  return Status::ok;
 }
 
 Status Sensitivity::move(const SensitivityParameter& p, FlightMotion& out) {
+  fault_.clear();
   std::vector<double> held;
   FlightMotion alone;
   Status status = move_alone(p, alone, held);
-  if (status == Status::ok && !held.empty()) {
-    status = lu_solve(memory_->by_freed, held.data());
-    for (std::size_t k = 0; k < held.size(); ++k) add(-held[k], memory_->freed[k], alone);
-  }
   if (status != Status::ok) return status;
   const double change = changes_aircraft(p) ? p.amount : p.amount * p.in_si(flight_->configuration);
+  status = keep_targets(p, change, held, alone);
+  if (status != Status::ok) return status;
   out = {};
   out.root.resize(alone.root.size());
   add(change, alone, out);
+  for (const double freed : alone.freed) out.freed.push_back(change * freed);
   return status;
 }
 

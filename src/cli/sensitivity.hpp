@@ -22,22 +22,28 @@ struct FlightMotion {
   TrimMotion<double> trim;
   double power;                          // of both rotors, W
   std::vector<RootMotion<double>> root;  // in the order of the roots
+  std::vector<double> freed;             // of what each target lets go, in the unit of its column
 };
 
 // Exact: numbers of the aircraft, settings, what follows from them, gains and tables; the trim moves as well, and with
 // systems the balance of power. What targets of the trim hold stays, and what they let go moves for it:
-// ds/dp = -(dh/ds)^-1 dh/dp, all along trims.
+// ds/dp = -(dh/ds)^-1 dh/dp, all along trims. What the flight does not let move (a sideslip at rest) stays too, where
+// what is held does without it.
 class Sensitivity {
  public:
   explicit Sensitivity(const SensitivitySystems& systems);
   ~Sensitivity();
 
   // Linear model and modes of a trimmed flight, which must outlive what follows.
+  // Status: ok; not_finite; singular (nothing that was let go moves what is held, as where that is largest or least);
+  // out_of_range (a climb let go in vertical flight with a bank).
   Status begin(const TrimmedFlight& flight, Analyses& work);
   const std::vector<NamedRoot>& roots() const { return roots_; }
 
-  // Status: ok; not_finite; singular (nothing that was let go moves what is held).
+  // Status: ok; not_finite; singular (the flight does not let move what must).
   Status move(const SensitivityParameter& parameter, FlightMotion& out);
+  // What was wrong with a target, of the last call; else empty.
+  const std::string& fault() const { return fault_; }
 
  private:
   struct Memory;
@@ -45,6 +51,8 @@ class Sensitivity {
   // By one unit, what is let go staying; `held`: how what the targets hold moves.
   Status move_alone(const SensitivityParameter& parameter, FlightMotion& out, std::vector<double>& held);
   Status begin_targets();
+  Status keep_targets(const SensitivityParameter& parameter, double change, const std::vector<double>& held,
+                      FlightMotion& motion);
 
   void name_roots();
   void find_roots(std::vector<RootMotion<double>>& roots);
@@ -57,6 +65,7 @@ class Sensitivity {
   const TrimmedFlight* flight_ = nullptr;
   Analyses* work_ = nullptr;
   std::vector<NamedRoot> roots_;
+  std::string fault_;
   std::unique_ptr<Memory> memory_;
 };
 

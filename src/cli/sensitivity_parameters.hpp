@@ -54,9 +54,8 @@ const SensitivityParameter& freed_parameter(const std::string& freed);
 // Whether the parameter can be changed there.
 bool acts(const SensitivityParameter& parameter, const SensitivitySystems& systems);
 
-// "all" that act, or names with commas between. Throws UsageError "<where>: ..." for an unknown one, or one that does
-// not act.
-// `freed`: what targets let go, which follows the others and is none of them.
+// "all" that act, or names with commas between; `freed`, what targets let go, follows the others and is none of them.
+// Throws UsageError "<where>: ..." for an unknown one, one that follows, or one that does not act.
 std::vector<const SensitivityParameter*> chosen_parameters(const std::string& text, const std::string& where,
                                                            const SensitivitySystems& systems,
                                                            const std::vector<std::string>& freed = {});

@@ -25,7 +25,6 @@ double TrimmedFlight::setting(const std::string& column) const {
   return found ? now : setup->given(column).value_or(now);
 }
 
-// At rest in axes that turn with it, v' = f/m + g - omega x v = 0.
 void trim_flight(TrimmedFlight& f, Analyses& work) {
   if (f.azimuth_deg) {
     trim_in_wind(f.configuration, f.flight, *f.azimuth_deg * kRadPerDeg<double>, work, f.trim);

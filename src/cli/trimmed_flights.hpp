@@ -42,7 +42,8 @@ int for_each_trim(const Arguments& arguments, const std::vector<SetupOptions>& s
 void trim_flight(TrimmedFlight& flight, Analyses& work);
 std::string trim_explanation(const TrimResult<double>& trim);
 
-// Specific force to the right at the CG over g, of a steady flight.
+// Specific force to the right at the CG over g, of a steady flight: at rest in axes that turn with it,
+// v' = f/m + g - omega x v = 0.
 template <class T>
 T side_force(const State<T>& x) {
   const T turning = x.rates.z * x.velocity.x - x.rates.x * x.velocity.z;

@@ -77,7 +77,7 @@ TEST(cli_completion_offers_commands_options_and_values) {
   CHECK_EQ(offered("tiltrotor modes --show ="), "modes shapes\n");
   CHECK_EQ(offered("tiltrotor trim --grid r"), "realtime\n");
   CHECK_EQ(offered("tiltrotor trim --preset EMPTY"), "reference\n");
-  CHECK_EQ(offered("tiltrotor trim --option gov"), "governor\n");
+  CHECK_EQ(offered("tiltrotor trim --option gov"), "governor=\n");
   CHECK_EQ(offered("tiltrotor trim --option governor ="), "off ideal pi\n");
   CHECK_EQ(offered("tiltrotor qualities --category EMPTY"), "A B C\n");
   CHECK_EQ(offered("tiltrotor trim --units kn"), "knots\n");
@@ -88,7 +88,8 @@ TEST(cli_completion_offers_commands_options_and_values) {
   CHECK_EQ(offered("tiltrotor trim --columns pitch_deg,power_k"), "pitch_deg,power_kw\n");
   CHECK_EQ(offered("tiltrotor trim --columns htail_force_"), "htail_force_x htail_force_y htail_force_z\n");
   CHECK_EQ(offered("tiltrotor fly --columns htail_moment_y,nz,ny"), "htail_moment_y,nz,ny\n");
-  CHECK_EQ(offered("tiltrotor trim --hold power_k"), "power_kw\n");
+  CHECK_EQ(offered("tiltrotor trim --hold power_k"), "power_kw=\n");
+  CHECK_EQ(offered("tiltrotor trim --hold power_kw ="), "\n");
   CHECK_EQ(offered("tiltrotor trim --free clim"), "climb_deg\n");
   CHECK_EQ(offered("tiltrotor bode --from long_"), "long_stick long_cyclic\n");
   CHECK_EQ(offered("tiltrotor bode --to q,ps"), "q,psi\n");
@@ -97,6 +98,20 @@ TEST(cli_completion_offers_commands_options_and_values) {
   CHECK_EQ(offered("tiltrotor trim --format csv,j"), "\n");
   CHECK_EQ(offered("tiltrotor help lin"), "linearize\n");
   CHECK_EQ(offered("tiltrotor completion EMPTY"), "bash zsh\n");
+}
+
+// bash itself says what it was asked for: no blank follows a name whose value does.
+TEST(cli_completion_leaves_no_blank_before_a_value) {
+  if (!has_bash()) return;
+  const auto blank = [](const std::string& words) {
+    const std::string before = "compopt() { echo \"$*\"; }; _tiltrotor_blank() { source <(" +
+                               check::built("tiltrotor") + " completion bash); COMP_WORDS=(" + words +
+                               "); COMP_CWORD=3; _tiltrotor; }; _tiltrotor_blank";
+    return run_program("bash -c " + check::quoted(before)).out;
+  };
+  CHECK_EQ(blank("tiltrotor trim --hold power_k"), "-o nospace\n");
+  CHECK_EQ(blank("tiltrotor trim --option gov"), "-o nospace\n");
+  CHECK_EQ(blank("tiltrotor trim --free clim"), "");
 }
 
 TEST(cli_completion_offers_files) {
