@@ -24,7 +24,7 @@ count() {
         echo "$case,$(count "$case")"
         echo "${case}_specification,$(count "$case" specification)"
     done
-    for case in slow_frame systems; do
+    for case in slow_frame systems outputs; do
         echo "$case,$(count "$case")"
     done
 } >"$counts.part"

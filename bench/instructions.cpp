@@ -1,5 +1,5 @@
 // One derivative, one configuration remade, one Jacobian, one trim, one frame, one frame of a rig by the exponential with the
-// roots of the rigid body, one linear model with every system on: what `make bench-instructions` counts, each in a
+// roots of the rigid body, one linear model with every system on, its outputs: what `make bench-instructions` counts, each in a
 // function of its own that callgrind can find. Instructions do not depend on the machine's load or clock.
 #include <cstring>
 #include <memory>
@@ -44,6 +44,9 @@ __attribute__((noinline)) void counted_frame(Workspaces& r) { frame(r.c, r.work,
 // Through the C interface.
 __attribute__((noinline)) void counted_slow_frame(Rig& rig) { require(rig.slow_frame(0.02), "no frame"); }
 __attribute__((noinline)) void counted_systems(Rig& rig) { require(rig.linearize() == TR_OK, "A, B"); }
+__attribute__((noinline)) void counted_outputs(Rig& rig) {
+  require(rig.linearize_outputs() == TR_OK, "C, D");
+}
 }
 
 // Argument: the name of the function to call, without counted_; a second argument chooses the specification
@@ -51,15 +54,14 @@ __attribute__((noinline)) void counted_systems(Rig& rig) { require(rig.linearize
 int main(int argc, char** argv) {
   require(argc == 2 || argc == 3,
           "usage: bench_instructions derivative|configuration|jacobian|trim|frame [specification]\n"
-          "       bench_instructions slow_frame|systems");
-  if (std::strcmp(argv[1], "slow_frame") == 0 || std::strcmp(argv[1], "systems") == 0) {
+          "       bench_instructions slow_frame|systems|outputs");
+  const auto asked = [argv](const char* name) { return std::strcmp(argv[1], name) == 0; };
+  if (asked("slow_frame") || asked("systems") || asked("outputs")) {
     Rig rig(kMiddleMast, kMiddleSpeed);
-    if (std::strcmp(argv[1], "slow_frame") == 0) {
-      counted_slow_frame(rig);
-    } else {
-      rig.switch_on();
-      counted_systems(rig);
-    }
+    if (!asked("slow_frame")) rig.switch_on();
+    if (asked("slow_frame")) counted_slow_frame(rig);
+    if (asked("systems")) counted_systems(rig);
+    if (asked("outputs")) counted_outputs(rig);
     return 0;
   }
   const auto workspaces = std::make_unique<Workspaces>();
@@ -73,10 +75,10 @@ int main(int argc, char** argv) {
   r.flight.state.velocity.y +=
       0.1;  // in symmetric flight one rotor answers for both: only the trim is counted there
   r.simulation = flight_with_input(r.c, r.flight, InputShape::step, kRadPerDeg<double>);
-  if (std::strcmp(argv[1], "derivative") == 0) counted_derivative(r);
-  if (std::strcmp(argv[1], "configuration") == 0) counted_configuration(r);
-  if (std::strcmp(argv[1], "jacobian") == 0) counted_jacobian(r);
-  if (std::strcmp(argv[1], "trim") == 0) counted_trim(r);
-  if (std::strcmp(argv[1], "frame") == 0) counted_frame(r);
+  if (asked("derivative")) counted_derivative(r);
+  if (asked("configuration")) counted_configuration(r);
+  if (asked("jacobian")) counted_jacobian(r);
+  if (asked("trim")) counted_trim(r);
+  if (asked("frame")) counted_frame(r);
   return 0;
 }

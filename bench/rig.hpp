@@ -16,6 +16,8 @@ struct Rig {
   tr_linear_shape shape;
   std::vector<tr_real> a = std::vector<tr_real>(TR_MAX_LINEAR_STATES * TR_MAX_LINEAR_STATES);
   std::vector<tr_real> b = std::vector<tr_real>(TR_MAX_LINEAR_STATES * TR_INPUTS);
+  std::vector<tr_real> c = std::vector<tr_real>(TR_OUTPUTS * TR_MAX_LINEAR_STATES);
+  std::vector<tr_real> d = std::vector<tr_real>(TR_OUTPUTS * TR_INPUTS);
   tr_real real[TR_MAX_LINEAR_STATES], imag[TR_MAX_LINEAR_STATES];
 
   Rig(double mast_deg, double speed_mps) {
@@ -39,6 +41,10 @@ struct Rig {
 
   tr_status linearize() {
     return tr_linearize(&sim, work.get(), TR_BLADE_CONTROLS, &shape, a.data(), a.size(), b.data(), b.size());
+  }
+  // C and D.
+  tr_status linearize_outputs() {
+    return tr_linearize_outputs(&sim, work.get(), TR_BLADE_CONTROLS, c.data(), c.size(), d.data(), d.size());
   }
   tr_status eigenvalues() {
     return tr_eigenvalues(work.get(), a.data(), static_cast<std::size_t>(shape.states), real, imag,

@@ -30,7 +30,7 @@ except ImportError:
     numpy = None
 
 # ---- the library ----
-_INTERFACE = 6
+_INTERFACE = 7
 _NAMES = (f"libtiltrotor.so.{_INTERFACE}", "libtiltrotor.so", "libtiltrotor.dylib", "libtiltrotor.dll")
 
 def _load():

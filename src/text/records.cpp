@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
+#include <string>
 #include <utility>
 
 #include "text/identity.hpp"
@@ -71,6 +73,9 @@ Records::Records(Sink& sink, Format format, std::vector<std::string> columns, in
 }
 
 void Records::add(const Row& exact) {
+  if (exact.size() != columns_.size())
+    throw std::logic_error("a row of " + std::to_string(exact.size()) + " cells under " +
+                           std::to_string(columns_.size()) + " columns");
   const Row row = shown(exact);
   write_header();
   if (format_ == Format::csv) sink_.write(csv_line(row_texts(row, digits_)));

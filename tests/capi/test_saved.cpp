@@ -246,7 +246,7 @@ TEST(capi_saved_bytes_have_a_fixed_order) {
     return Bytes(bytes.begin() + std::ptrdiff_t(from), bytes.begin() + std::ptrdiff_t(from + count));
   };
   CHECK(at(0, 7) == Bytes({'t', 'r', 's', 'a', 'v', 'e', 'd'}));
-  CHECK(at(12, 4) == Bytes({sizeof(tr_real), 0, 6, 0}));
+  CHECK(at(12, 4) == Bytes({sizeof(tr_real), 0, 7, 0}));
   CHECK(at(kHeader, 4) == Bytes({static_cast<unsigned char>(tr_aircraft_at(0)), 0, 0, 0}));
   // 30 is 0x403e000000000000, in single precision 0x41f00000.
   const Bytes thirty = sizeof(tr_real) == 8 ? Bytes{0, 0, 0, 0, 0, 0, 0x3e, 0x40} : Bytes{0, 0, 0xf0, 0x41};

@@ -212,7 +212,7 @@ TEST(build_precision_is_in_the_names) {
         std::string("printf '#include \"older.h\"\\nint main() { const volatile auto f = &") + name +
         "; return f == nullptr; }' | ";
     const ProgramResult wrong = room.run(
-        "sed s/0x00060/0x00020/ " + quoted(source_path("include/tiltrotor/tiltrotor.h")) + " >older.h && " +
+        "sed s/0x00070/0x00020/ " + quoted(source_path("include/tiltrotor/tiltrotor.h")) + " >older.h && " +
         program + kCxx + kThis + "-I. -x c++ - -x none " + kLibrary + " -o program");
     CHECK(wrong.exit_status != 0 && wrong.err.find("undefined reference") != std::string::npos);
   }
