@@ -35,10 +35,13 @@ void expand_rotors(const Configuration<R>& c, const State<R>& x, const Controls<
       ++direction;
     });
     const PlacedRotorInput<D>& at = work.seeded;
-    const RotorConditions<D> conditions = {
-        {at.speed, at.speed * c.aircraft->rotor.radius, D(plain.spin_up), at.ground_wash},
-        at.density,
-        at.speed_of_sound};
+    RotorConditions<D>& conditions = work.conditions;
+    conditions.speed = at.speed;
+    conditions.tip_speed = at.speed * c.aircraft->rotor.radius;
+    conditions.spin_up = D(plain.spin_up);
+    conditions.ground_wash = at.ground_wash;
+    conditions.density = at.density;
+    conditions.speed_of_sound = at.speed_of_sound;
     rotor_response(c, conditions, at.in, stations, work.inner, out.rotor[side]);
   }
 }
@@ -57,27 +60,33 @@ template <class R>
 struct ExpandedRotors {
   const RotorExpansion<R>& about;
 
-  template <class T, class C>
-  void operator()(const Configuration<C>& c, int side, R, DerivativeSteps<T>& steps) const {
-    constexpr int kSeen = kIsPlain<C> ? RotorInput<T>::kCount : PlacedRotorInput<T>::kCount;
-    T seen[kSeen];
-    flatten(steps.rotor_input, seen);
-    if constexpr (!kIsPlain<C>) {
-      const RotorConditions<C> at = rotor_conditions(c, side);
-      const T around[] = {at.speed, at.ground_wash, at.density, at.speed_of_sound};
-      for (int k = 0; k < 4; ++k) seen[RotorInput<T>::kCount + k] = around[k];
-    }
-    const RotorResponse<PlacedDual<R>>& known = about.rotor[side];
-    const PlacedDual<R>* flat[RotorResponse<T>::kCount];
+  // Through the first `N` numbers of PlacedRotorInput; the others are held.
+  template <int N, class T>
+  void chain_through(const T* seen, int side, RotorResponse<T>& out) const {
+    const PlacedDual<R>* known[RotorResponse<T>::kCount];
     int i = 0;
-    RotorResponse<PlacedDual<R>>::each(known, [&](const auto& x) { flat[i++] = &x; });
+    RotorResponse<PlacedDual<R>>::each(about.rotor[side], [&](const auto& x) { known[i++] = &x; });
     i = 0;
-    RotorResponse<T>::each(steps.rotor[side], [&](T& x) {
-      R slope[PlacedRotorInput<T>::kCount], along[kSeen];
-      flat[i]->d.copy_to(slope);
-      for (int k = 0; k < kSeen; ++k) along[k] = slope[k];
-      x = chain(flat[i++]->v, along, seen);
+    RotorResponse<T>::each(out, [&](T& x) {
+      R slope[PlacedRotorInput<T>::kCount], along[N];
+      known[i]->d.copy_to(slope);
+      for (int k = 0; k < N; ++k) along[k] = slope[k];
+      x = chain(known[i++]->v, along, seen);
     });
+  }
+  template <class T>
+  void operator()(const Configuration<R>&, int side, R, DerivativeSteps<T>& steps) const {
+    T* const seen = steps.local.first.chain.input;
+    flatten(steps.rotor_input, seen);
+    chain_through<RotorInput<T>::kCount>(seen, side, steps.rotor[side]);
+  }
+  template <class T>
+  void operator()(const Configuration<T>& c, int side, R, DerivativeSteps<T>& steps) const {
+    const RotorConditions<T> at = rotor_conditions(c, side);
+    T seen[PlacedRotorInput<T>::kCount];
+    flatten(PlacedRotorInput<T>{steps.rotor_input, at.speed, at.ground_wash, at.density, at.speed_of_sound},
+            seen);
+    chain_through<PlacedRotorInput<T>::kCount>(seen, side, steps.rotor[side]);
   }
 };
 
@@ -86,9 +95,9 @@ template <class R>
 struct KnownRotors {
   const RotorExpansion<R>* about;
 
-  template <class T, class C>
-  void operator()(const Configuration<C>& c, int side, R azimuth, DerivativeSteps<T>& steps) const {
-    if constexpr (OuterPartials<T>::count > 0) {
+  template <class T>
+  void operator()(const Configuration<R>& c, int side, R azimuth, DerivativeSteps<T>& steps) const {
+    if constexpr (!std::is_same_v<LocalDual<RotorInput, T>, T>) {
       if (about != nullptr) {
         ExpandedRotors<R>{*about}(c, side, azimuth, steps);
         return;

@@ -19,6 +19,7 @@ struct RotorExpansionWorkspace {
   BladeControls<R> controls;
   PlacedRotorInput<R> point;
   PlacedRotorInput<PlacedDual<R>> seeded;
+  RotorConditions<PlacedDual<R>> conditions;
   RotorWorkspace<PlacedDual<R>> inner;
 };
 

@@ -29,11 +29,14 @@ FlapRates<T> flap_rates(const Configuration<C>& c, const RotorConditions<S>& tur
   const S two_omega = R(2) * turn.speed;
   const C spring = c.hub_spring * inverse_j;
   const R damping = rotor.hub_damping * inverse_j;
-  return {x.b1c_rate, x.b1s_rate,
-          mc * inverse_j - two_omega * x.b1s_rate - spring * x.b1c - damping * x.b1c_rate -
-              two_omega * hub_rates_a.x - c.setup.rotor_acceleration * x.b1s,
-          ms * inverse_j + two_omega * x.b1c_rate - spring * x.b1s - damping * x.b1s_rate -
-              two_omega * hub_rates_a.y + c.setup.rotor_acceleration * x.b1c};
+  FlapRates<T> rates;
+  rates.b1c_rate = x.b1c_rate;
+  rates.b1s_rate = x.b1s_rate;
+  rates.b1c_acceleration = mc * inverse_j - two_omega * x.b1s_rate - spring * x.b1c - damping * x.b1c_rate -
+                           two_omega * hub_rates_a.x - c.setup.rotor_acceleration * x.b1s;
+  rates.b1s_acceleration = ms * inverse_j + two_omega * x.b1c_rate - spring * x.b1s - damping * x.b1s_rate -
+                           two_omega * hub_rates_a.y + c.setup.rotor_acceleration * x.b1c;
+  return rates;
 }
 
 // First-order gimbal: tilt rates that balance the equations above without the acceleration, given the moments

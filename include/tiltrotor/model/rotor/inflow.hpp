@@ -97,10 +97,14 @@ InflowRates<T> inflow_rates(const Configuration<C>& c, const RotorConditions<S>&
   const T xs = f.mu_y * inverse_skew;
   const T k = inflow_gradient(c.setup.options.inflow_gradient, T(xc * xc + xs * xs));
   const InflowGainInverse<T> g = inflow_gain_inverse(xc, xs, k, c.induced_power_factor);
-  return {
-      (omega / m0) * (f.c0 - vt * (g.inv_00 * x.lambda_0 + g.inv_0c * x.lambda_c + g.inv_0s * x.lambda_s)),
-      (omega / m1) * (f.cc - vm * (g.inv_c0 * x.lambda_0 + g.inv_cc * x.lambda_c + g.inv_cs * x.lambda_s)),
-      (omega / m1) * (f.cs - vm * (g.inv_s0 * x.lambda_0 + g.inv_cs * x.lambda_c + g.inv_ss * x.lambda_s))};
+  InflowRates<T> rates;
+  rates.lambda_0 =
+      (omega / m0) * (f.c0 - vt * (g.inv_00 * x.lambda_0 + g.inv_0c * x.lambda_c + g.inv_0s * x.lambda_s));
+  rates.lambda_c =
+      (omega / m1) * (f.cc - vm * (g.inv_c0 * x.lambda_0 + g.inv_cc * x.lambda_c + g.inv_cs * x.lambda_s));
+  rates.lambda_s =
+      (omega / m1) * (f.cs - vm * (g.inv_s0 * x.lambda_0 + g.inv_cs * x.lambda_c + g.inv_ss * x.lambda_s));
+  return rates;
 }
 
 }  // namespace tiltrotor
