@@ -102,10 +102,11 @@ tr_status tr_get_systems(const tr_sim* sim, tr_systems* systems);
  *
  * With systems on: a step takes 3 or 4 derivatives a part as before and a twentieth of one more for each, with an ideal
  * governor some five times as many. tr_linearize covers their states, takes 2 Jacobians where masts, rotor speed, air or
- * ground move and some 7 derivatives more with an ideal governor, and holds the turbulence, whose scale follows the height.
+ * ground move (3 with TR_ALL_INPUTS), and holds the turbulence, whose scale follows the height.
  * tr_trim takes up to 6 of its trims where gear or ground count. tr_directional
- * takes a Jacobian, tr_linearize_outputs as much and one derivative for every 7 of its columns; both then know every state of
- * tr_state, fuel, position and attitude that is held included, and hold the turbulence alone. Where an
+ * takes a Jacobian, tr_linearize_outputs as much and one derivative for every 7 of its columns; with an ideal governor
+ * these three take some 10 derivatives more. The last two know every state of
+ * tr_state then, fuel, position and attitude that is held included, and hold the turbulence alone. Where an
  * ideal governor finds no collective all of these are TR_NOT_CONVERGED. Modes of systems are named after the state that
  * takes part most; on a microcontroller tr_work is too small for them: tr_modes is TR_BAD_ARGUMENT
  * there, tr_eigenvalues has the roots. */

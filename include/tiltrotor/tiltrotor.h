@@ -49,7 +49,7 @@ extern "C" {
 
 /* Less is enough on a microcontroller. */
 #if defined(__ARM_ARCH_PROFILE) && __ARM_ARCH_PROFILE == 'M'
-#define TR_DOUBLE_WORK_SIZE 97664
+#define TR_DOUBLE_WORK_SIZE 98112
 #define TR_SINGLE_WORK_SIZE 51200
 #else
 #define TR_DOUBLE_WORK_SIZE 245760

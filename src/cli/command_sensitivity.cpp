@@ -58,8 +58,7 @@ std::vector<std::string> trim_columns(const std::vector<std::string>& freed) {
 
 bool holds_power(const Arguments& arguments) {
   const std::vector<std::string> held = of_targets(arguments, &TrimTarget::held);
-  return std::any_of(held.begin(), held.end(),
-                     [](const std::string& name) { return name.rfind("power_", 0) == 0; });
+  return std::any_of(held.begin(), held.end(), [](const std::string& name) { return name == "power_kw"; });
 }
 
 class SensitivityRows {

@@ -31,8 +31,8 @@ struct QlpvReading {
   std::string name;
   double exact, interpolated;
   double reach;  // how far an input bends it
-  double error()
-      const;  // of the distance, over the size of the exact one; NaN where that is a rounding of the reach
+  // Of the distance, over the size of the exact one; NaN where that is a rounding of the reach.
+  double error() const;
 };
 
 struct QlpvErrors {

@@ -15,6 +15,7 @@ struct Somewhere {
   State<double> x;
   SystemState<double> s;
   Controls<double> u;
+  double azimuth = 0;  // of the first blade, rad
 };
 
 class Dice {
@@ -29,14 +30,14 @@ class Dice {
   std::mt19937 random_;
 };
 
-inline Somewhere somewhere(Dice& dice, Governor governor) {
+inline Somewhere somewhere(Dice& dice, Governor governor, const Options& options = realtime()) {
   const Aircraft<double>& aircraft = aircraft_data<double>();
   const double size = this_aircraft::speed();
   Somewhere at{};
   // Not at a knot of a table.
   const double mast = dice.between(0.3, 89.7), forward = dice.between(3, 30 + mast) * size;
   FlightSetup<double> setup = flight_setup(aircraft, mast);
-  setup.options = realtime();
+  setup.options = options;
   setup.altitude = this_aircraft::altitude();
   setup.options.coning_states = dice.flip();
   CHECK(prepare(aircraft, setup, at.c) == Status::ok);

@@ -1,5 +1,4 @@
-// Rates and readings of the whole vehicle along directions: against a complex step through the same text, and against A
-// and B, which come by the expansion of the airframe.
+// Rates and readings of the whole vehicle along directions: against a complex step through the same text.
 #include "tiltrotor/analysis/linear/vehicle_direction.hpp"
 
 #include "somewhere.hpp"

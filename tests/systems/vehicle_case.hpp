@@ -97,7 +97,7 @@ struct Matrices {
 };
 // With every input; compiled once, in test_vehicle_linear.cpp.
 const Matrices& matrices(const Vehicle<double>& v, const Configuration<double>& c, const State<double>& x,
-                         const SystemState<double>& s, const Controls<double>& u);
+                         const SystemState<double>& s, const Controls<double>& u, double azimuth = 0);
 inline const Matrices& matrices(const Flight& f) {
   return matrices(f.systems.vehicle, f.c, f.s.state, f.systems.state, current_controls(f.s));
 }

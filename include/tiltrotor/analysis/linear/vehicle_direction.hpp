@@ -28,7 +28,13 @@ struct VehicleDirectionWorkspace {
   VehicleFlows<T> flows;
   Instruments<T> readings;
   T states[vehicle_state_count], inputs[vehicle_input_count];  // before they are placed
-  RotorExpansion<R> rotors;                                    // about the point
+  T y[Instruments<T>::kCount];
+  struct Point {
+    DerivativeSteps<R> steps;
+    AirframeDemand<R> demand;
+    AirframeAnswer<R> answer;
+  } point;
+  RotorExpansion<R> rotors;  // about the point
   RotorExpansionWorkspace<R> expanding;
   R governed;                 // collective of an ideal governor at the point, rad
   R follows[kVehicleSlopes];  // and how it changes along each direction
@@ -48,24 +54,22 @@ namespace vehicle_direction_detail {
 template <class R>
 bool find_point(const Vehicle<R>& v, Configuration<R>& c, const State<R>& x, const SystemState<R>& s,
                 const Controls<R>& u, R azimuth, VehicleDirectionWorkspace<R>& work) {
-  AirframeDemand<R> demand;
+  auto& point = work.point;
   VehicleFlows<R> flows;
   SystemState<R> rates;
   const ConfigurationSetting<R> base = c.setup;
   work.ideal = v.on.governor == Governor::ideal;
   work.governed = R(0);
   if (work.ideal) {
-    DerivativeSteps<R> steps;
-    AirframeAnswer<R> answer;
-    vehicle_rates(v, c, base, c, x, s, v.commands, u, VehicleAirframe<R>{c, x, steps, azimuth}, demand,
-                  answer, flows, rates);
+    vehicle_rates(v, c, base, c, x, s, v.commands, u, VehicleAirframe<R>{c, x, point.steps, azimuth},
+                  point.demand, point.answer, flows, rates);
     work.governed = flows.governed;
     if (!flows.held) return false;
   } else {
-    airframe_demand(v, c, base, c, x, s, v.commands, u, demand, flows, rates);
-    put_into(demand, c);
+    airframe_demand(v, c, base, c, x, s, v.commands, u, point.demand, flows, rates);
+    put_into(point.demand, c);
   }
-  expand_rotors(c, x, demand.controls, azimuth, work.expanding, work.rotors);
+  expand_rotors(c, x, point.demand.controls, azimuth, work.expanding, work.rotors);
   return true;
 }
 
@@ -104,7 +108,7 @@ void evaluate_seeded(const Vehicle<R>& v, const Configuration<R>& c, const Confi
 
 // dxdot[vehicle_state_count] and dy[Instruments::kCount] along dx[vehicle_state_count] and du[vehicle_input_count].
 // `c`: as in linearize_vehicle(). Status: ok; not_finite (what was found is then written); bad_argument (c is not
-// prepared); not_converged (an ideal governor finds no collective). Cost: some 4 derivatives, and the search of an ideal governor.
+// prepared); not_converged (an ideal governor finds no collective). Cost: some 3 derivatives, and the search of an ideal governor.
 template <class R>
 Status vehicle_direction(const Vehicle<R>& v, Configuration<R>& c, const State<R>& x, const SystemState<R>& s,
                          const Controls<R>& u, const R* dx, const R* du, VehicleDirectionWorkspace<R>& work,
@@ -138,7 +142,7 @@ Status vehicle_direction(const Vehicle<R>& v, Configuration<R>& c, const State<R
 
 // put_c(i, j, dy_i/dx_j) and put_d(i, j, dy_i/du_j), columns as `shape` says, of `rows` outputs that read(y) takes from
 // what `work` holds of an evaluation: its configuration, x, steps, answer and readings. y: `rows` numbers of the caller.
-// Arguments and status as vehicle_direction(). Cost: some 4 derivatives for every 7 columns.
+// Arguments and status as vehicle_direction(). Cost: some 3 derivatives, and one more for every 7 columns.
 template <class R, class Read, class PutC, class PutD>
 Status linearize_vehicle_rows(const Vehicle<R>& v, Configuration<R>& c, const State<R>& x,
                               const SystemState<R>& s, const Controls<R>& u, const VehicleShape& shape,
@@ -178,10 +182,9 @@ Status linearize_vehicle_outputs(const Vehicle<R>& v, Configuration<R>& c, const
                                  VehicleDirectionWorkspace<R>& work, PutC&& put_c, PutD&& put_d,
                                  R azimuth = R(0)) {
   using T = typename VehicleDirectionWorkspace<R>::T;
-  T y[Instruments<T>::kCount];
   return linearize_vehicle_rows(
-      v, c, x, s, u, shape, work, Instruments<T>::kCount, y, [&work](T* to) { flatten(work.readings, to); },
-      put_c, put_d, azimuth);
+      v, c, x, s, u, shape, work, Instruments<T>::kCount, work.y,
+      [&work](T* to) { flatten(work.readings, to); }, put_c, put_d, azimuth);
 }
 
 }  // namespace tiltrotor

@@ -1,7 +1,7 @@
 // The linear model of the whole vehicle about any state: exact A = df/dx and B = df/du of the closed loop.
 //
 // By the chain rule through the airframe: its Jacobian with respect to states and controls is that of linear_model.hpp,
-// with respect to the configuration that of configuration_sensitivity.hpp; both make its first-order expansion, through
+// with respect to the configuration that of a configuration with partials (configuration_sensitivity.hpp); both make its first-order expansion, through
 // which the systems run on dual numbers, a few directions at a time.
 #pragma once
 
@@ -73,6 +73,8 @@ struct VehicleModelWorkspace {
     Systems systems;
   } stage;
   LinearPoint<R> point;
+  ConfigurationSetting<R> base;  // before the systems put it
+  SystemState<R> state;          // at the point
   AirframeDemand<R> demand;
   AirframeAnswer<R> answer;
   vehicle_linearization::Expansion<R> about;
@@ -201,8 +203,8 @@ void seed(const State<R>& x, const SystemState<R>& s, const Commands<R>& command
 // (put_into()), and put there again.
 // Status: ok; not_finite (a rate or an entry is not finite); bad_argument (c is not prepared, or other states); not_converged (an
 // ideal governor finds no collective for the power of the engines).
-// Cost: a Jacobian (2 beyond 32 directions), a pass of configuration_sensitivity() where masts, rotor speed or air move,
-// and half a Jacobian for the systems; with an ideal governor 7 derivatives more.
+// Cost: a Jacobian (2 beyond 32 directions), a third of one where masts, rotor speed, air or ground move, and half of one
+// for the systems; with an ideal governor some 10 derivatives more.
 template <class R, class Policy, class PutA, class PutB>
 Status linearize_vehicle(const Vehicle<R>& v, Configuration<R>& c, const State<R>& x, const SystemState<R>& s,
                          const Controls<R>& u, const VehicleShape& shape,
@@ -212,10 +214,12 @@ Status linearize_vehicle(const Vehicle<R>& v, Configuration<R>& c, const State<R
   if (c.aircraft == nullptr) return Status::bad_argument;
   d::Expansion<R>& about = work.about;
   // What the systems ask for;
-  const ConfigurationSetting<R> base = c.setup;
+  ConfigurationSetting<R>& base = work.base;
+  SystemState<R>& point_state = work.state;
+  base = c.setup;
+  point_state = s;
   const bool searches = v.on.governor == Governor::ideal;
   VehicleFlows<R> flows;
-  SystemState<R> point_state = s;
   if (searches) {
     DerivativeSteps<R>& steps = *::new (static_cast<void*>(&work.stage)) DerivativeSteps<R>;
     vehicle_rates(v, c, base, c, x, s, v.commands, u, VehicleAirframe<R>{c, x, steps, azimuth}, work.demand,
@@ -274,7 +278,7 @@ Status linearize_vehicle(const Vehicle<R>& v, Configuration<R>& c, const State<R
   }
   if (twists(v.on)) {
     about.twist = vehicle_parts::twist_reaction(c, work.demand.setting, sdot.twist_rate);
-    State<R> twisted;
+    State<R>& twisted = work.answer.rates;
     unflatten(about.output, twisted);
     add_load(c, about.twist, twisted);
     flatten(twisted, about.output);

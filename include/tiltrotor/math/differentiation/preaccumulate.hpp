@@ -1,6 +1,6 @@
 // Local preaccumulation of derivatives.
 //
-// A rotor sees 18 numbers, a blade 5, the airframe 14, whatever the number of states behind them. With dual
+// A rotor sees 18 numbers, a blade 6, the airframe 14, whatever the number of states behind them. With dual
 // numbers such a function is evaluated with one seed for each of its own inputs and the result is chained to
 // the outer directions: the same derivative by the chain rule, with far fewer partials carried. For plain and
 // complex scalars, and when nothing would be gained, the function is simply called.

@@ -1,7 +1,7 @@
 // One rotor: from its hub motion, state and blade controls to loads, flap accelerations and inflow rates.
 //
-// Everything in the rotor frame A (frames.hpp): one routine serves both rotors. It sees RotorInput and
-// nothing else of the aircraft: 18 numbers, with respect to which it is differentiated.
+// Everything in the rotor frame A (frames.hpp): one routine serves both rotors. It sees RotorInput,
+// 18 numbers with respect to which it is differentiated, and its RotorConditions.
 #pragma once
 
 #include "tiltrotor/model/rotor/flapping.hpp"
