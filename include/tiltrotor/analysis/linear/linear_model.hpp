@@ -78,8 +78,7 @@ template <class R, class Policy = DefaultDifferentiation>
 struct LinearizationWorkspace {
   static constexpr int kInputs = kMaxLinearStates + kMaxLinearControls;
   using Seeded = typename Policy::template Scalar<R, kModelDirections>;
-  static constexpr int kOutputs =
-      state_count + 2;  // rates, and torques of the rotors where they are asked for
+  static constexpr int kOutputs = state_count + 2;  // rates, and the rotors' torques of vehicle_model.hpp
   typename Policy::template InPlaceWorkspace<R, kModelDirections, kInputs, kOutputs> differentiation;
   ModelWorkspace<Seeded> evaluation;
   R base_x[state_count];
