@@ -4,6 +4,7 @@
 #pragma once
 
 #include "tiltrotor/model/control_mixing.hpp"
+#include "tiltrotor/systems/limited.hpp"
 #include "tiltrotor/systems/system_state.hpp"
 
 namespace tiltrotor {
@@ -18,9 +19,9 @@ struct Actuator {
 template <class T>
 T actuator_rate(const SystemTables<Real<T>>& t, const Actuator<Real<T>>& actuator, const T& command,
                 const T& angle) {
-  const T reachable = smooth_clip(command, actuator.low, actuator.high, t.smooth.actuator_angle);
-  return smooth_clip(T(t.actuator.bandwidth * (reachable - angle)), -actuator.rate, actuator.rate,
-                     t.smooth.actuator_rate);
+  const T reachable = limited(command, actuator.low, actuator.high, t.smooth.actuator_angle);
+  return limited(T(t.actuator.bandwidth * (reachable - angle)), -actuator.rate, actuator.rate,
+                 t.smooth.actuator_rate);
 }
 
 // `wanted`: of mix_controls(), its longitudinal cyclic less the rigging.

@@ -7,6 +7,7 @@
 #pragma once
 
 #include "tiltrotor/model/rigid_body.hpp"
+#include "tiltrotor/systems/limited.hpp"
 #include "tiltrotor/systems/system_state.hpp"
 
 namespace tiltrotor {
@@ -41,9 +42,7 @@ SeriesCommand<T> augmentation(const SystemTables<Real<T>>& t, const ControlTable
   SeriesCommand<T> out;
   out.washed_rate = x.rates.z - turn_rate_wanted(a, airspeed, x.roll);
   const T yaw = lookup(a.yaw, Interpolation::c1, mast_deg) * (out.washed_rate - s.washout);
-  const auto within = [e](const T& wanted, R authority) {
-    return smooth_clip(wanted, -authority, authority, e);
-  };
+  const auto within = [e](const T& wanted, R authority) { return limited(wanted, -authority, authority, e); };
   out.axis[0] = within(pitch, a.pitch_authority * stick.long_travel);
   out.axis[1] = within(T(-roll), a.roll_authority * stick.lat_travel);
   out.axis[2] = within(T(-yaw), a.yaw_authority * stick.pedal_travel);

@@ -1,8 +1,8 @@
 // Conversion drive: both masts at one angle, commanded; and the flaps. Rate NASA TM X-62407; laws are choices.
 #pragma once
 
-#include "tiltrotor/math/smooth.hpp"
 #include "tiltrotor/model/aircraft/aircraft.hpp"
+#include "tiltrotor/systems/limited.hpp"
 
 namespace tiltrotor {
 
@@ -18,17 +18,17 @@ MastMotion<T> mast_motion(const SystemTables<Real<T>>& t, const T& command, cons
   using R = Real<T>;
   const ConversionTables<R>& drive = t.conversion;
   const T wanted =
-      smooth_clip(T(drive.position_gain * (command - mast)), -drive.rate, drive.rate, t.smooth.mast_rate);
-  return {rate, smooth_clip(T(drive.rate_gain * (wanted - rate)), -drive.acceleration, drive.acceleration,
-                            t.smooth.mast_acceleration)};
+      limited(T(drive.position_gain * (command - mast)), -drive.rate, drive.rate, t.smooth.mast_rate);
+  return {rate, limited(T(drive.rate_gain * (wanted - rate)), -drive.acceleration, drive.acceleration,
+                        t.smooth.mast_acceleration)};
 }
 
 // rad/s.
 template <class T>
 T flap_rate(const SystemTables<Real<T>>& t, const T& command, const T& flap) {
   const ConversionTables<Real<T>>& drive = t.conversion;
-  return smooth_clip(T(drive.flap_gain * (command - flap)), -drive.flap_rate, drive.flap_rate,
-                     t.smooth.actuator_rate);
+  return limited(T(drive.flap_gain * (command - flap)), -drive.flap_rate, drive.flap_rate,
+                 t.smooth.actuator_rate);
 }
 
 }  // namespace tiltrotor

@@ -6,8 +6,8 @@
 // is never negative.
 #pragma once
 
-#include "tiltrotor/math/smooth.hpp"
 #include "tiltrotor/model/setup/configuration.hpp"
+#include "tiltrotor/systems/limited.hpp"
 
 namespace tiltrotor {
 
@@ -15,28 +15,37 @@ namespace tiltrotor {
 template <class R>
 inline constexpr R kMostThrottle = R(1.2);
 
-// Power of one engine at its shaft with a throttle, W: of its take-off power here, which follows the air as choice
-// engine_lapse says; at most its contingency power.
-template <class T, class C>
-T demanded_power(const Aircraft<Real<T>>& aircraft, const Air<C>& air, const T& throttle) {
-  using R = Real<T>;
-  const ControlTables<R>& t = aircraft.controls;
-  const DriveTables<R>& drive = aircraft.systems.drive;
+// Take-off power in this air over that at sea level, as choice engine_lapse says.
+template <class C>
+C power_lapse(const ControlTables<Real<C>>& t, const Air<C>& air) {
+  using R = Real<C>;
   const Air<R> sea_level = standard_air(R(0));
   const C lapse =
       air.density * (R(1) / sea_level.density) * air.speed_of_sound * (R(1) / sea_level.speed_of_sound);
-  const C here = R(1) + t.engine_lapse * (lapse - R(1));
+  return R(1) + t.engine_lapse * (lapse - R(1));
+}
+
+// Power of one engine at its shaft with a throttle, W: of its take-off power, at most its contingency power. `lapse`: of
+// power_lapse().
+template <class T, class C>
+T lapsed_power(const Aircraft<Real<T>>& aircraft, const C& lapse, const T& throttle) {
+  using R = Real<T>;
+  const ControlTables<R>& t = aircraft.controls;
   const R width = aircraft.systems.smooth.power / t.engine_power;
-  const R most = drive.contingency / t.engine_power;
-  return here * (t.engine_power * smooth_clip(throttle, R(0), most, width));
+  const R most = aircraft.systems.drive.contingency / t.engine_power;
+  return lapse * (t.engine_power * limited(throttle, R(0), most, width));
+}
+template <class T, class C>
+T demanded_power(const Aircraft<Real<T>>& aircraft, const Air<C>& air, const T& throttle) {
+  return lapsed_power(aircraft, power_lapse(aircraft.controls, air), throttle);
 }
 
 // First-order lag, at most power_rate, W/s.
 template <class T>
 T power_rate(const SystemTables<Real<T>>& t, const T& demanded, const T& power) {
   const DriveTables<Real<T>>& drive = t.drive;
-  return smooth_clip(T((demanded - power) / drive.power_lag), -drive.power_rate, drive.power_rate,
-                     t.smooth.power_rate);
+  return limited(T((demanded - power) / drive.power_lag), -drive.power_rate, drive.power_rate,
+                 t.smooth.power_rate);
 }
 
 // kg/s, by the specific consumption at take-off power.
@@ -113,9 +122,11 @@ T governor_rate(const SystemTables<Real<T>>& t, const T& mast, const T& referenc
   const T integral = lookup(g.integral, Interpolation::c1, mast_deg);
   const T wanted = (proportional * acceleration + integral * (rotor_speed - reference)) / reference;
   const R e = t.smooth.actuator_angle;
-  const T beyond =
-      smooth_positive(T(collective - g.authority), e) - smooth_positive(T(-g.authority - collective), e);
-  return smooth_clip(wanted, -g.rate, g.rate, t.smooth.actuator_rate) - g.stop * beyond;
+  const auto past_stop = [&](const auto& angle) {
+    return smooth_positive(angle - g.authority, e) - smooth_positive(-g.authority - angle, e);
+  };
+  const T beyond = by_slope(past_stop, collective);
+  return limited(wanted, -g.rate, g.rate, t.smooth.actuator_rate) - g.stop * beyond;
 }
 
 // Gains that give the rotor speed the natural frequency and damping of the tables: of both rotors, `q_theta` = dQ/d

@@ -256,11 +256,15 @@ void airframe_demand(const Vehicle<Real<T>>& v, const Configuration<Real<T>>& c,
   if (v.air_follows) setting.altitude = v.altitude_origin - x.position.z;
 
   out_of_line([&] {
-    const Air<T> air = surrounding_air(setting.altitude, c.around.warmer, c.around.pressure_above);
+    const auto lapse_at = [&](const auto& altitude) {
+      return power_lapse(aircraft.controls,
+                         surrounding_air(altitude, c.around.warmer, c.around.pressure_above));
+    };
+    const T lapse = by_slope(lapse_at, setting.altitude);
     flows.power = T(R(0));
     for (const Side side : {right, left}) {
       const T demanded =
-          v.engine_failed[side] ? T(R(0)) : demanded_power(aircraft, air, commands.throttle[side]);
+          v.engine_failed[side] ? T(R(0)) : lapsed_power(aircraft, lapse, commands.throttle[side]);
       if (v.on.engines) {
         rates.power[side] = power_rate(t, demanded, s.power[side]);
         rates.fuel = rates.fuel + fuel_flow(t, s.power[side]);

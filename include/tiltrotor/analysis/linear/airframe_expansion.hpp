@@ -24,16 +24,14 @@ inline constexpr ConfigurationParameter kMoved[] = {ConfigurationParameter::mast
                                                     ConfigurationParameter::ground_wash_left,
                                                     ConfigurationParameter::download};
 inline constexpr int kMovedCount = sizeof kMoved / sizeof kMoved[0];
-inline constexpr int kColumns = state_count + control_count + kMovedCount;
-inline constexpr int kFirstControl = state_count;
-inline constexpr int kFirstMoved = state_count + control_count;
+// What the systems put the airframe into: controls, then the configuration, mast and flap in rad.
+inline constexpr int kFirstMoved = control_count;
+inline constexpr int kDemands = control_count + kMovedCount;
 
-// What the airframe depends on, in the order of the columns: mast and flap in rad.
 template <class T>
-void list_inputs(const State<T>& x, const AirframeDemand<T>& demand, T* to) {
+void list_demands(const AirframeDemand<T>& demand, T* to) {
   using R = Real<T>;
-  flatten(x, to);
-  flatten(demand.controls, to + kFirstControl);
+  flatten(demand.controls, to);
   const ConfigurationSetting<T>& s = demand.setting;
   const T moved[kMovedCount] = {s.mast_deg * kRadPerDeg<R>,
                                 s.mast_rate,
@@ -48,55 +46,56 @@ void list_inputs(const State<T>& x, const AirframeDemand<T>& demand, T* to) {
   for (int k = 0; k < kMovedCount; ++k) to[kFirstMoved + k] = moved[k];
 }
 
-// The airframe to first order about a point. Columns count that systems and inputs move: `states` of the airframe, then
-// controls, then the configuration.
+// The airframe to first order about a point. Columns: its `states`, then those of the demands that systems and inputs
+// move.
 template <class R>
 struct Expansion {
   static constexpr int kMostRows = kMaxLinearStates + 3;  // and the position down, and the torques
   static constexpr int kMostColumns = kMaxLinearStates + kMaxLinearControls + kMovedCount;
-  R input[kColumns];
+  R at[kDemands];
   R output[kRows];
   Loads<R> outside, twist;                 // of the gear, and of a shaft that twists
   int rows, row[kMostRows], place[kRows];  // row[place[i]] is i; -1: not asked for
-  int states, columns, column[kMostColumns];
-  Matrix<R, kMostRows, kMostColumns> slope;  // (i, k): of row[i] along column[k]
+  int states, demands, demand[kDemands];
+  Matrix<R, kMostRows, kMostColumns> slope;  // (i, k): of row[i] along column k
 };
 
 template <class T>
 struct ExpandedWorkspace {
-  T input[kColumns], output[kRows];
-  int first_state, last_state;  // that are seeded in this pass
+  T demand[kDemands], away[kDemands];
+  int first_state, states;  // the airframe's in this pass: its first directions
+  bool searches;            // a governor tries demands away from the point
 };
 
 template <class T>
 struct ExpandedAirframe {
   const Expansion<Real<T>>& about;
   const Configuration<Real<T>>& c;
-  const State<T>& x;
   ExpandedWorkspace<T>& work;
 
   void operator()(const AirframeDemand<T>& demand, AirframeAnswer<T>& answer) const {
     using R = Real<T>;
-    T(&found)[kRows] = work.output;
-    list_inputs(x, demand, work.input);
-    const int from = work.first_state, to = work.last_state;
-    T(&away)[kColumns] = work.input;
-    const auto leave_point = [&](int j) { away[j] = away[j] - about.input[j]; };
-    for (int k = from; k < to; ++k) leave_point(about.column[k]);
-    for (int k = about.states; k < about.columns; ++k) leave_point(about.column[k]);
-    for (T& nothing : found) nothing = T(R(0));
+    T* found[kRows] = {};
+    list_places(answer.rates, found);
+    for (const Side side : {right, left}) found[kTorqueRow[side]] = &answer.torque[side];
+    list_demands(demand, work.demand);
+    for (int k = 0; k < about.demands; ++k)
+      work.away[k] = work.demand[about.demand[k]] - about.at[about.demand[k]];
+    for (int i = 0; i < kRows; ++i)
+      if (about.place[i] < 0) *found[i] = T(R(0));
     for (int i = 0; i < about.rows; ++i) {
       const R* const slope = about.slope.row(i);
-      T sum = T(about.output[about.row[i]]);
-      for (int k = from; k < to; ++k) sum += slope[k] * away[about.column[k]];
-      for (int k = about.states; k < about.columns; ++k) sum += slope[k] * away[about.column[k]];
-      found[about.row[i]] = sum;
+      const R* const by_demand = slope + about.states;
+      T& sum = *found[about.row[i]];
+      sum.v = about.output[about.row[i]];
+      if (work.searches)
+        for (int k = 0; k < about.demands; ++k) sum.v += by_demand[k] * work.away[k].v;
+      sum.d.copy_from(slope + work.first_state, work.states);
+      add_chained(sum.d, about.demands, by_demand, work.away);
     }
-    unflatten(found, answer.rates);
     const Loads<T> more = {minus_fixed(demand.gear.total.force, about.outside.force),
                            minus_fixed(demand.gear.total.moment, about.outside.moment)};
     add_load(c, more, answer.rates);
-    for (const Side side : {right, left}) answer.torque[side] = found[kTorqueRow[side]];
   }
   void add(const Loads<T>& loads, State<T>& rates) const {
     const Loads<T> more = {minus_fixed(loads.force, about.twist.force),

@@ -27,7 +27,6 @@ struct VehicleDirectionWorkspace {
   AirframeAnswer<T> answer;
   VehicleFlows<T> flows;
   Instruments<T> readings;
-  T states[vehicle_state_count], inputs[vehicle_input_count];  // before they are placed
   T y[Instruments<T>::kCount];
   struct Point {
     DerivativeSteps<R> steps;

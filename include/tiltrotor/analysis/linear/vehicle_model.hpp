@@ -6,71 +6,20 @@
 #pragma once
 
 #include <new>
-#include <type_traits>
 
-#include "tiltrotor/analysis/linear/airframe_expansion.hpp"
-#include "tiltrotor/analysis/linear/linear_model.hpp"
+#include "tiltrotor/analysis/linear/system_passes.hpp"
 
 namespace tiltrotor {
 
-// Systems' states that a linear model has: not those on which nothing depends.
-constexpr int count_linear_system_states() {
-  int count = 0;
-  for (int i = 0; i < system_state_count; ++i) count += !kSystemVariables[i].facts().ignorable;
-  return count;
-}
-// With the position down, where ground or air make it count.
-inline constexpr int kMaxVehicleStates = kMaxLinearStates + 1 + count_linear_system_states();
-
-// Places of vehicle_variable() and vehicle_input() by row and column.
-struct VehicleShape {
-  int states, inputs;
-  int state[kMaxVehicleStates];
-  int input[vehicle_input_count];
-};
-
-// States of the airframe's linear model, the position down where something depends on it, then the systems'.
-template <class R>
-void vehicle_states(const Vehicle<R>& v, const Options& options, VehicleShape& shape) {
-  LinearPoint<R> point;
-  linear_states(options, point);
-  shape.states = 0;
-  for (int i = 0; i < point.states; ++i) shape.state[shape.states++] = point.state[i];
-  if (v.air_follows || v.on.gear || v.on.ground_effect || shear_in_force(v) != WindShear::none)
-    shape.state[shape.states++] = kStateIndex.position.z;
-  const ActiveSystems active = active_systems(v.on);
-  for (int k = 0; k < active.count; ++k)
-    if (!kSystemVariables[active.index[k]].facts().ignorable)
-      shape.state[shape.states++] = state_count + active.index[k];
-}
-
-// Of one pass through the systems: in vectors twice as many cost a third more, on a microcontroller twice as much and code
-// besides. Each direction is computed alike.
-inline constexpr int kVehicleDirections = kWidestLanes<double> > 1 ? 16 : 8;
-
 template <class R, class Policy = DefaultDifferentiation>
 struct VehicleModelWorkspace {
-  using T = Dual<R, kVehicleDirections>;
-  struct Systems {
-    Configuration<T> configuration;  // where ground counts
-    State<T> x;
-    SystemState<T> s, rates;
-    Commands<T> commands;
-    Controls<T> u;
-    AirframeDemand<T> demand;
-    AirframeAnswer<T> answer;
-    VehicleFlows<T> flows;
-    T states[vehicle_state_count];  // before the pass, and the rates after it
-    T inputs[vehicle_input_count];
-    vehicle_linearization::ExpandedWorkspace<T> expanded;
-  };
   union Stage {  // one after the other
     Stage() {}
     DerivativeSteps<R> point;
     LinearizationWorkspace<R, Policy> airframe;
     RotorExpansionWorkspace<R> rotors;
     SensitivityWorkspace<R> configuration;
-    Systems systems;
+    SystemPassWorkspace<R> systems;
   } stage;
   LinearPoint<R> point;
   ConfigurationSetting<R> base;  // before the systems put it
@@ -88,14 +37,12 @@ template <class R>
 ControlSet felt_controls(const Vehicle<R>& v, const VehicleShape& shape) {
   bool used[control_count] = {};
   const Controls<int>& at = kControlIndex;
-  if (v.on.actuators) {
+  if (v.on.actuators)
     for (const int j : kBladeControls.index) used[j] = true;
-    used[at.lateral_cyclic] = true;
-  }
   for (int j = 0; j < shape.inputs; ++j) {
     const int input = shape.input[j];
-    const bool reaches =
-        !v.on.actuators || kControlVariables[input < control_count ? input : 0].kind == VariableKind::gust;
+    const bool is_gust = input < control_count && kControlVariables[input].kind == VariableKind::gust;
+    const bool reaches = !v.on.actuators || input == at.lateral_cyclic || is_gust;
     if (input < control_count && reaches) used[input] = true;
   }
   if (v.on.governor != Governor::off) used[at.collective] = true;
@@ -131,31 +78,30 @@ void list_columns(const Vehicle<R>& v, const VehicleShape& shape, const LinearPo
   for (int i = 0; i < shape.states; ++i)
     if (shape.state[i] < state_count) ask(shape.state[i]);
   for (const int torque : kTorqueRow) ask(torque);
-  about.columns = 0;
-  for (int i = 0; i < point.states; ++i) about.column[about.columns++] = point.state[i];
-  about.states = about.columns;
-  for (int j = 0; j < point.controls; ++j) about.column[about.columns++] = kFirstControl + point.control[j];
+  about.states = point.states;
+  about.demands = 0;
+  for (int j = 0; j < point.controls; ++j) about.demand[about.demands++] = point.control[j];
   for (int k = 0; k < kMovedCount; ++k)
-    if (is_moved(v, kMoved[k])) about.column[about.columns++] = kFirstMoved + k;
+    if (is_moved(v, kMoved[k])) about.demand[about.demands++] = kFirstMoved + k;
 }
 
-// Slopes with respect to what the systems move of the configuration: columns from `first_column`.
+// Slopes with respect to what the systems move of the configuration, which stands behind the controls.
 template <class R, class Policy>
 void add_configuration_slopes(const Configuration<R>& c, const State<R>& x, const AirframeDemand<R>& demand,
-                              R azimuth, int first_column, VehicleModelWorkspace<R, Policy>& work,
+                              R azimuth, int controls, VehicleModelWorkspace<R, Policy>& work,
                               Expansion<R>& about) {
   using Moved = SensitivityWorkspace<R>;
   using T = typename Moved::T;
-  if (first_column == about.columns) return;
+  if (controls == about.demands) return;
   Moved& at = *::new (static_cast<void*>(&work.stage)) Moved;
   in_scalar(x, at.x);
   in_scalar(demand.controls, at.u);
-  for (int first = first_column; first < about.columns; first += kParameterDirections) {
-    const int rest = about.columns - first, count = rest < kParameterDirections ? rest : kParameterDirections;
+  for (int first = controls; first < about.demands; first += kParameterDirections) {
+    const int rest = about.demands - first, count = rest < kParameterDirections ? rest : kParameterDirections;
     ConfigurationParameter moved[kParameterDirections];
     T by[kParameterDirections];
     for (int k = 0; k < count; ++k) {
-      moved[k] = kMoved[about.column[first + k] - kFirstMoved];
+      moved[k] = kMoved[about.demand[first + k] - kFirstMoved];
       by[k] = T::variable(R(0), k);
     }
     moved_configuration(c, moved, by, count, at.configuration);
@@ -168,32 +114,8 @@ void add_configuration_slopes(const Configuration<R>& c, const State<R>& x, cons
     flatten(at.evaluation.rates, found);
     for (const Side side : {right, left}) found[kTorqueRow[side]] = at.derivative.rotor[side].loads.torque;
     for (int i = 0; i < about.rows; ++i)
-      for (int k = 0; k < count; ++k) about.slope(i, first + k) = found[about.row[i]].d.get(k);
+      for (int k = 0; k < count; ++k) about.slope(i, about.states + first + k) = found[about.row[i]].d.get(k);
   }
-}
-
-// All states and inputs of a pass, those of its directions seeded.
-template <class R, class Systems>
-void seed(const State<R>& x, const SystemState<R>& s, const Commands<R>& commands, const Controls<R>& u,
-          const VehicleShape& shape, int first, int last, Systems& to) {
-  auto& states = to.states;
-  auto& inputs = to.inputs;
-  using T = std::remove_extent_t<std::remove_reference_t<decltype(states)>>;
-  R flat[vehicle_state_count], flat_inputs[vehicle_input_count];
-  flatten(x, flat);
-  flatten(s, flat + state_count);
-  flatten(u, flat_inputs);
-  flatten(commands, flat_inputs + control_count);
-  for (int i = 0; i < vehicle_state_count; ++i) states[i] = T(flat[i]);
-  for (int j = 0; j < vehicle_input_count; ++j) inputs[j] = T(flat_inputs[j]);
-  for (int k = first; k < last; ++k) {
-    T& seeded = k < shape.states ? states[shape.state[k]] : inputs[shape.input[k - shape.states]];
-    seeded.d.set(k - first, R(1));
-  }
-  unflatten(states, to.x);
-  unflatten(states + state_count, to.s);
-  unflatten(inputs, to.u);
-  unflatten(inputs + control_count, to.commands);
 }
 
 }  // namespace vehicle_linearization
@@ -231,7 +153,7 @@ Status linearize_vehicle(const Vehicle<R>& v, Configuration<R>& c, const State<R
     airframe_demand(v, c, base, c, x, s, v.commands, u, work.demand, flows, sdot);
     put_into(work.demand, c);
   }
-  d::list_inputs(x, work.demand, about.input);
+  d::list_demands(work.demand, about.at);
 
   // the rotors, where the configuration moves,
   bool moves = false;
@@ -285,43 +207,13 @@ Status linearize_vehicle(const Vehicle<R>& v, Configuration<R>& c, const State<R
   }
 
   // the configuration;
-  d::add_configuration_slopes(c, x, work.demand, azimuth, directions, work, about);
+  d::add_configuration_slopes(c, x, work.demand, azimuth, point.controls, work, about);
 
   // the systems, through the airframe's expansion.
-  using T = typename VehicleModelWorkspace<R, Policy>::T;
-  using Systems = typename VehicleModelWorkspace<R, Policy>::Systems;
-  Systems& systems = *::new (static_cast<void*>(&work.stage)) Systems;
-  static_cast<FixedSetup<R>&>(systems.configuration) = c;
-  systems.configuration.setup.options = c.setup.options;
-  systems.configuration.around = c.around;
-  T poison = T(R(0));  // x * 0 is 0 for every finite x and NaN otherwise
-  const int all = shape.states + shape.inputs;
-  for (int first = 0; first < all; first += kVehicleDirections) {
-    const int last = first + kVehicleDirections < all ? first + kVehicleDirections : all;
-    d::seed(x, point_state, v.commands, u, shape, first, last, systems);
-    systems.expanded.first_state = first < about.states ? first : about.states;
-    systems.expanded.last_state = last < about.states ? last : about.states;
-    vehicle_rates<T>(v, c, base, systems.configuration, systems.x, systems.s, systems.commands, systems.u,
-                     d::ExpandedAirframe<T>{about, c, systems.x, systems.expanded}, systems.demand,
-                     systems.answer, systems.flows, systems.rates);
-    T(&found)[vehicle_state_count] = systems.states;
-    flatten(systems.answer.rates, found);
-    flatten(systems.rates, found + state_count);
-    const int states = last < shape.states ? last - first : first < shape.states ? shape.states - first : 0;
-    const int inputs = last - first - states;
-    for (int i = 0; i < shape.states; ++i) {
-      const T& rate = found[shape.state[i]];
-      R slope[kVehicleDirections];
-      rate.d.copy_to(slope);
-      poison += rate * R(0);
-      if (states > 0) put_a(i, first, states, static_cast<const R*>(slope));
-      if (inputs > 0) put_b(i, first + states - shape.states, inputs, static_cast<const R*>(slope + states));
-    }
-  }
-  R slopes[kVehicleDirections];
-  poison.d.copy_to(slopes);
-  for (const R& slope : slopes) poison.v += slope;
-  return poison.v == R(0) ? Status::ok : Status::not_finite;
+  auto& systems = *::new (static_cast<void*>(&work.stage)) SystemPassWorkspace<R>;
+  return d::differentiate_systems(v, c, base, x, point_state, u, shape, about, systems, put_a, put_b)
+             ? Status::ok
+             : Status::not_finite;
 }
 
 }  // namespace tiltrotor

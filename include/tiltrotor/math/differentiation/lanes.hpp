@@ -7,6 +7,7 @@
 // same order in both forms, so the results are the same. Padding lanes start at zero and stay unread.
 #pragma once
 
+#include <cstddef>
 #include <cstring>
 
 #include "tiltrotor/math/arithmetic.hpp"
@@ -146,6 +147,11 @@ struct Partials {
 
   // All of them in a row: one by one, each would cost the search for its group.
   void copy_to(R (&to)[N]) const { std::memcpy(to, group, sizeof to); }
+  // The first `count`; the others are zero.
+  void copy_from(const R* from, int count) {
+    for (int g = 0; g < kGroups; ++g) group[g] = Lane{};
+    std::memcpy(group, from, static_cast<std::size_t>(count) * sizeof(R));
+  }
 
   // s a
   TILTROTOR_INLINE friend auto scaled(R s, const Partials& a) {

@@ -24,6 +24,12 @@ void unflatten(const T* array, S& s) {
   S::each(s, [&array](auto& x) { x = *array++; });
 }
 
+// Where the listed scalars stand.
+template <class S, class T>
+void list_places(S& s, T** place) {
+  S::each(s, [&place](auto& x) { *place++ = &x; });
+}
+
 template <class T>
 struct OuterPartials {
   static constexpr int count = 0;
@@ -36,29 +42,30 @@ struct OuterPartials<Dual<R, M>> {
 // Groups of lanes that are summed at a time: few enough for registers, enough to hide the delay of additions.
 inline constexpr int kGroupsAtOnce = 4;
 
-template <int kGroups, int N, class R, int M>
-TILTROTOR_INLINE void add_chained_groups(Partials<R, M>& d, int first, const R* slope,
+template <int kGroups, class Count, class R, int M>
+TILTROTOR_INLINE void add_chained_groups(Partials<R, M>& d, int first, Count count, const R* slope,
                                          const Dual<R, M>* input) {
   typename Partials<R, M>::Lane sum[kGroups];
   for (int g = 0; g < kGroups; ++g) sum[g] = d.group[first + g];
-  for (int j = 0; j < N; ++j)
+  for (int j = 0; j < count; ++j)
     for (int g = 0; g < kGroups; ++g) sum[g] = sum[g] + slope[j] * input[j].d.group[first + g];
   for (int g = 0; g < kGroups; ++g) d.group[first + g] = sum[g];
 }
-// d[outer] += sum over the N inputs of slope[j] = (d out / d input j) times (d input j / d outer)
-template <int N, class R, int M>
-TILTROTOR_INLINE void add_chained(Partials<R, M>& d, const R* slope, const Dual<R, M>* input) {
+// d[outer] += sum over `count` inputs, an int or an integral_constant, of slope[j] = (d out / d input j) times
+// (d input j / d outer)
+template <class Count, class R, int M>
+TILTROTOR_INLINE void add_chained(Partials<R, M>& d, Count count, const R* slope, const Dual<R, M>* input) {
   constexpr int kGroups = Partials<R, M>::kGroups;
   constexpr int kRest = kGroups % kGroupsAtOnce;
   for (int first = 0; first < kGroups - kRest; first += kGroupsAtOnce)
-    add_chained_groups<kGroupsAtOnce, N>(d, first, slope, input);
-  if constexpr (kRest > 0) add_chained_groups<kRest, N>(d, kGroups - kRest, slope, input);
+    add_chained_groups<kGroupsAtOnce>(d, first, count, slope, input);
+  if constexpr (kRest > 0) add_chained_groups<kRest>(d, kGroups - kRest, count, slope, input);
 }
 // out.d[outer] = that sum
 template <class R, int N, int M>
 Dual<R, M> chain(R local, const R (&slope)[N], const Dual<R, M>* input) {
   Dual<R, M> r(local, scaled(slope[0], input[0].d));
-  if constexpr (N > 1) add_chained<N - 1>(r.d, slope + 1, input + 1);
+  if constexpr (N > 1) add_chained(r.d, std::integral_constant<int, N - 1>{}, slope + 1, input + 1);
   return r;
 }
 template <class R, int N, int M>
