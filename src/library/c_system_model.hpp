@@ -12,8 +12,15 @@
       ExpandedRotors<tr_real>, tr_real, DerivativeSteps<SensitivityWorkspace<tr_real>::T>&,              \
       State<SensitivityWorkspace<tr_real>::T>&);
 
+// The rotors to first order: in c_rotor_expansion.cpp, fast where the rest is small.
+#define TILTROTOR_ROTOR_INSTANCES(PREFIX)                                                                  \
+  PREFIX template void expand_rotors(const Configuration<tr_real>&, const State<tr_real>&,                 \
+                                     const Controls<tr_real>&, tr_real, RotorExpansionWorkspace<tr_real>&, \
+                                     RotorExpansion<tr_real>&);
+
 namespace tiltrotor {
 TILTROTOR_SYSTEM_INSTANCES(extern)
+TILTROTOR_ROTOR_INSTANCES(extern)
 }  // namespace tiltrotor
 
 namespace tiltrotor::c_interface {

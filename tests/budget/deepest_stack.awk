@@ -10,10 +10,12 @@ function quoted(text, key) {
     return substr(text, RSTART + length(key) + 3, RLENGTH - length(key) - 4)
 }
 
-# Without the file in front: a template is in several objects, and the linker keeps one. The largest counts.
+# Without the file in front: a template is in several objects, and the linker keeps one. The largest counts. Constructors of
+# a complete object are another name for those of a base.
 function function_name(text, key,    name) {
     name = quoted(text, key)
     sub(/^[^:]*:/, "", name)
+    if (name ~ /^_Z/ && match(name, /C1[EI]/)) name = substr(name, 1, RSTART) "2" substr(name, RSTART + 2)
     return name
 }
 
