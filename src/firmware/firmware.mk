@@ -26,9 +26,9 @@ hash: $(BUILD)/reference_flight ## hash of the reference flight, the same on eve
 	$(Q)awk -v machine="$$($(CC) -dumpmachine)" '/^hash|^precision/ { printf "%s %s\n", machine, $$0 }' $(BUILD)/hash.txt
 
 ifdef TARGET
-# Short functions are not put into their callers there, loops not doubled: 20 KB for a fortieth of a Jacobian. It buys the
+# Short functions are not put into their callers there, loops not doubled: 26 KB for a fortieth of a Jacobian. It buys the
 # rotors of the aircraft with systems at full speed.
-$(BUILD)/ad/library/c_analyses.o $(BUILD)/ad/library/c_rotor_expansion.o: FLAGS += $(call accepts,-fno-inline-small-functions -fno-unswitch-loops -fno-split-loops)
+$(patsubst %,$(BUILD)/ad/library/c_%.o,analyses exponential_step linear rotor_expansion): FLAGS += $(call accepts,-fno-inline-small-functions -fno-unswitch-loops -fno-split-loops)
 
 BOARD_OBJECTS := $(addprefix $(BUILD)/firmware/,board.o text.o)
 IMAGES := $(BUILD)/flight.elf $(BUILD)/vehicle.elf $(BUILD)/measure.elf

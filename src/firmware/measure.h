@@ -1,6 +1,6 @@
 /* Instructions of each call, smallest and largest over random states. */
-#ifndef TILTROTOR_MEASURE_H
-#define TILTROTOR_MEASURE_H
+#ifndef TILTROTOR_FIRMWARE_MEASURE_H
+#define TILTROTOR_FIRMWARE_MEASURE_H
 
 #include "firmware/reference_flight.h"
 
