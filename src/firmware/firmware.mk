@@ -26,8 +26,8 @@ hash: $(BUILD)/reference_flight ## hash of the reference flight, the same on eve
 	$(Q)awk -v machine="$$($(CC) -dumpmachine)" '/^hash|^precision/ { printf "%s %s\n", machine, $$0 }' $(BUILD)/hash.txt
 
 ifdef TARGET
-# Short functions are not put into their callers there, loops not doubled: 26 KB for a fortieth of a Jacobian. It buys the
-# rotors of the aircraft with systems at full speed.
+# In these objects short functions are not put into their callers, and loops not doubled: 26 KB for a fortieth of a
+# Jacobian. It buys -O3 for the rotors of the aircraft with systems.
 $(patsubst %,$(BUILD)/ad/library/c_%.o,analyses exponential_step linear rotor_expansion): FLAGS += $(call accepts,-fno-inline-small-functions -fno-unswitch-loops -fno-split-loops)
 
 BOARD_OBJECTS := $(addprefix $(BUILD)/firmware/,board.o text.o)

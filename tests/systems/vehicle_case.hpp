@@ -95,9 +95,11 @@ struct Matrices {
   }
   int system_row(int place) const { return row(state_count + place); }
 };
-// With every input; compiled once, in test_vehicle_linear.cpp.
+enum class Inputs { all, sticks };
+// Compiled once, in test_vehicle_linear.cpp.
 const Matrices& matrices(const Vehicle<double>& v, const Configuration<double>& c, const State<double>& x,
-                         const SystemState<double>& s, const Controls<double>& u, double azimuth = 0);
+                         const SystemState<double>& s, const Controls<double>& u, double azimuth = 0,
+                         Inputs inputs = Inputs::all);
 inline const Matrices& matrices(const Flight& f) {
   return matrices(f.systems.vehicle, f.c, f.s.state, f.systems.state, current_controls(f.s));
 }

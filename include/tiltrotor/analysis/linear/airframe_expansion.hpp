@@ -67,6 +67,7 @@ struct ExpandedWorkspace {
   bool searches;            // a governor tries demands away from the point
 };
 
+// Partials follow the demand; values do where `searches` says so, and are else those of the point.
 template <class T>
 struct ExpandedAirframe {
   const Expansion<Real<T>>& about;

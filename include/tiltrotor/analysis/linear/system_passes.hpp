@@ -65,7 +65,7 @@ bool differentiate_systems(const Vehicle<R>& v, const Configuration<R>& c,
     const int last = first + kVehicleDirections < all ? first + kVehicleDirections : all;
     seed(x, s, v.commands, u, shape, first, last, work);
     const auto within = [&](int end) { return first > end ? 0 : (last < end ? last : end) - first; };
-    work.expanded.first_state = first;
+    work.expanded.first_state = first < about.states ? first : about.states;
     work.expanded.states = within(about.states);
     vehicle_rates<T>(v, c, base, work.configuration, work.x, work.s, work.commands, work.u,
                      ExpandedAirframe<T>{about, c, work.expanded}, work.demand, work.answer, work.flows,

@@ -125,8 +125,8 @@ void add_configuration_slopes(const Configuration<R>& c, const State<R>& x, cons
 // (put_into()), and put there again.
 // Status: ok; not_finite (a rate or an entry is not finite); bad_argument (c is not prepared, or other states); not_converged (an
 // ideal governor finds no collective for the power of the engines).
-// Cost: a Jacobian (2 beyond 32 directions), a third of one where masts, rotor speed, air or ground move, and half of one
-// for the systems; with an ideal governor some 10 derivatives more.
+// Cost: a Jacobian (2 beyond 32 directions), a third of one where masts, rotor speed, air or ground move, and two
+// fifths for the systems; with an ideal governor some 10 derivatives more.
 template <class R, class Policy, class PutA, class PutB>
 Status linearize_vehicle(const Vehicle<R>& v, Configuration<R>& c, const State<R>& x, const SystemState<R>& s,
                          const Controls<R>& u, const VehicleShape& shape,
