@@ -53,7 +53,7 @@ void describe(const Configuration<Along>& c, const State<Along>& x, const Contro
   slope.load_factor = load_factor((Along(1) / c.mass.mass) * force, v).d;
   Along thrust(0), download(0);
   for (const Side side : {right, left}) {
-    const RotorLoads<Along>& rotor = at.rotor[side].loads;
+    const MastLoads<Along>& rotor = at.rotor[side].loads;
     const Along size = length(rotor.force_a);
     slope.thrust[side] = size.d;
     slope.power[side] = (rotor.torque * c.setup.rotor_speed).d;

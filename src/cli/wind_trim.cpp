@@ -27,7 +27,7 @@ void describe(const Configuration<double>& c, const State<double>& x, const Cont
   result.load_factor = load_factor((1 / c.mass.mass) * force, v);
   double download = 0;
   for (const Side side : {right, left}) {
-    const RotorLoads<double>& rotor = e.rotor[side].loads;
+    const MastLoads<double>& rotor = e.rotor[side].loads;
     result.thrust[side] = length(rotor.force_a);
     result.power[side] = rotor.torque * c.setup.rotor_speed;
     const Loads<double>& wake =

@@ -34,7 +34,7 @@ void read_components(const Configuration<T>& c, const DerivativeSteps<T>& steps,
 template <class T>
 T htail_angle_of_attack(const Configuration<T>& c, const DerivativeSteps<T>& steps,
                         const ComponentReadings<T>& found) {
-  const Vec3<T> v = horizontal_tail_velocity(c, steps.airframe_input, found.work.wash_ratio);
+  const Vec3<T> v = horizontal_tail_velocity(c, steps.airframe_input, found.work.tail.wash_ratio);
   return angle_of_attack(v, c.aircraft->smooth) + c.aircraft->htail.surface.incidence - found.work.downwash;
 }
 

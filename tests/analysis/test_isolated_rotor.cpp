@@ -90,7 +90,7 @@ TEST(isolated_rotor_figures_need_every_condition) {
   const Stand stand;
   const Configuration<double>& c = stand.configuration;
   const auto figures = [&](double axial, double in_plane, double thrust, double torque) {
-    RotorLoads<double> loads{};
+    MastLoads<double> loads{};
     loads.force_a.z = thrust;
     loads.torque = torque;
     return d::figures(c, flow(8, axial, in_plane), loads, 0.089);

@@ -62,9 +62,9 @@ TEST_OF_XV15(realtime_grid_keeps_its_bounds) {
 
     const double half_weight = fine.setup.mass * kGravity<double> / 2;
     evaluate_aircraft(fine, work->fine.state, work->fine.controls, work->evaluation);
-    const RotorLoads<double> exact = work->evaluation.rotor[right].loads;
+    const MastLoads<double> exact = work->evaluation.rotor[right].loads;
     evaluate_aircraft(realtime, work->fine.state, work->fine.controls, work->evaluation);
-    const RotorLoads<double> found = work->evaluation.rotor[right].loads;
+    const MastLoads<double> found = work->evaluation.rotor[right].loads;
     CHECK_NEAR(found.force_a.z, exact.force_a.z, 1e-3 * half_weight);
     CHECK_REL(found.torque, exact.torque, 6e-3);
 

@@ -68,7 +68,7 @@ inline Complex angle_or_state(const Configuration<Complex>& c, const State<Compl
   const auto& s = c.aircraft->htail.surface;
   const AirframeInput<Complex>& in = steps.airframe_input;
   const Complex back = c.mass.sl_cg - s.sl, below = c.mass.wl_cg - s.wl;
-  const Complex wash = work->wash_ratio * 0.5 * (in.mean_wash[right] + in.mean_wash[left]);
+  const Complex wash = work->tail.wash_ratio * 0.5 * (in.mean_wash[right] + in.mean_wash[left]);
   const Complex ahead =
       in.velocity_b.x + in.rates_b.y * below + wash * c.nacelle_axis_b.x + c.aircraft->smooth.forward_speed;
   const Complex down = in.velocity_b.z - in.rates_b.y * back + wash * c.nacelle_axis_b.z;

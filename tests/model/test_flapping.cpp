@@ -287,7 +287,7 @@ TEST_OF_XV15(flapping_coning_balance) {
   for (int k = 0; k < 30; ++k) {
     in.coning.angle = angle;
     in = settled(c, in);
-    const double m0 = rotor_response(c, in, c.azimuth).loads.m0;
+    const double m0 = rotor_loads(c, in, c.azimuth).m0;
     angle = (m0 / (3 * 102.5 * 1.3558180) + w2 * 2.5 * kRadPerDeg<double>) / (omega2 + w2);
   }
   in.coning.angle = angle;

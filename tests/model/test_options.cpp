@@ -62,10 +62,10 @@ unsigned changed(const Evaluation<double>& a, const Evaluation<double>& b) {
   unsigned parts = 0;
   const auto mark = [&](bool equal, unsigned part) { parts |= equal ? 0 : part; };
   for (const int side : {right, left}) {
-    const RotorLoads<double>& p = a.rotor[side].loads;
-    const RotorLoads<double>& q = b.rotor[side].loads;
+    const MastLoads<double>& p = a.rotor[side].loads;
+    const MastLoads<double>& q = b.rotor[side].loads;
     mark(p.force_a.x == q.force_a.x && p.force_a.y == q.force_a.y && p.force_a.z == q.force_a.z &&
-             p.torque == q.torque && p.mc == q.mc && p.ms == q.ms,
+             p.torque == q.torque,
          rotor_forces);
     const RotorState<double>& x = a.rates.rotor[side];
     const RotorState<double>& y = b.rates.rotor[side];
@@ -285,7 +285,7 @@ TEST(options_sizes_in_closed_form) {
   in.velocity_a = {-30, 4, 2};
   in.state.b1c = 0.05;
   in.state.b1s = -0.03;
-  const RotorLoads<double> loads{{0, 0, 3e4}, 0, 0, 0, 0};
+  const RotorLoads<double> loads{{{0, 0, 3e4}, 0}, 0, 0, 0};
   const double through = inflow_forcing(tilted, in, loads).mu_z - inflow_forcing(shaft, in, loads).mu_z;
   CHECK_NEAR(through, (30 * 0.05 + 4 * 0.03) / shaft.tip_speed, 1e-15);
   // Side-by-side factor: nothing below mu 0.05, -0.085 above 0.2.

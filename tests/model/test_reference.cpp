@@ -111,6 +111,7 @@ void replay_rotor_loads(const Replay& replay, const std::string& tables) {
     in.lateral_cyclic = at("A1_rad");
     in.long_cyclic = at("B1_rad");
     const RotorResponse<double> out = rotor_response(c, in, c.azimuth);
+    const RotorLoads<double> harmonics = rotor_loads(c, in, c.azimuth);
 
     struct Entry {
       const char* column;
@@ -124,8 +125,8 @@ void replay_rotor_loads(const Replay& replay, const std::string& tables) {
     for (const Entry& e :
          {Entry{"Fx_A_n", out.loads.force_a.x, force}, Entry{"Fy_A_n", out.loads.force_a.y, force},
           Entry{"Fz_A_n", out.loads.force_a.z, force}, Entry{"Q_nm", out.loads.torque, moment},
-          Entry{"Mc_nm", out.loads.mc, moment}, Entry{"Ms_nm", out.loads.ms, moment},
-          Entry{"M0_nm", out.loads.m0, moment}, Entry{"d_b1c", out.flapping.b1c_rate, 0},
+          Entry{"Mc_nm", harmonics.mc, moment}, Entry{"Ms_nm", harmonics.ms, moment},
+          Entry{"M0_nm", harmonics.m0, moment}, Entry{"d_b1c", out.flapping.b1c_rate, 0},
           Entry{"d_b1s", out.flapping.b1s_rate, 0}, Entry{"dd_b1c", out.flapping.b1c_acceleration, flap},
           Entry{"dd_b1s", out.flapping.b1s_acceleration, flap}, Entry{"d_n0", out.inflow.lambda_0, inflow},
           Entry{"d_nc", out.inflow.lambda_c, inflow}, Entry{"d_ns", out.inflow.lambda_s, inflow}}) {

@@ -148,8 +148,8 @@ TEST_OF_XV15(rotor_of_the_xv15_keeps_half_of_its_pitch_damping) {
   const double rate = 1e-4;
   pitching.rates_a.y = rate;
   pitching = settled(c, pitching);
-  const RotorLoads<double> still = rotor_response(c, hover, c.azimuth).loads;
-  const RotorLoads<double> moved = rotor_response(c, pitching, c.azimuth).loads;
+  const MastLoads<double> still = rotor_response(c, hover, c.azimuth).loads;
+  const MastLoads<double> moved = rotor_response(c, pitching, c.azimuth).loads;
   const double tilt = pitching.state.b1c - hover.state.b1c;
   const double kept = -(moved.force_a.x - still.force_a.x) / (still.force_a.z * tilt);
   const double ct = still.force_a.z / (c.air.density * kDiskArea * c.tip_speed * c.tip_speed);

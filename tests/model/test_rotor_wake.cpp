@@ -14,6 +14,10 @@ AirframeInput<double> flight(double u, double v, double w, double wash) {
   return in;
 }
 
+ImmersedWing<double> immersed(const Configuration<double>& c, const AirframeInput<double>& in, int side) {
+  return immersed_wing(c, in, free_stream(c, in.velocity_b), side);
+}
+
 constexpr double kSquareFoot = kFoot * kFoot;
 
 }  // namespace
@@ -25,31 +29,31 @@ TEST_OF_XV15(rotor_wake_hover) {
   options.wash = WashFactor::vortex_cylinder;
   const Configuration<double> c = configuration(0, options);
   const AirframeInput<double> in = flight(0, 0, 0, 17);
-  const ImmersedWing<double> r = immersed_wing(c, in, right);
+  const ImmersedWing<double> r = immersed(c, in, right);
   CHECK_NEAR(r.area / kSquareFoot, 55.7, 0.8);
   CHECK_NEAR(r.lateral / kFoot, (5.4 + 16.1) / 2, 0.15);
   CHECK_NEAR(r.wash / 17, 1.371, 0.003);
   // K(s) = 1 + s/sqrt(1 + s^2) at s = 60 in of 150 in.
   const double s = 60.0 / 150;
   CHECK_NEAR(r.wash / 17, 1 + s / std::sqrt(1 + s * s), 0.003);
-  const ImmersedWing<double> l = immersed_wing(c, in, left);
+  const ImmersedWing<double> l = immersed(c, in, left);
   CHECK_EQ(l.area, r.area);
   CHECK_EQ(l.lateral, r.lateral);
-  CHECK_EQ(immersed_wing(configuration(0), in, right).wash, 1.6 * 17);
+  CHECK_EQ(immersed(configuration(0), in, right).wash, 1.6 * 17);
 }
 
 TEST_OF_XV15(rotor_wake_with_mast_angle) {
   // Mast 30 in hover 56.2 ft2; mast 90 at 160 kt 65 ft2 of 90.5 (values of an independent second program).
-  CHECK_NEAR(immersed_wing(configuration(30), flight(0, 0, 0, 17), right).area / kSquareFoot, 56.2, 0.8);
+  CHECK_NEAR(immersed(configuration(30), flight(0, 0, 0, 17), right).area / kSquareFoot, 56.2, 0.8);
   Options by_geometry;
   by_geometry.wake_fade_airplane = false;
-  CHECK_NEAR(immersed_wing(configuration(90, by_geometry), flight(82.3, 0, 0, 0.4), right).area / kSquareFoot,
-             65, 1.2);
+  CHECK_NEAR(immersed(configuration(90, by_geometry), flight(82.3, 0, 0, 0.4), right).area / kSquareFoot, 65,
+             1.2);
   // Never more than the half wing.
   for (const double mast : {0.0, 30.0, 60.0, 90.0}) {
     for (const double v : {-30.0, 0.0, 30.0}) {
       for (const double w : {-10.0, 0.0, 10.0}) {
-        const ImmersedWing<double> i = immersed_wing(configuration(mast), flight(20, v, w, 12), right);
+        const ImmersedWing<double> i = immersed(configuration(mast), flight(20, v, w, 12), right);
         CHECK(i.area >= 0 && i.area <= 90.5 * kSquareFoot);
         CHECK(i.lateral >= 0 && i.lateral <= 16.2 * kFoot);
       }
@@ -61,13 +65,13 @@ TEST_OF_XV15(rotor_wake_with_mast_angle) {
 // inboard.
 TEST(rotor_wake_side_wind) {
   const Configuration<double> c = configuration(0);
-  const ImmersedWing<double> still = immersed_wing(c, flight(0, 0, 0, 17), right);
+  const ImmersedWing<double> still = immersed(c, flight(0, 0, 0, 17), right);
   const AirframeInput<double> in = flight(0, 6, 0, 17);
-  CHECK_LT(immersed_wing(c, in, right).lateral, still.lateral);
-  CHECK_LT(still.lateral, immersed_wing(c, in, left).lateral);
+  CHECK_LT(immersed(c, in, right).lateral, still.lateral);
+  CHECK_LT(still.lateral, immersed(c, in, left).lateral);
   const AirframeInput<double> opposite = flight(0, -6, 0, 17);
-  CHECK_NEAR(immersed_wing(c, opposite, left).area, immersed_wing(c, in, right).area, 1e-13);
-  CHECK_NEAR(immersed_wing(c, opposite, left).lateral, immersed_wing(c, in, right).lateral, 1e-13);
+  CHECK_NEAR(immersed(c, opposite, left).area, immersed(c, in, right).area, 1e-13);
+  CHECK_NEAR(immersed(c, opposite, left).lateral, immersed(c, in, right).lateral, 1e-13);
 }
 
 TEST_OF_XV15(rotor_wake_fade) {
@@ -95,7 +99,7 @@ TEST_OF_XV15(rotor_wake_empirical_law) {
   Options options;
   options.wake = WakeModel::gtrs_empirical;
   const auto area = [&](double mast, double speed) {
-    return immersed_wing(configuration(mast, options), flight(speed, 0, 0, 15), right).area / kSquareFoot;
+    return immersed(configuration(mast, options), flight(speed, 0, 0, 15), right).area / kSquareFoot;
   };
   CHECK_NEAR(area(90, 0), 56, 0.5);
   CHECK_NEAR(area(75, 0), 56 * 1.04, 0.6);

@@ -10,11 +10,11 @@ namespace {
 
 Loads<double> tail(const Configuration<double>& c, const AirframeInput<double>& in) {
   const FreeStream<double> stream = free_stream(c, in.velocity_b);
-  return horizontal_tail_loads(c, in, stream, tail_wash_ratio(c, stream), in.downwash);
+  return horizontal_tail_loads(c, in, stream, tail_flow(c, stream), in.downwash);
 }
 Loads<double> fin(const Configuration<double>& c, const AirframeInput<double>& in, int side) {
   const FreeStream<double> stream = free_stream(c, in.velocity_b);
-  return fin_loads(c, in, stream, tail_wash_ratio(c, stream), side);
+  return fin_loads(c, in, stream, tail_flow(c, stream), fin_flow(c, in, stream), side);
 }
 AirframeInput<double> cruise(double u, double v, double w) {
   AirframeInput<double> in{};
@@ -29,7 +29,7 @@ TEST_OF_XV15(tail_printed_loads) {
     Replay r = replay(p);
     const double downwash = free_wing(r.c, r.in, r.stream, r.wake).downwash;
     const Printed load =
-        in_pounds(horizontal_tail_loads(r.c, r.in, r.stream, tail_wash_ratio(r.c, r.stream), downwash));
+        in_pounds(horizontal_tail_loads(r.c, r.in, r.stream, tail_flow(r.c, r.stream), downwash));
     const double size = std::hypot(p.horizontal_tail.x, p.horizontal_tail.z);
     CHECK_NEAR(load.x, p.horizontal_tail.x, 0.05 * size);
     CHECK_NEAR(load.z, p.horizontal_tail.z, 0.05 * size);

@@ -58,7 +58,7 @@ bool finite(const RotorFlow<R>& flow) {
 }
 
 template <class R>
-RotorFigures<R> figures(const Configuration<R>& c, const RotorFlow<R>& flow, const RotorLoads<R>& loads,
+RotorFigures<R> figures(const Configuration<R>& c, const RotorFlow<R>& flow, const MastLoads<R>& loads,
                         R solidity) {
   const R not_defined = std::numeric_limits<R>::quiet_NaN();
   const R radius = c.aircraft->rotor.radius;

@@ -16,8 +16,8 @@ void rotor_input(const Configuration<C>& c, const State<T>& x, const Vec3<T>& ve
                  const BladeControls<T>& controls, int side, RotorInput<T>& in) {
   using R = Real<T>;
   const HubFrame<C>& hub = c.hub[side];
-  const Vec3<C> swing_b = {c.setup.mast_rate * c.aircraft->mast.length * cos(c.mast), C(R(0)),
-                           c.setup.mast_rate * c.aircraft->mast.length * sin(c.mast)};
+  const C swing = c.setup.mast_rate * c.aircraft->mast.length;
+  const Vec3<C> swing_b = {swing * -c.nacelle_axis_b.z, C(R(0)), swing * c.nacelle_axis_b.x};
   const Vec3<T> rates_in_air = minus_fixed(x.rates, c.around.gust_rates_b);
   Vec3<T> hub_velocity_b =
       minus_fixed(velocity_b, c.around.rotor_gust_b[side]) + rate_cross_arm(rates_in_air, hub.arm_b);

@@ -158,7 +158,7 @@ inline int engines_running(const bool (&failed)[2]) { return !failed[right] + !f
 template <class T>
 BladeControls<T> wanted_angles(const Aircraft<Real<T>>& aircraft, const Options& options, const T& mast_deg,
                                const Controls<T>& u, const Vec3<T>& velocity) {
-  const Gearing<T> g = gearing(aircraft, options, mast_deg);
+  const Gearing<T> g = gearing(aircraft, options, mast_deg, cos(T(mast_deg * kRadPerDeg<Real<T>>)));
   const GridPoint<T> pedal_mast[1] = {grid_point(aircraft.controls.pedal_cyclic.linear[0], mast_deg)};
   BladeControls<T> wanted = mix_controls(aircraft, options, g, pedal_mast, u, velocity);
   for (const Side side : {right, left}) wanted.long_cyclic[side] = wanted.long_cyclic[side] - g.rigging;

@@ -69,7 +69,7 @@ void read_instruments(const Configuration<C>& c, const State<T>& x, const Deriva
   out.load_factor = load_factor(out.specific_force, found.velocity_b);
   out.climb_rate = c.around.wind_n.z - rates.position.z;
   for (const Side side : {right, left}) {
-    const RotorLoads<T>& rotor = found.rotor[side].loads;
+    const MastLoads<T>& rotor = found.rotor[side].loads;
     out.thrust[side] = length(rotor.force_a);
     out.torque[side] = rotor.torque + c.rotor[side].spin_up;
     out.power[side] = out.torque[side] * c.rotor[side].speed;

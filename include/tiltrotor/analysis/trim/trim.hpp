@@ -135,7 +135,7 @@ void describe(const Configuration<R>& c, const SteadyFlight<R>& flight, TrimWork
   for (const Loads<R>& loads : e.loads.component) force = force + loads.force;
   result.load_factor = load_factor((R(1) / c.mass.mass) * force, v);
   for (int side = 0; side < 2; ++side) {
-    const RotorLoads<R>& rotor = e.rotor[side].loads;
+    const MastLoads<R>& rotor = e.rotor[side].loads;
     result.thrust[side] = std::sqrt(dot(rotor.force_a, rotor.force_a));
     result.power[side] = rotor.torque * c.setup.rotor_speed;
   }

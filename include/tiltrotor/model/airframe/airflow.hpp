@@ -68,7 +68,8 @@ struct FreeStream {
   T mach;         // held below the limit of the tables
   T alpha, beta;  // rad
   T alpha_deg;
-  T abs_beta_deg;  // smoothed |beta|, zero at zero
+  SineCosine<T> attack;  // of alpha
+  T abs_beta_deg;        // smoothed |beta|, zero at zero
 };
 
 // m/s: the rounded factor of the tables' speed axes, 9e-8 below 1852/3600.
@@ -86,6 +87,7 @@ FreeStream<T> free_stream(const Configuration<C>& c, const Vec3<T>& velocity_b) 
   f.alpha = angle_of_attack(velocity_b, e);
   f.beta = sideslip_angle(velocity_b, e.lateral_plane_speed);
   f.alpha_deg = f.alpha * kDegPerRad<R>;
+  f.attack = sine_and_cosine(f.alpha);
   f.abs_beta_deg = smooth_abs_zero(f.beta, e.angle) * kDegPerRad<R>;
   return f;
 }
@@ -104,11 +106,23 @@ T flow_from_ahead(const T& alpha, const SmoothingWidths<Real<T>>& e) {
 // two rotations, with the signs of NASA CR-166536.
 // X = L sa - (D cb + Y' sb) ca,  Y = Y' cb - D sb,  Z = -L ca - (D cb + Y' sb) sa.
 template <class T>
-Vec3<T> wind_force(const T& lift, const T& drag, const T& side, const T& alpha, const T& beta) {
-  const auto [sa, ca] = sine_and_cosine(alpha);
-  const auto [sb, cb] = sine_and_cosine(beta);
-  const T forward = drag * cb + side * sb;
-  return {lift * sa - forward * ca, side * cb - drag * sb, -(lift * ca) - forward * sa};
+Vec3<T> wind_force(const T& lift, const T& drag, const T& side, const SineCosine<T>& alpha,
+                   const SineCosine<T>& beta) {
+  const T forward = drag * beta.cosine + side * beta.sine;
+  return {lift * alpha.sine - forward * alpha.cosine, side * beta.cosine - drag * beta.sine,
+          -(lift * alpha.cosine) - forward * alpha.sine};
+}
+// The same without side force,
+template <class T>
+Vec3<T> wind_force(const T& lift, const T& drag, const SineCosine<T>& alpha, const SineCosine<T>& beta) {
+  const T forward = drag * beta.cosine;
+  return {lift * alpha.sine - forward * alpha.cosine, T(Real<T>(0)) - drag * beta.sine,
+          -(lift * alpha.cosine) - forward * alpha.sine};
+}
+// and without sideslip.
+template <class T>
+Vec3<T> wind_force(const T& lift, const T& drag, const SineCosine<T>& alpha) {
+  return {lift * alpha.sine - drag * alpha.cosine, T(Real<T>(0)), -(lift * alpha.cosine) - drag * alpha.sine};
 }
 
 }  // namespace tiltrotor

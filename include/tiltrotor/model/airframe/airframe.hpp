@@ -55,13 +55,14 @@ void airframe_response(const Configuration<C>& c, const AirframeInput<T>& in, Ai
   work.loads = fuselage_loads(c, in, stream);
   add(Component::fuselage);
 
-  work.wash_ratio = tail_wash_ratio(c, stream);
+  work.tail = tail_flow(c, stream);
   work.downwash = c.setup.options.downwash_lag ? in.downwash : work.wing.downwash;
-  work.loads = horizontal_tail_loads(c, in, stream, work.wash_ratio, work.downwash);
+  work.loads = horizontal_tail_loads(c, in, stream, work.tail, work.downwash);
   add(Component::htail);
-  work.loads = fin_loads(c, in, stream, work.wash_ratio, right);
+  work.fins = fin_flow(c, in, stream);
+  work.loads = fin_loads(c, in, stream, work.tail, work.fins, right);
   add(Component::fin_right);
-  work.loads = fin_loads(c, in, stream, work.wash_ratio, left);
+  work.loads = fin_loads(c, in, stream, work.tail, work.fins, left);
   add(Component::fin_left);
 }
 

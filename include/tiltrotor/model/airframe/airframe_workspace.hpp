@@ -1,6 +1,7 @@
 // Memory of an evaluation of the airframe.
 #pragma once
 
+#include "tiltrotor/model/airframe/fin.hpp"
 #include "tiltrotor/model/airframe/wing.hpp"
 
 namespace tiltrotor {
@@ -11,7 +12,9 @@ struct AirframeWorkspace {
   WingInWake<T> wake[2];
   FreeWing<T> wing;
   Loads<T> loads;  // of one component
-  T wash_ratio, downwash;
+  TailFlow<T> tail;
+  FinFlow<T> fins;
+  T downwash;
 };
 
 }  // namespace tiltrotor

@@ -14,8 +14,8 @@ Loads<T> fuselage_loads(const Configuration<C>& c, const AirframeInput<T>& in, c
   const T& alpha_deg = stream.alpha_deg;
   const T beta_deg = stream.beta * kDegPerRad<R>;
   const T& abs_beta_deg = stream.abs_beta_deg;
-  const T cos_beta = cos(stream.beta);
-  const T cos2 = cos_beta * cos_beta;
+  const SineCosine<T> sideslip = sine_and_cosine(stream.beta);
+  const T cos2 = sideslip.cosine * sideslip.cosine;
   const T q = R(0.5) * c.air.density * dot(in.velocity_b, in.velocity_b);
 
   // Alpha and beta tables both hold the value at zero sideslip: it is subtracted once.
@@ -29,9 +29,9 @@ Loads<T> fuselage_loads(const Configuration<C>& c, const AirframeInput<T>& in, c
   const T roll = lookup(f.roll_beta, mode, beta_deg);                          // 3-VIII
   const T yaw = lookup(f.yaw_beta, mode, beta_deg);                            // 3-IX
 
-  const auto [sa, ca] = sine_and_cosine(stream.alpha);
+  const auto& [sa, ca] = stream.attack;
   Loads<T> loads = force_at(station_arm(c.mass, f.sl, R(0), f.wl),
-                            q * wind_force(lift, drag, side, stream.alpha, stream.beta));
+                            q * wind_force(lift, drag, side, stream.attack, sideslip));
   loads.moment.x += q * (roll * ca - yaw * sa);
   loads.moment.y += q * pitch;
   loads.moment.z += q * (roll * sa + yaw * ca);

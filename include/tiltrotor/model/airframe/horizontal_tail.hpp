@@ -17,14 +17,14 @@ Vec3<T> horizontal_tail_velocity(const Configuration<C>& c, const AirframeInput<
 
 template <class T, class C>
 Loads<T> horizontal_tail_loads(const Configuration<C>& c, const AirframeInput<T>& in,
-                               const FreeStream<T>& stream, const T& wash_ratio, const T& downwash) {
+                               const FreeStream<T>& stream, const TailFlow<T>& tail, const T& downwash) {
   using R = Real<T>;
   const HorizontalTailTables<R>& h = c.aircraft->htail;
   const SmoothingWidths<R>& e = c.aircraft->smooth;
   const Options& o = c.setup.options;
   const Vec3<C> arm = station_arm(c.mass, h.surface.sl, R(0), h.surface.wl);
   const Vec3<T> free = velocity_at_tail(c, in);
-  const Vec3<T> v = horizontal_tail_velocity(c, in, wash_ratio);
+  const Vec3<T> v = horizontal_tail_velocity(c, in, tail.wash_ratio);
   const T alpha = angle_of_attack(v, e);
   const T beta = sideslip_angle(v, e.lateral_plane_speed);
 
@@ -36,10 +36,10 @@ Loads<T> horizontal_tail_loads(const Configuration<C>& c, const AirframeInput<T>
   const T drag_alpha_deg = wrapped(drag_alpha) * kDegPerRad<R>;
   const T slow = lookup(h.lift_elevator, o.tables, lift_alpha_deg, T(in.elevator * kDegPerRad<R>));  // 5-I
   const T fast = lookup(h.lift_mach, o.tables, drag_alpha_deg, stream.mach);                         // 5-II
-  const T fast_weight = tail_mach_weight(c, stream.mach);
 
   const T abs_beta = smooth_min(smooth_abs_zero(beta, e.angle), h.beta_limit * kRadPerDeg<R>, e.angle);
-  const T lift = slow + fast_weight * (fast - slow) + (h.lift_beta * c.nacelle_axis_b.z * R(-1)) * abs_beta;
+  const T lift =
+      slow + tail.mach_weight * (fast - slow) + (h.lift_beta * c.nacelle_axis_b.z * R(-1)) * abs_beta;
   const T drag = lookup(h.drag, o.tables, drag_alpha_deg, stream.mach);  // 5-III
 
   const T arguments[2] = {stream.alpha_deg, stream.speed_kt};
@@ -49,9 +49,10 @@ Loads<T> horizontal_tail_loads(const Configuration<C>& c, const AirframeInput<T>
                                                              : C(R(1));
   // Body velocity, not the local one: the pressure ratio holds the rest (p. A-87).
   const T q = (R(0.5) * c.air.density * loss) * ratio * (free.x * free.x + free.z * free.z);
-  const T scale = q * h.surface.area * tail_sideslip_factor(c, stream);
+  const T scale = q * h.surface.area * tail.sideslip_factor;
   // Turned by the angle of the flow, without the incidence (p. A-88).
-  return force_at(arm, scale * wind_force(lift, drag, T(R(0)), T(alpha - downwash), beta));
+  return force_at(
+      arm, scale * wind_force(lift, drag, sine_and_cosine(T(alpha - downwash)), sine_and_cosine(beta)));
 }
 
 }  // namespace tiltrotor

@@ -32,15 +32,15 @@ T wake_fade(const Configuration<C>& c, const T& speed) {
 // low-order slipstream model, known by transcription (aircraft.csv: slipstream_*). Lateral centroid of the
 // immersed part: that of the half wing.
 template <class T, class C>
-ImmersedWing<T> empirical_immersed_wing(const Configuration<C>& c, const AirframeInput<T>& in, int side) {
+ImmersedWing<T> empirical_immersed_wing(const Configuration<C>& c, const AirframeInput<T>& in,
+                                        const FreeStream<T>& stream, int side) {
   using R = Real<T>;
   const WakeTables<R>& w = c.aircraft->wake;
   const C upright = kPi<R> / R(2) - c.mast;
   const C shape = sin(w.gtrs_angle_a * upright) + cos(w.gtrs_angle_b * upright);
   const C scale = value(shape) > R(0) ? C(w.gtrs_area * shape) : C(R(0));
-  const T speed = total_speed(in.velocity_b, c.aircraft->smooth.airspeed);
   const T remaining =
-      smooth_positive(T(R(1) - speed * (R(1) / w.gtrs_end_speed)), c.aircraft->smooth.wake_cut);
+      smooth_positive(T(R(1) - stream.speed * (R(1) / w.gtrs_end_speed)), c.aircraft->smooth.wake_cut);
   const R half_area = c.aircraft->wing.area / R(2);
   ImmersedWing<T> out;
   out.area = smooth_min(T(scale * remaining), half_area, c.aircraft->smooth.wake_cut * half_area);
@@ -50,7 +50,8 @@ ImmersedWing<T> empirical_immersed_wing(const Configuration<C>& c, const Airfram
 }
 
 template <class T, class C>
-ImmersedWing<T> geometric_immersed_wing(const Configuration<C>& c, const AirframeInput<T>& in, int side) {
+ImmersedWing<T> geometric_immersed_wing(const Configuration<C>& c, const AirframeInput<T>& in,
+                                        const FreeStream<T>& stream, int side) {
   using R = Real<T>;
   const WakeTables<R>& w = c.aircraft->wake;
   const WingTables<R>& wing = c.aircraft->wing;
@@ -96,7 +97,7 @@ ImmersedWing<T> geometric_immersed_wing(const Configuration<C>& c, const Airfram
   const T enters = smooth_step(T(downstream * (R(1) / (e.wake_start * radius))));
 
   ImmersedWing<T> out;
-  out.area = wing.chord * (outer - inner) * enters * wake_fade(c, total_speed(in.velocity_b, e.airspeed));
+  out.area = wing.chord * (outer - inner) * enters * wake_fade(c, stream.speed);
   out.lateral = R(0.5) * (outer + inner);
   out.wash = c.setup.options.wash == WashFactor::constant ? w.wash_factor * v0 : k * v0;
   return out;
@@ -104,9 +105,10 @@ ImmersedWing<T> geometric_immersed_wing(const Configuration<C>& c, const Airfram
 
 // Immersed part of the half wing on `side`. `lateral` counts outboard from the centre line.
 template <class T, class C>
-ImmersedWing<T> immersed_wing(const Configuration<C>& c, const AirframeInput<T>& in, int side) {
-  return c.setup.options.wake == WakeModel::geometric ? geometric_immersed_wing(c, in, side)
-                                                      : empirical_immersed_wing(c, in, side);
+ImmersedWing<T> immersed_wing(const Configuration<C>& c, const AirframeInput<T>& in,
+                              const FreeStream<T>& stream, int side) {
+  return c.setup.options.wake == WakeModel::geometric ? geometric_immersed_wing(c, in, stream, side)
+                                                      : empirical_immersed_wing(c, in, stream, side);
 }
 
 }  // namespace tiltrotor

@@ -60,4 +60,13 @@ T tail_sideslip_factor(const Configuration<C>& c, const FreeStream<T>& stream) {
   return lookup(c.aircraft->tail.sideslip_loss, c.setup.options.tables, stream.abs_beta_deg);
 }
 
+template <class T>
+struct TailFlow {
+  T wash_ratio, mach_weight, sideslip_factor;
+};
+template <class T, class C>
+TailFlow<T> tail_flow(const Configuration<C>& c, const FreeStream<T>& stream) {
+  return {tail_wash_ratio(c, stream), tail_mach_weight(c, stream.mach), tail_sideslip_factor(c, stream)};
+}
+
 }  // namespace tiltrotor

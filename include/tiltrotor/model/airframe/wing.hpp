@@ -47,7 +47,7 @@ LateralCoefficients<T> wing_lateral_coefficients(const Configuration<C>& c, cons
   const T yaw_p = w.yaw_roll_rate_per_lift * k.lift * cb * bc;
   const T yaw_r = w.yaw_rate_per_lift2 * k.lift * k.lift + w.yaw_rate_per_drag * c.wing.zero_lift_drag;
 
-  const auto [sa, ca] = sine_and_cosine(stream.alpha);
+  const auto& [sa, ca] = stream.attack;
   const auto [sb, cbeta] = sine_and_cosine(beta);
   const T p_wind = in.rates_b.x * ca * cbeta + in.rates_b.y * sb + in.rates_b.z * sa * cbeta;
   const T r_wind = in.rates_b.z * ca - in.rates_b.x * sa;
@@ -112,8 +112,9 @@ void free_wing_forces(const Configuration<C>& c, const AirframeInput<T>& in, con
   const T drag_per_area = out.pressure * out.coefficients.drag;
   const T half_aileron_loss = out.pressure * (R(0.5) * w.area * c.wing.aileron_lift_loss) *
                               smooth_abs_zero(in.aileron, c.aircraft->smooth.angle);  // 4-XII
-  const Vec3<T> per_area = wind_force(lift_per_area, drag_per_area, T(R(0)), out.alpha, T(R(0)));
-  const Vec3<T> half_loss = wind_force(half_aileron_loss, T(R(0)), T(R(0)), out.alpha, T(R(0)));
+  const SineCosine<T> attack = sine_and_cosine(out.alpha);
+  const Vec3<T> per_area = wind_force(lift_per_area, drag_per_area, attack);
+  const Vec3<T> half_loss = wind_force(half_aileron_loss, T(R(0)), attack);
   out.loads = free_half_wing(c, wake[right].immersed, per_area, half_loss, right) +
               free_half_wing(c, wake[left].immersed, per_area, half_loss, left);
 }
@@ -131,7 +132,7 @@ void add_free_wing_moments(const Configuration<C>& c, const AirframeInput<T>& in
       c.wing.aileron_yaw_0 + c.wing.aileron_yaw * out.coefficients.lift * aileron_slope;  // 4-XIII, 4-XIV
   const T roll = area_span * (out.pressure * out.lateral.roll + wake_pressure * aileron_slope * in.aileron);
   const T yaw = area_span * (out.pressure * out.lateral.yaw + wake_pressure * aileron_yaw * in.aileron);
-  const auto [sa, ca] = sine_and_cosine(stream.alpha);
+  const auto& [sa, ca] = stream.attack;
   out.loads.moment.x += roll * ca - yaw * sa;
   out.loads.moment.y += out.pressure * (w.area * w.chord * c.wing.moment);  // 4-VIII
   out.loads.moment.z += roll * sa + yaw * ca;

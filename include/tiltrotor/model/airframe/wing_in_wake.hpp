@@ -24,7 +24,7 @@ void wing_in_wake(const Configuration<C>& c, const AirframeInput<T>& in, const F
   const WingTables<R>& wing = c.aircraft->wing;
   const SmoothingWidths<R>& e = c.aircraft->smooth;
   const Vec3<C> line = station_arm(c.mass, wing.sl, R(0), wing.wl);
-  out.immersed = immersed_wing(c, in, side);
+  out.immersed = immersed_wing(c, in, stream, side);
   Vec3<T> arm = {T(line.x), side_sign<R>(side) * out.immersed.lateral, T(line.z)};
   out.velocity = in.velocity_b + cross(in.rates_b, arm) + along(out.immersed.wash, c.nacelle_axis_b);
   out.pressure = R(0.5) * c.air.density * dot(out.velocity, out.velocity);
@@ -33,9 +33,9 @@ void wing_in_wake(const Configuration<C>& c, const AirframeInput<T>& in, const F
   const T beta = sideslip_angle(out.velocity, e.lateral_plane_speed);
   const WingCoefficients<T> k = wing_coefficients(c, alpha, stream.mach);
   const T scale = c.download * c.wing.wake_load_factor * (out.pressure * out.immersed.area);
-  const Vec3<T> force = wind_force(T(scale * k.lift), T(scale * k.drag), T(R(0)), alpha, beta);
-  const T sa = sin(alpha);
-  arm.x = arm.x - (wing.chord / R(4)) * sa * sa;
+  const SineCosine<T> attack = sine_and_cosine(alpha);
+  const Vec3<T> force = wind_force(T(scale * k.lift), T(scale * k.drag), attack, sine_and_cosine(beta));
+  arm.x = arm.x - (wing.chord / R(4)) * attack.sine * attack.sine;
   out.loads = {force, cross(arm, force)};
 }
 

@@ -56,9 +56,9 @@ class BladeGroup {
                       const AzimuthStations<R>& azimuth, int first) {
     const Batch<R> cosine = blade_group_detail::load_batch(azimuth.cosine + first);
     const Batch<R> sine = blade_group_detail::load_batch(azimuth.sine + first);
-    const Batch<R> flap = flap_angle(in_, cosine, sine);
+    const SineCosine<Batch<R>> flap = sine_and_cosine(flap_angle(in_, cosine, sine));
     const BladeFlow<Batch<R>> flow =
-        blade_flow(omega, c.pitch_flap, in_, inflow_, sin(flap), cos(flap), cosine, sine);
+        blade_flow(omega, c.pitch_flap, in_, inflow_, flap.sine, flap.cosine, cosine, sine);
     if constexpr (kTakesSlopes) {
       blade_loads_and_slopes(c, air, flow, loads_);
     } else {

@@ -14,15 +14,15 @@ namespace tiltrotor {
 
 template <class T>
 struct RotorResponse {
-  RotorLoads<T> loads;
+  MastLoads<T> loads;
   FlapRates<T> flapping;
   T coning_acceleration;  // rad/s^2
   InflowRates<T> inflow;
 
-  static constexpr int kCount = 15;
+  static constexpr int kCount = 12;
   template <class Self, class Visit>
   static constexpr void each(Self& s, Visit&& visit) {
-    RotorLoads<T>::each(s.loads, visit);
+    MastLoads<T>::each(s.loads, visit);
     visit(s.flapping.b1c_rate);
     visit(s.flapping.b1s_rate);
     visit(s.flapping.b1c_acceleration);
@@ -81,7 +81,7 @@ void quasi_static_rotor(const Configuration<C>& c, const RotorConditions<S>& tur
       [&] { out.flapping = quasi_static_flap_rates(c, turn, in.state, in.rates_a, at_rest.mc, at_rest.ms); });
   at.state.b1c_rate = out.flapping.b1c_rate;
   at.state.b1s_rate = out.flapping.b1s_rate;
-  rotor_loads(c, turn, at, azimuth, work.blades, out.loads);
+  rotor_loads(c, turn, at, azimuth, work.blades, work.loads);
 }
 
 // The complete rotor. `azimuth` holds the stations to sum over: the configuration's averaged set, or the
@@ -93,23 +93,24 @@ void rotor_response(const Configuration<C>& c, const RotorConditions<S>& turn, c
                     const AzimuthStations<Real<T>>& azimuth, RotorWorkspace<T>& work, RotorResponse<T>& out) {
   const bool second_order = c.setup.options.flapping == FlapOrder::second;
   if (second_order) {
-    rotor_loads(c, turn, in, azimuth, work.blades, out.loads);
+    rotor_loads(c, turn, in, azimuth, work.blades, work.loads);
   } else {
     quasi_static_rotor(c, turn, in, azimuth, work, out);
   }
   out_of_line([&] {
-    if (second_order) out.flapping = flap_rates(c, turn, in.state, in.rates_a, out.loads.mc, out.loads.ms);
+    if (second_order) out.flapping = flap_rates(c, turn, in.state, in.rates_a, work.loads.mc, work.loads.ms);
   });
   out_of_line([&] {
-    out.coning_acceleration = coning_acceleration(c, turn, in.coning, out.loads.m0);
-    out.inflow = inflow_rates(c, turn, in.state, inflow_forcing(c, turn, in, out.loads));
+    out.loads = work.loads;
+    out.coning_acceleration = coning_acceleration(c, turn, in.coning, work.loads.m0);
+    out.inflow = inflow_rates(c, turn, in.state, inflow_forcing(c, turn, in, work.loads));
   });
 }
 
 // Hub force and moment on the airframe, body axes about the CG: force, spring moment and the torque of the shaft.
 // The load harmonics are balanced inside the gimbal and are not added again.
 template <class T, class C>
-Loads<T> hub_loads(const Configuration<C>& c, int side, const RotorState<T>& x, const RotorLoads<T>& loads) {
+Loads<T> hub_loads(const Configuration<C>& c, int side, const RotorState<T>& x, const MastLoads<T>& loads) {
   const HubFrame<C>& hub = c.hub[side];
   const Vec3<T> moment_a = {c.hub_spring * x.b1s, -(c.hub_spring * x.b1c),
                             -(loads.torque + c.rotor[side].spin_up)};

@@ -6,17 +6,27 @@
 
 namespace tiltrotor {
 
-// Sums over the blades.
+// What the mast takes of a rotor.
 template <class T>
-struct RotorLoads {
+struct MastLoads {
   Vec3<T> force_a;  // on the hub, N
   T torque;         // about the shaft, absorbed, N m
-  T mc, ms, m0;     // sums of r dF_n times cos psi, sin psi, 1, N m
 
   template <class Self, class Visit>
   static constexpr void each(Self& s, Visit&& visit) {
     Vec3<T>::each(s.force_a, visit);
     visit(s.torque);
+  }
+};
+
+// Sums over the blades.
+template <class T>
+struct RotorLoads : MastLoads<T> {
+  T mc, ms, m0;  // sums of r dF_n times cos psi, sin psi, 1, N m: balanced by gimbal, coning and inflow
+
+  template <class Self, class Visit>
+  static constexpr void each(Self& s, Visit&& visit) {
+    MastLoads<T>::each(s, visit);
     visit(s.mc);
     visit(s.ms);
     visit(s.m0);
@@ -30,16 +40,14 @@ template <class T, class C, class S>
 void add_blade(const Configuration<C>& c, const ElementAir<S, S>& air, const S& omega,
                const RotorInput<T>& in, const FeltInflow<T>& inflow, Real<T> cosine, Real<T> sine,
                const BladeGroup<T>& group, int lane, RotorLoads<T>& sum) {
-  const T flap = flap_angle(in, cosine, sine);
-  const T sin_flap = sin(flap);
-  const T cos_flap = cos(flap);
+  const SineCosine<T> flap = sine_and_cosine(flap_angle(in, cosine, sine));
   const BladeLoads<T> blade = group.loads(
-      c, air, lane, blade_flow(omega, c.pitch_flap, in, inflow, sin_flap, cos_flap, cosine, sine));
-  const T radial = sin_flap * blade.normal;  // inward along the blade's projection on the disk
+      c, air, lane, blade_flow(omega, c.pitch_flap, in, inflow, flap.sine, flap.cosine, cosine, sine));
+  const T radial = flap.sine * blade.normal;  // inward along the blade's projection on the disk
   sum.force_a.x -= cosine * radial + sine * blade.tangential;
   sum.force_a.y += cosine * blade.tangential - sine * radial;
-  sum.force_a.z += cos_flap * blade.normal;
-  sum.torque -= cos_flap * blade.tangential_moment;
+  sum.force_a.z += flap.cosine * blade.normal;
+  sum.torque -= flap.cosine * blade.tangential_moment;
   sum.mc += cosine * blade.normal_moment;
   sum.ms += sine * blade.normal_moment;
   sum.m0 += blade.normal_moment;

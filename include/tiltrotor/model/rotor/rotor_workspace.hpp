@@ -10,7 +10,7 @@ struct RotorWorkspace {
   BladeGroup<T> blades;
   AzimuthStations<Real<T>> stations;  // of individual blades
   RotorInput<T> input_at_rest;        // of a rotor whose gimbal does not move: first-order flapping alone
-  RotorLoads<T> loads_at_rest;
+  RotorLoads<T> loads, loads_at_rest;
 };
 
 }  // namespace tiltrotor

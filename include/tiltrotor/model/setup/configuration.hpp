@@ -185,7 +185,7 @@ void configure(Configuration<C>& c) {
   c.coning = aircraft.rotor.coning.at(mast_deg);
   c.hub_spring = aircraft.rotor.hub_spring * static_cast<R>(o.hub_spring_factor);
   c.wing = wing_constants(aircraft, o, mast_deg, flap_deg);
-  c.gearing = gearing(aircraft, o, mast_deg);
+  c.gearing = gearing(aircraft, o, mast_deg, tilt.cosine);
 
   c.pedal_mast[0] = grid_point(aircraft.controls.pedal_cyclic.linear[0], mast_deg);
   c.downwash_mast_flap[0] = grid_point(aircraft.wing.downwash.linear[0], mast_deg);

@@ -17,8 +17,10 @@ struct Gearing {
   Real<C> elevator, aileron, rudder;
 };
 
+// `mast_cosine`: of the same angle.
 template <class C>
-Gearing<C> gearing(const Aircraft<Real<C>>& aircraft, const Options& options, const C& mast_deg) {
+Gearing<C> gearing(const Aircraft<Real<C>>& aircraft, const Options& options, const C& mast_deg,
+                   const C& mast_cosine) {
   using R = Real<C>;
   const ControlTables<R>& t = aircraft.controls;
   const auto at = [&mast_deg](const Table<R, 1>& table) {
@@ -27,7 +29,7 @@ Gearing<C> gearing(const Aircraft<Real<C>>& aircraft, const Options& options, co
   Gearing<C> g;
   g.long_cyclic = at(t.long_cyclic);
   // A bias of theta1s = -1.5 deg (1 - cos mast): Kleinhesselink 2007, app. B p. 164.
-  g.rigging = options.cyclic_rigging ? t.cyclic_rigging * (R(1) - cos(C(mast_deg * kRadPerDeg<R>))) : C(R(0));
+  g.rigging = options.cyclic_rigging ? t.cyclic_rigging * (R(1) - mast_cosine) : C(R(0));
   g.lateral_collective = at(t.lateral_collective);
   g.lateral_cyclic_gain = options.lateral_cyclic ? at(t.lateral_cyclic_gain) : C(R(0));
   g.elevator = options.elevator_gearing == ElevatorGearing::aircraft ? t.elevator : t.elevator_replay;
