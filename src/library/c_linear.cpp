@@ -119,7 +119,6 @@ tr_status tr_eigenvalues(tr_work* work, const tr_real* a, size_t n, tr_real* rea
   if (!is_ieee_arithmetic<R>()) return TR_BAD_ARITHMETIC;
   EigenCallWorkspace& call = workspace_in<EigenCallWorkspace>(work);
   const int order = static_cast<int>(n);
-  set_zero(call.a);
   for (int i = 0; i < order; ++i)
     for (int j = 0; j < order; ++j) call.a(i, j) = *a++;
   const Status status = eigenvalues(call.a, order, call.workspace, call.values);

@@ -99,6 +99,28 @@ TEST(lu_several_right_sides_give_the_inverse) {  // inverse of the 6 x 6 Hilbert
   CHECK_REL(inverse(5, 5), 698544.0, 1e-8);
 }
 
+// Of a matrix that has stood elsewhere: other columns become zero, rows beyond the n are left alone.
+TEST(lu_few_right_sides_of_many_columns) {
+  static Matrix<double, 12, 12> a;
+  static Matrix<double, 12, 24> b, x;
+  static LU<double, 12> lu;
+  fill_random(a, 9, 7);
+  fill(b, 3.0);
+  fill(x, 5.0);
+  CHECK(lu_factor(a, 9, lu) == Status::ok);
+  CHECK(lu_solve(lu, b, 2, x) == Status::ok);
+  for (int j = 0; j < 2; ++j) {
+    double solution[12], right[12];
+    for (int i = 0; i < 9; ++i) {
+      solution[i] = x(i, j);
+      right[i] = 3;
+    }
+    CHECK_LT((backward_error<double, 12>(a, 9, solution, right)), 1e-13);
+  }
+  for (int i = 0; i < 12; ++i)
+    for (int j = 2; j < 24; ++j) CHECK_EQ(x(i, j), i < 9 ? 0.0 : 5.0);
+}
+
 TEST(lu_several_right_sides_agree_with_one) {
   static Matrix<double, 31, 31> a;
   static Matrix<double, 31, 11> b, x;

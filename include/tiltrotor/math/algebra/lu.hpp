@@ -202,22 +202,26 @@ inline Status lu_solve(const LU<R, N>& lu, R* b) {
   return lu_detail::finite_or_nan(b, lu.size);
 }
 
-// Solves A X = B for `columns` right sides; X is another matrix than B. Rows of X beyond n and its other
-// columns are zero. Status as for one right side.
+// Solves A X = B for `columns` right sides; X is another matrix than B. Its other columns are zero in the n rows, which are
+// all that is written. Status as for one right side; bad_argument: all of X is zero.
 template <class R, int N, int M>
 inline Status lu_solve(const LU<R, N>& lu, const Matrix<R, N, M>& b, int columns, Matrix<R, N, M>& x) {
-  set_zero(x);
-  if (lu.size < 1 || lu.size > N || columns < 0 || columns > M) return Status::bad_argument;
-  const int n = lu.size;
+  constexpr int kStride = Matrix<R, N, M>::kStride;
+  if (lu.size < 1 || lu.size > N || columns < 0 || columns > M) {
+    set_zero(x);
+    return Status::bad_argument;
+  }
+  const int n = lu.size, lanes = lane_ceil<R>(columns), used = lanes < kStride ? lanes : kStride;
   for (int i = 0; i < n; ++i) {
     const R* from = b.row(lu.row[i]);
     R* to = x.row(i);
     for (int j = 0; j < columns; ++j) to[j] = from[j];
+    for (int j = columns; j < kStride; ++j) to[j] = R(0);
   }
   const auto subtract = [&](int i, R factor, int k) {
     const R* __restrict from = x.row(k);
     R* __restrict to = x.row(i);
-    for (int j = 0; j < Matrix<R, N, M>::kStride; ++j) to[j] -= factor * from[j];
+    for (int j = 0; j < used; ++j) to[j] -= factor * from[j];
   };
   for (int i = 1; i < n; ++i)
     for (int k = 0; k < i; ++k) subtract(i, lu.lower(lu.row[i], k), k);
