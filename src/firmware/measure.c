@@ -143,8 +143,8 @@ static int measure_systems(text_sink write, instruction_counter count, int state
   static const int mast_deg[] = {0, 30, 60, 90};
   static const int speed_mps[] = {20, 40, 60, 100};
   const extremes none = {0xffffffffu, 0};
-  extremes step[3] = {none, none, none}, linear[3] = {none, none, none}, set = none, trim = none,
-           roots = none;
+  extremes step[3] = {none, none, none}, linear[3] = {none, none, none}, frame[3] = {none, none, none},
+           set = none, trim = none, roots = none, slow = none;
   const size_t room = sizeof a / sizeof a[0];
   int governor, place, k, failures = 0;
   for (governor = TR_GOVERNOR_OFF; governor <= TR_GOVERNOR_PI; ++governor) {
@@ -178,6 +178,18 @@ static int measure_systems(text_sink write, instruction_counter count, int state
         failures += tr_eigenvalues(&work, a, (size_t)shape.states, eigenvalue_real, eigenvalue_imag,
                                    most_states) != TR_OK;
         add(&roots, count() - start);
+        start = count();
+        failures += tr_rigid_model(&work, &shape, a, room, NULL, 0, &shape, a, room, NULL, 0) != TR_OK;
+        failures += tr_eigenvalues(&work, a, (size_t)shape.states, eigenvalue_real, eigenvalue_imag,
+                                   most_states) != TR_OK;
+        add(&slow, count() - start);
+        start = count();
+        failures += tr_linearize_and_step(&sim, &work, (tr_real)0.005, TR_INCEPTORS, &shape, a, room, b,
+                                          sizeof b / sizeof b[0]) != TR_OK;
+        failures += tr_rigid_model(&work, &shape, a, room, NULL, 0, &shape, a, room, NULL, 0) != TR_OK;
+        failures += tr_eigenvalues(&work, a, (size_t)shape.states, eigenvalue_real, eigenvalue_imag,
+                                   most_states) != TR_OK;
+        add(&frame[governor], count() - start);
       }
     }
   }
@@ -193,6 +205,11 @@ static int measure_systems(text_sink write, instruction_counter count, int state
   write_extremes(write, "jacobian_with_pi_governor_min", "jacobian_with_pi_governor_max",
                  &linear[TR_GOVERNOR_PI]);
   write_extremes(write, "eigenvalues_with_systems_min", "eigenvalues_with_systems_max", &roots);
+  write_extremes(write, "rigid_roots_with_systems_min", "rigid_roots_with_systems_max", &slow);
+  write_extremes(write, "rigid_frame_with_systems_min", "rigid_frame_with_systems_max",
+                 &frame[TR_GOVERNOR_OFF]);
+  write_extremes(write, "rigid_frame_with_pi_governor_min", "rigid_frame_with_pi_governor_max",
+                 &frame[TR_GOVERNOR_PI]);
   if (failures > 0) write_count(write, "failed calls with systems", (uint64_t)failures);
   return failures > 0;
 }

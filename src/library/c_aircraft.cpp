@@ -254,4 +254,10 @@ const char* tr_aircraft_description(int32_t aircraft) {
 }
 
 size_t tr_sim_size(void) { return sizeof(tiltrotor::c_interface::Sim); }
-size_t tr_work_size(void) { return tiltrotor::c_interface::kWorkBytes; }
+size_t tr_work_size(void) {
+  namespace c = tiltrotor::c_interface;
+  size_t most = c::kOwnWorkBytes;
+  for (const size_t bytes : {c::kSystemModelWorkBytes, c::kSystemOutputsWorkBytes, c::kRigidModelWorkBytes})
+    most = bytes > most ? bytes : most;
+  return most;
+}

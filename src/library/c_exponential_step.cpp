@@ -17,7 +17,7 @@ struct ExponentialCallWorkspace {
   SimulationWorkspace<R, KnownJacobian> workspace;
   Simulation<R> simulation;
 };
-static_assert(sizeof(ExponentialCallWorkspace) <= kWorkBytes);
+static_assert(kWorkBytes<ExponentialCallWorkspace> <= kOwnWorkBytes);
 
 // Rows of heading and position, on which nothing else depends: the kinematics of the rigid body. Their columns are
 // those of velocity, rates, bank, pitch and heading, the first nine states.

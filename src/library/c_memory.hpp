@@ -94,11 +94,15 @@ constexpr std::size_t largest() {
   for (const std::size_t size : {sizeof(Workspace)...}) most = size > most ? size : most;
   return most;
 }
-inline constexpr std::size_t kWorkBytes =
-    largest<StepCallWorkspace, TrimCallWorkspace, LinearCallWorkspace, OutputsCallWorkspace,
-            DirectionalCallWorkspace, EigenCallWorkspace, ModesCallWorkspace>() +
-    kWorkAlignment - alignof(tr_work);
-static_assert(kWorkBytes <= sizeof(tr_work));
+// Of a tr_work, wherever it begins, for the largest of some workspaces.
+template <class... Workspace>
+inline constexpr std::size_t kWorkBytes = largest<Workspace...>() + kWorkAlignment - alignof(tr_work);
+inline constexpr std::size_t kOwnWorkBytes =
+    kWorkBytes<StepCallWorkspace, TrimCallWorkspace, LinearCallWorkspace, OutputsCallWorkspace,
+               DirectionalCallWorkspace, EigenCallWorkspace, ModesCallWorkspace>;
+static_assert(kOwnWorkBytes <= sizeof(tr_work));
+// Of workspaces that one object alone knows: c_system_model.cpp, c_system_outputs.cpp, c_rigid_model.cpp.
+extern const std::size_t kSystemModelWorkBytes, kSystemOutputsWorkBytes, kRigidModelWorkBytes;
 
 // An uninitialised workspace on the first aligned address.
 template <class Workspace>

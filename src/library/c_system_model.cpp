@@ -25,11 +25,14 @@ struct VehicleModesCallWorkspace {
   VehicleModes<R> found;
 };
 // Eigenvectors of all states need more than a microcontroller's work area.
-constexpr bool kModesFit =
-    sizeof(VehicleModesCallWorkspace) + kWorkAlignment - alignof(tr_work) <= sizeof(tr_work);
-static_assert(sizeof(VehicleCallWorkspace) + kWorkAlignment - alignof(tr_work) <= sizeof(tr_work));
+constexpr bool kModesFit = kWorkBytes<VehicleModesCallWorkspace> <= sizeof(tr_work);
+static_assert(kWorkBytes<VehicleCallWorkspace> <= sizeof(tr_work));
 
 }  // namespace
+
+const std::size_t kSystemModelWorkBytes = kModesFit
+                                              ? kWorkBytes<VehicleCallWorkspace, VehicleModesCallWorkspace>
+                                              : kWorkBytes<VehicleCallWorkspace>;
 
 void shape_of_systems(const Sim& s, std::int32_t columns, VehicleShape& of) {
   vehicle_states(s.systems.vehicle, s.configuration.setup.options, of);

@@ -13,9 +13,11 @@ struct VehicleDirectionCallWorkspace {
   VehicleDirectionWorkspace<R> direction;
   VehicleShape shape;
 };
-static_assert(sizeof(VehicleDirectionCallWorkspace) + kWorkAlignment - alignof(tr_work) <= sizeof(tr_work));
+static_assert(kWorkBytes<VehicleDirectionCallWorkspace> <= sizeof(tr_work));
 
 }  // namespace
+
+const std::size_t kSystemOutputsWorkBytes = kWorkBytes<VehicleDirectionCallWorkspace>;
 
 tr_status direction_of_systems(const Sim& s, tr_work* work, const R* dx, const R* du, R* dxdot,
                                R* dreadings) {

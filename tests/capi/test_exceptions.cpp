@@ -127,6 +127,75 @@ TEST(capi_states_raise_no_floating_point_exception) {
   CHECK_LT(3000, calls);
 }
 
+// With systems, in every setting of the governor; the work area holds signalling NaNs.
+TEST(capi_systems_raise_no_floating_point_exception) {
+  const auto workspace = std::make_unique<Workspace>();
+  const std::uint64_t trap = sizeof(tr_real) == 8 ? 0x7ff4000000000001u : 0x7fa000017fa00001u;
+  for (std::uint64_t& word : workspace->work.reserved) word = trap;
+  const tr_work untouched = workspace->work;
+  static tr_real b[max_states * TR_INPUTS], d[TR_OUTPUTS * TR_INPUTS];
+  tr_real dx[TR_STATES] = {1}, du[TR_INPUTS] = {0, 1}, rates[TR_STATES];
+  tr_outputs outputs;
+  tr_linear_shape shape;
+  std::size_t count = 0;
+  int calls = 0;
+  for (int k = 0; k < 24; ++k) {
+    tr_sim sim = sim_at(k % 4 * 30);
+    const tr_flight flight = {tr_real(30 + k % 4 * 20), 0, 0, 0};
+    tr_environment air;
+    tr_systems systems;
+    CHECK_EQ(tr_default_environment(&air), TR_OK);
+    air.wind_mps[0] = -4;
+    air.ground_down_m = k % 2 == 0 ? 5 : 300;
+    CHECK_EQ(tr_set_environment(&sim, &air), TR_OK);
+    CHECK_EQ(tr_get_systems(&sim, &systems), TR_OK);
+    systems.governor = k / 4 % 3;
+    systems.conversion = systems.engines = systems.actuators = systems.scas = 1;
+    systems.gear = systems.ground_effect = k % 2;
+    systems.interconnect = systems.governor == TR_GOVERNOR_PI;
+    systems.turbulence = k / 12;
+    systems.turbulence_w20_mps = 5;
+    const auto check = [&](const char* what, auto&& call) {
+      ++calls;
+      workspace->work = untouched;
+      tr_status status = TR_OK;
+      const int exceptions = raised([&] { status = call(); });
+      if (!CHECK_EQ(exceptions, 0) || !CHECK_EQ(status, TR_OK)) NOTE(what << ", case " << k);
+    };
+    tr_work* const work = &workspace->work;
+    check("set_systems", [&] { return tr_set_systems(&sim, &systems); });
+    check("trim", [&] { return tr_trim(&sim, work, &flight, nullptr); });
+    for (int step = 0; step < 3; ++step) check("step", [&] { return tr_step(&sim, work, dt); });
+    check("step with outputs", [&] { return tr_step_with_outputs(&sim, work, dt, &outputs); });
+    check("outputs", [&] { return tr_get_outputs(&sim, &outputs); });
+    check("directional", [&] { return tr_directional(&sim, work, dx, du, rates, &outputs); });
+    check("directional inputs", [&] { return tr_directional_inputs(&sim, work, dx, du, rates, &outputs); });
+    check("outputs of the linear model", [&] {
+      return tr_linearize_outputs(&sim, work, TR_ALL_INPUTS, workspace->c, TR_OUTPUTS * max_states, d,
+                                  TR_OUTPUTS * TR_INPUTS);
+    });
+    check("linearize and step", [&] {
+      return tr_linearize_and_step(&sim, work, dt, TR_INCEPTORS, &shape, workspace->a,
+                                   max_states * max_states, nullptr, 0);
+    });
+    check("linearize", [&] {
+      return tr_linearize(&sim, work, TR_ALL_INPUTS, &shape, workspace->a, max_states * max_states, b,
+                          max_states * TR_INPUTS);
+    });
+    const auto n = static_cast<std::size_t>(shape.states);
+    check("eigenvalues", [&] {
+      return tr_eigenvalues(work, workspace->a, n, workspace->real, workspace->imag, max_states);
+    });
+    check("modes",
+          [&] { return tr_modes(work, &shape, workspace->a, n * n, workspace->modes, max_states, &count); });
+    check("rigid model", [&] {
+      return tr_rigid_model(work, &shape, workspace->a, n * n, b, max_states * TR_INPUTS, &shape,
+                            workspace->a, n * n, b, max_states * TR_INPUTS);
+    });
+  }
+  CHECK_LT(300, calls);
+}
+
 // Matrices of every order, of whole numbers and of numbers far apart, singular ones and that of zeros.
 TEST(capi_matrices_raise_no_floating_point_exception) {
   Random random;

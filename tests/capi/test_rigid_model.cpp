@@ -88,6 +88,71 @@ TEST(capi_rigid_model_has_the_slow_roots) {
   }
 }
 
+// With governor, actuators and augmentation: their states stay, rotors and downwash go; every slow root of the full model has
+// one, the answer at rest is the same.
+TEST(capi_rigid_model_keeps_the_states_of_systems) {
+  const auto work = new_work();
+  for (const double mast : {0.0, 30.0, 90.0}) {
+    tr_sim sim = trimmed_sim(tr_real(mast), tr_real(40 + mast / 2));
+    tr_systems systems;
+    CHECK_EQ(tr_get_systems(&sim, &systems), TR_OK);
+    systems.governor = TR_GOVERNOR_PI;
+    systems.actuators = systems.scas = 1;
+    CHECK_EQ(tr_set_systems(&sim, &systems), TR_OK);
+    const Model full = model_of(sim, work.get());
+    const Model slow = reduced(full, work.get());
+    Model place = full;
+    const auto square = static_cast<std::size_t>(slow.shape.states * slow.shape.states);
+    CHECK_EQ(
+        tr_rigid_model(work.get(), &place.shape, place.a.data(), place.a.size(), place.b.data(),
+                       place.b.size(), &place.shape, place.a.data(), square, place.b.data(), place.b.size()),
+        TR_OK);
+    CHECK(
+        std::equal(place.a.begin(), place.a.begin() + slow.shape.states * slow.shape.states, slow.a.begin()));
+    CHECK(std::equal(place.b.begin(), place.b.begin() + slow.shape.states * slow.shape.controls,
+                     slow.b.begin()));
+    tr_linear_shape needed;
+    CHECK_EQ(tr_rigid_model(work.get(), &full.shape, full.a.data(), full.a.size(), nullptr, 0, &needed,
+                            place.a.data(), square - 1, nullptr, 0),
+             TR_SHORT_BUFFER);
+    CHECK_EQ(needed.states, slow.shape.states);
+    std::vector<int> kept;
+    const auto in_full = [&full](int state) {
+      return std::find(full.shape.state, full.shape.state + full.shape.states, state) - full.shape.state;
+    };
+    for (int i = 0; i < full.shape.states; ++i) {
+      const int state = full.shape.state[i];
+      const bool of_rotor = state >= TR_ROTOR_RIGHT && state < TR_ROTOR_LEFT + 7;
+      if (!of_rotor && state != TR_DOWNWASH) kept.push_back(state);
+    }
+    CHECK_EQ(static_cast<int>(kept.size()), full.shape.states - 15);
+    CHECK(std::equal(kept.begin(), kept.end(), slow.shape.state, slow.shape.state + slow.shape.states));
+    CHECK_EQ(slow.shape.controls, full.shape.controls);
+    const auto known = roots(slow, work.get());
+    tr_real worst = 0;
+    int count = 0;
+    for (const std::complex<tr_real>& root : roots(full, work.get())) {
+      if (std::abs(root) > tr_real(2.5)) continue;
+      tr_real nearest = 1;
+      for (const std::complex<tr_real>& other : known)
+        nearest = std::min(nearest, std::abs(root - other) / std::max(std::abs(root), tr_real(0.05)));
+      worst = std::max(worst, nearest);
+      ++count;
+    }
+    NOTE("mast " << mast << ": " << count << " slow roots of " << full.shape.states << ", worst off by "
+                 << worst);
+    CHECK(count > 5);
+    CHECK_LT(worst, tr_real(0.07));
+    if (sizeof(tr_real) < sizeof(double)) continue;
+    const std::vector<double> of_full = steady(full), of_slow = steady(slow);
+    double largest = 0;
+    for (const int state : kept)
+      largest = std::max(largest, std::abs(of_full[static_cast<std::size_t>(in_full(state))]));
+    for (std::size_t i = 0; i < kept.size(); ++i)
+      CHECK_NEAR(of_slow[i], of_full[static_cast<std::size_t>(in_full(kept[i]))], 1e-9 * largest);
+  }
+}
+
 TEST(capi_rigid_model_in_place_and_refused) {
   const auto work = new_work();
   const Model full = model_of(trimmed_sim(30, 50), work.get());

@@ -58,10 +58,12 @@ Status balance_fast(const A& a, const B& b, int m, VehicleReductionWorkspace<R>&
   Status status = f > 0 ? lu_factor(work.a_ff, f, work.fast_lu) : Status::ok;
   if (status == Status::ok && f > 0) status = lu_solve(work.fast_lu, work.drive, r + m, work.response);
   for (int i = 0; i < r && status == Status::ok; ++i) {
-    for (int j = 0; j < r + m; ++j)
-      work.slow(i, j) = j < r ? a(work.kept[i], work.kept[j]) : b(work.kept[i], j - r);
+    for (int j = 0; j < r; ++j) work.slow(i, j) = a(work.kept[i], work.kept[j]);
+    for (int j = 0; j < m; ++j) work.slow(i, r + j) = b(work.kept[i], j);
+    for (int j = r + m; j < lane_ceil<R>(r + m); ++j) work.slow.row(i)[j] = R(0);
     for (int k = 0; k < f; ++k)
-      for (int j = 0; j < r + m; ++j) work.slow(i, j) += -a(work.kept[i], work.fast[k]) * work.response(k, j);
+      padded::add_scaled(-a(work.kept[i], work.fast[k]), work.response.row(k), work.slow.row(i), 0,
+                         lane_ceil<R>(r + m));
     for (int j = 0; j < r + m; ++j)
       if (!is_finite(work.slow(i, j))) status = Status::not_finite;
   }
@@ -74,9 +76,10 @@ Status delay_fast(const A& a, int m, VehicleReductionWorkspace<R>& work) {
   const int r = work.kept_count, f = work.fast_count;
   Status status = lu_solve(work.fast_lu, work.response, r, work.lag);
   for (int i = 0; i < r && status == Status::ok; ++i) {
-    for (int j = 0; j < r; ++j) work.inertia(i, j) = R(i == j ? 1 : 0);
+    for (int j = 0; j < lane_ceil<R>(r); ++j) work.inertia.row(i)[j] = R(i == j ? 1 : 0);
     for (int k = 0; k < f; ++k)
-      for (int j = 0; j < r; ++j) work.inertia(i, j) += a(work.kept[i], work.fast[k]) * work.lag(k, j);
+      padded::add_scaled(a(work.kept[i], work.fast[k]), work.lag.row(k), work.inertia.row(i), 0,
+                         lane_ceil<R>(r));
   }
   if (status == Status::ok) status = lu_factor(work.inertia, r, work.inertia_lu);
   if (status == Status::ok) status = lu_solve(work.inertia_lu, work.slow, r + m, work.solved);
@@ -87,12 +90,13 @@ Status delay_fast(const A& a, int m, VehicleReductionWorkspace<R>& work) {
 
 }  // namespace vehicle_reduction_detail
 
-// The slow states of a model with systems in the place of all, in their order; `a` and `b` with the rows and columns of
-// `shape`, 1/s times units of states and inputs. Without systems the bits of rigid_model().
+// The model of the slow states in their order, work.slow = [A B], from one with systems: a(i, j) and b(i, j) with the rows
+// and columns of `shape`, 1/s times units of states and inputs. Without systems the bits of rigid_model().
 // Status: ok; singular (the fast states or the slow ones have no balance), not_finite, bad_argument (more states than a
-// vehicle has of a kind, or inputs): then `shape` is empty. Cost: about n^3 multiplications.
+// vehicle has of a kind, or inputs). Cost: about n^3 multiplications.
 template <class R, class A, class B>
-Status reduce_vehicle(Reduction order, VehicleShape& shape, A& a, B& b, VehicleReductionWorkspace<R>& work) {
+Status find_slow_model(Reduction order, const VehicleShape& shape, const A& a, const B& b,
+                       VehicleReductionWorkspace<R>& work) {
   namespace d = vehicle_reduction_detail;
   const int m = shape.inputs;
   const bool fits =
@@ -103,6 +107,13 @@ Status reduce_vehicle(Reduction order, VehicleShape& shape, A& a, B& b, VehicleR
   Status status = usable ? d::balance_fast(a, b, m, work) : Status::bad_argument;
   if (status == Status::ok && order == Reduction::first_order && work.fast_count > 0)
     status = d::delay_fast(a, m, work);
+  return status;
+}
+
+// The same in the place of all; where it fails `shape` is empty.
+template <class R, class A, class B>
+Status reduce_vehicle(Reduction order, VehicleShape& shape, A& a, B& b, VehicleReductionWorkspace<R>& work) {
+  const Status status = find_slow_model(order, shape, a, b, work);
   if (status != Status::ok) {
     shape.states = shape.inputs = 0;
     return status;
@@ -110,7 +121,7 @@ Status reduce_vehicle(Reduction order, VehicleShape& shape, A& a, B& b, VehicleR
   keep_slow_states(shape);
   for (int i = 0; i < work.kept_count; ++i) {
     for (int j = 0; j < work.kept_count; ++j) a(i, j) = work.slow(i, j);
-    for (int j = 0; j < m; ++j) b(i, j) = work.slow(i, work.kept_count + j);
+    for (int j = 0; j < shape.inputs; ++j) b(i, j) = work.slow(i, work.kept_count + j);
   }
   return Status::ok;
 }
