@@ -104,7 +104,8 @@ tr_status tr_get_systems(const tr_sim* sim, tr_systems* systems);
  * governor some five times as many. tr_linearize covers their states, takes 2 Jacobians where masts, rotor speed, air or
  * ground move (3 with TR_ALL_INPUTS), and holds the turbulence, whose scale follows the height.
  * tr_trim takes up to 6 of its trims where gear or ground count. tr_directional
- * takes a Jacobian, tr_linearize_outputs as much and one derivative for every 7 of its columns; with an ideal governor
+ * takes a Jacobian and a quarter, tr_linearize_outputs as much and for every 15 of its columns one and a half derivatives (without vectors for
+ * every 7 one); with an ideal governor
  * these three take some 10 derivatives more. The last two know every state of
  * tr_state then, fuel, position and attitude that is held included, and hold the turbulence alone. Where an
  * ideal governor finds no collective all of these are TR_NOT_CONVERGED. Modes of systems are named after the state that

@@ -22,11 +22,16 @@ inline constexpr int kRigidOrder[] = {kStateIndex.velocity.x, kStateIndex.veloci
                                       kStateIndex.pitch,      kStateIndex.velocity.y, kStateIndex.rates.x,
                                       kStateIndex.roll,       kStateIndex.rates.z};
 inline constexpr int kRigidStates = sizeof(kRigidOrder) / sizeof(kRigidOrder[0]);
-constexpr bool is_rigid(int state) {
-  for (const int rigid : kRigidOrder)
-    if (rigid == state) return true;
-  return false;
+struct RigidPlaces {
+  bool holds[state_count];
+};
+constexpr RigidPlaces rigid_places() {
+  RigidPlaces places{};
+  for (const int rigid : kRigidOrder) places.holds[rigid] = true;
+  return places;
 }
+inline constexpr RigidPlaces kRigidPlaces = rigid_places();
+constexpr bool is_rigid(int state) { return state < state_count && kRigidPlaces.holds[state]; }
 
 // Columns of B: places in kControlVariables.
 struct ControlSet {

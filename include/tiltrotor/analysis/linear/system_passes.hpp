@@ -58,7 +58,7 @@ bool differentiate_systems(const Vehicle<R>& v, const Configuration<R>& c,
   static_cast<FixedSetup<R>&>(work.configuration) = c;
   work.configuration.setup.options = c.setup.options;
   work.configuration.around = c.around;
-  T poison = T(R(0));  // x * 0 is 0 for every finite x and NaN otherwise
+  T sum = T(R(0));  // finite where all of them are, short of the largest numbers
   work.expanded.searches = v.on.governor == Governor::ideal;
   const int all = shape.states + shape.inputs;
   for (int first = 0; first < all; first += kVehicleDirections) {
@@ -78,15 +78,19 @@ bool differentiate_systems(const Vehicle<R>& v, const Configuration<R>& c,
       const T& rate = *found[shape.state[i]];
       R slope[kVehicleDirections];
       rate.d.copy_to(slope);
-      poison += rate * R(0);
+      sum += rate;
+      if (states == kVehicleDirections) {
+        put_a(i, first, kVehicleDirections, static_cast<const R*>(slope));
+        continue;
+      }
       if (states > 0) put_a(i, first, states, static_cast<const R*>(slope));
       if (inputs > 0) put_b(i, first + states - shape.states, inputs, static_cast<const R*>(slope + states));
     }
   }
   R slopes[kVehicleDirections];
-  poison.d.copy_to(slopes);
-  for (const R& slope : slopes) poison.v += slope;
-  return poison.v == R(0);
+  sum.d.copy_to(slopes);
+  for (const R& slope : slopes) sum.v += slope;
+  return sum.v * R(0) == R(0);  // of every finite number
 }
 
 }  // namespace vehicle_linearization

@@ -12,7 +12,7 @@
 namespace tiltrotor {
 
 // Of one pass; the last direction of its dual numbers is that of an ideal governor's collective.
-inline constexpr int kVehicleSlopes = 7;
+inline constexpr int kVehicleSlopes = kVehicleDirections - 1;
 
 template <class R>
 struct VehicleDirectionWorkspace {
@@ -98,6 +98,7 @@ void evaluate_seeded(const Vehicle<R>& v, const Configuration<R>& c, const Confi
   out_of_line([&] {
     read_vehicle(v, work.configuration, work.x, work.steps, work.answer.rates, work.rates, work.readings);
   });
+  if (!work.ideal) return;
   const T excess = (work.answer.torque[right] + work.answer.torque[left]) * work.demand.setting.rotor_speed -
                    aircraft.controls.transmission_efficiency * work.flows.power;
   for (int k = 0; k < kVehicleSlopes; ++k) work.follows[k] = -excess.d.get(k) / excess.d.get(kVehicleSlopes);
@@ -141,7 +142,8 @@ Status vehicle_direction(const Vehicle<R>& v, Configuration<R>& c, const State<R
 
 // put_c(i, j, dy_i/dx_j) and put_d(i, j, dy_i/du_j), columns as `shape` says, of `rows` outputs that read(y) takes from
 // what `work` holds of an evaluation: its configuration, x, steps, answer and readings. y: `rows` numbers of the caller.
-// Arguments and status as vehicle_direction(). Cost: some 3 derivatives, and one more for every 7 columns.
+// Arguments and status as vehicle_direction(). Cost: some 3 derivatives, and for every 15 columns one and a
+// half, without vectors for every 7 one.
 template <class R, class Read, class PutC, class PutD>
 Status linearize_vehicle_rows(const Vehicle<R>& v, Configuration<R>& c, const State<R>& x,
                               const SystemState<R>& s, const Controls<R>& u, const VehicleShape& shape,

@@ -150,7 +150,7 @@ struct Partials {
   // The first `count`; the others are zero.
   void copy_from(const R* from, int count) {
     for (int g = 0; g < kGroups; ++g) group[g] = Lane{};
-    std::memcpy(group, from, static_cast<std::size_t>(count) * sizeof(R));
+    if (count > 0) std::memcpy(group, from, static_cast<std::size_t>(count) * sizeof(R));
   }
 
   // s a
