@@ -5,22 +5,11 @@
 // (model/rotor/blade_group.hpp). With that the peers would differentiate next to nothing themselves.
 #pragma once
 
-#include "tiltrotor/model/rotor/blade_group.hpp"
+#include "tiltrotor/model/rotor/single_blades.hpp"
 
 namespace bench {
 
 template <class T>
-class SingleBlades {
- public:
-  static constexpr int kBlades = 1;
-  void set_input(const tiltrotor::RotorInput<T>&, const tiltrotor::FeltInflow<T>&) {}
-  using Air = tiltrotor::ElementAir<double, double>;
-  void compute_blades(const tiltrotor::Configuration<double>&, const Air&, double,
-                      const tiltrotor::AzimuthStations<double>&, int) {}
-  tiltrotor::BladeLoads<T> loads(const tiltrotor::Configuration<double>& c, const Air& air, int,
-                                 const tiltrotor::BladeFlow<T>& flow) const {
-    return tiltrotor::blade_loads(c, air, flow);
-  }
-};
+using SingleBlades = tiltrotor::SingleBlades<T, tiltrotor::PlainBladeLoads>;
 
 }  // namespace bench

@@ -24,7 +24,7 @@ using Seeded = LinearizationWorkspace<tr_real>::Seeded;
                                   const Controls<tr_real>&, AskedRotors, tr_real, DerivativeSteps<tr_real>&, \
                                   State<tr_real>&);                                                          \
   PREFIX template void model_rates(const Configuration<tr_real>&, tr_real,                                   \
-                                   ModelWorkspace<c_interface::Seeded>&);                                    \
+                                   ModelWorkspace<c_interface::Seeded>&, const RotorDirections*);            \
   TILTROTOR_COMMON_INSTANCES(PREFIX, tr_real)
 
 // In c_trim.cpp.

@@ -61,6 +61,21 @@ FeltInflow<T> felt_inflow(const Configuration<Real<T>>& c, const RotorInput<T>& 
   return felt_inflow(c, rotor_conditions(c, right), in);
 }
 
+// Of the blade at one azimuth of the right rotor.
+template <class T>
+BladeView<T> blade_view(const Configuration<Real<T>>& c, const RotorInput<T>& in, Real<T> cosine,
+                        Real<T> sine) {
+  BladeHarmonics<T> hub;
+  blade_harmonics(rotor_conditions(c, right).speed, c.pitch_flap, in, felt_inflow(c, in), hub);
+  return blade_view(hub, cosine, sine);
+}
+template <class T>
+BladeFlow<T> blade_flow(const Configuration<Real<T>>& c, const RotorInput<T>& in, Real<T> cosine,
+                        Real<T> sine) {
+  const BladeView<T> view = blade_view(c, in, cosine, sine);
+  return blade_flow(view, sine_and_cosine(view.flap));
+}
+
 template <class T>
 WingInWake<T> wing_in_wake(const Configuration<Real<T>>& c, const AirframeInput<T>& in,
                            const FreeStream<T>& stream, int side) {

@@ -230,9 +230,7 @@ TEST_OF_XV15(flapping_steady_tilt_in_hover) {
 TEST(flapping_pitch_coupling) {
   const Configuration<double> c = configuration(0);
   RotorInput<double> in = hover_input(c);
-  const auto pitch = [&](double cosine, double sine) {
-    return blade_flow(c.setup.rotor_speed, c.pitch_flap, in, {0.0, 0.0}, 0.0, 1.0, cosine, sine).pitch;
-  };
+  const auto pitch = [&](double cosine, double sine) { return blade_view(c, in, cosine, sine).pitch; };
   const double flat = pitch(1, 0);
   in.state.b1c = 0.1;
   CHECK_NEAR(pitch(1, 0) - flat, 0.0268, 1e-4);

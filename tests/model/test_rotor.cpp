@@ -100,9 +100,7 @@ TEST(rotor_section_velocities_from_positions) {
              radius / kRadius * (x.lambda_c * std::cos(azimuth) + x.lambda_s * std::sin(azimuth)));
         const V relative = velocity + wash * axes.up;  // the air goes down the shaft
         const Blade blade = blade_axes(axes, azimuth, flap_at(0));
-        const BladeFlow<double> flow =
-            blade_flow(c.setup.rotor_speed, c.pitch_flap, in, felt_inflow(c, in), std::sin(flap_at(0)),
-                       std::cos(flap_at(0)), std::cos(azimuth), std::sin(azimuth));
+        const BladeFlow<double> flow = blade_flow(c, in, std::cos(azimuth), std::sin(azimuth));
         CHECK_NEAR(flow.tangential_0 + radius * flow.tangential_r, dot(relative, blade.forward), 2e-6);
         CHECK_NEAR(flow.normal_0 + radius * flow.normal_r + shape * flow.shaped, dot(relative, blade.normal),
                    2e-6);
@@ -131,9 +129,7 @@ TEST(rotor_hub_loads_by_hand_in_body_axes) {
         const double gimbal = x.b1c * std::cos(psi) + x.b1s * std::sin(psi);
         const double flap = c.coning + gimbal;
         const Blade blade = blade_axes(axes, psi, flap);
-        const BladeFlow<double> flow =
-            blade_flow(c.setup.rotor_speed, c.pitch_flap, in, felt_inflow(c, in), std::sin(flap),
-                       std::cos(flap), std::cos(psi), std::sin(psi));
+        const BladeFlow<double> flow = blade_flow(c, in, std::cos(psi), std::sin(psi));
         const double pitch = in.collective - in.lateral_cyclic * std::cos(psi) -
                              in.long_cyclic * std::sin(psi) +
                              std::tan(std::fabs(aircraft().rotor.delta3)) * gimbal;

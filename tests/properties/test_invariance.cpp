@@ -224,7 +224,6 @@ TEST(property_rotor_power_balance) {
     const RotorLoads<double> loads = rotor_loads(c, in, c.azimuth);
     const RotorState<double>& x = in.state;
     const double omega = c.setup.rotor_speed;
-    const FeltInflow<double> inflow = felt_inflow(c, in);
 
     double profile = 0;
     double harmonics = 0;
@@ -234,8 +233,7 @@ TEST(property_rotor_power_balance) {
       const double cosine = c.azimuth.cosine[j];
       const double sine = c.azimuth.sine[j];
       const double flap = in.coning.angle + x.b1c * cosine + x.b1s * sine;
-      const BladeFlow<double> flow = blade_flow(c.setup.rotor_speed, c.pitch_flap, in, inflow, std::sin(flap),
-                                                std::cos(flap), cosine, sine);
+      const BladeFlow<double> flow = blade_flow(c, in, cosine, sine);
       const BladeLoads<double> blade = blade_loads(c, element_air(rotor_conditions(c, right)), flow);
       harmonics += c.azimuth.weight * std::cos(flap) * omega * (x.lambda_c * cosine + x.lambda_s * sine) *
                    blade.normal_moment;

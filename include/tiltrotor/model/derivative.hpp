@@ -96,9 +96,9 @@ void derivative(const Configuration<C>& c, const State<T>& x, const Controls<T>&
 }
 template <class T, class C>
 void derivative(const Configuration<C>& c, const State<T>& x, const Controls<T>& u, DerivativeSteps<T>& steps,
-                State<T>& rates, Real<T> azimuth = Real<T>(0)) {
+                State<T>& rates, Real<T> azimuth = Real<T>(0), const RotorDirections* own = nullptr) {
   if constexpr (kIsPlain<C> && OuterPartials<T>::count > 0) {
-    derivative(c, x, u, KnownRotors<Real<T>>{nullptr}, azimuth, steps, rates);
+    derivative(c, x, u, KnownRotors<Real<T>>{nullptr, own}, azimuth, steps, rates);
   } else {
     derivative(c, x, u, AskedRotors{}, azimuth, steps, rates);
   }

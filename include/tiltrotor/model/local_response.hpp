@@ -20,19 +20,24 @@ inline constexpr bool kScalarsFit = kIsPlain<C> ||
                                     (std::is_same_v<C, T> && std::is_same_v<LocalDual<RotorInput, T>, T> &&
                                      std::is_same_v<LocalDual<AirframeInput, T>, T>);
 
-// `azimuth`: of the first blade, rad; used in the individual-blade mode alone.
+// `azimuth`: of the first blade, rad; used in the individual-blade mode alone. `own`: which directions are the rotors' own
+// states, if that is known.
 template <class T, class C>
 void local_rotor_response(const Configuration<C>& c, const RotorInput<T>& in, int side, Real<T> azimuth,
-                          LocalRotor<T>& work, RotorResponse<T>& out) {
+                          LocalRotor<T>& work, RotorResponse<T>& out, const RotorDirections* own = nullptr) {
   static_assert(kScalarsFit<T, C>,
                 "a configuration with partials has the scalar of the state, of at most 16 directions");
   const bool averaged = c.setup.options.azimuth == AzimuthMode::averaged;
   if (!averaged) individual_azimuth(c.aircraft->rotor.blades, azimuth, work.inner.stations);
   const AzimuthStations<Real<T>>& stations = averaged ? c.azimuth : work.inner.stations;
   const RotorConditions<C> conditions = rotor_conditions(c, side);
-  preaccumulate(in, work.chain, out, [&](const auto& local, auto& found) {
-    rotor_response(c, conditions, local, stations, work.inner, found);
-  });
+  preaccumulate(
+      in, work.chain, out,
+      [&](const auto& local, auto& found) {
+        rotor_response(c, conditions, local, stations, work.inner, found,
+                       !std::is_same_v<LocalDual<RotorInput, T>, T>);
+      },
+      own == nullptr ? nullptr : &own->rotor[side]);
 }
 
 // In symmetric flight the left rotor sees, in its mirrored frame, what the right one saw, number by number, and answers
@@ -40,7 +45,7 @@ void local_rotor_response(const Configuration<C>& c, const RotorInput<T>& in, in
 template <class T, class C>
 void local_rotor_response(const Configuration<C>& c, const RotorInput<T>& in, int side, Real<T> azimuth,
                           LocalRotor<T>& work, Real<T> (&seen)[RotorInput<T>::kCount],
-                          RotorResponse<T> (&out)[2]) {
+                          RotorResponse<T> (&out)[2], const RotorDirections* own = nullptr) {
   constexpr bool kPlain = kIsPlain<T>;
   constexpr bool kLocal = !std::is_same_v<LocalDual<RotorInput, T>, T>;
   if constexpr (kIsPlain<C> && (kPlain || kLocal)) {
@@ -55,12 +60,12 @@ void local_rotor_response(const Configuration<C>& c, const RotorInput<T>& in, in
       if constexpr (kPlain) {
         out[left] = out[right];
       } else {
-        preaccumulate_again(in, work.chain, out[left]);
+        preaccumulate_again(in, work.chain, out[left], own == nullptr ? nullptr : &own->rotor[left]);
       }
       return;
     }
   }
-  local_rotor_response(c, in, side, azimuth, work, out[side]);
+  local_rotor_response(c, in, side, azimuth, work, out[side], own);
 }
 template <class T, class C, class Record>
 void local_airframe_response(const Configuration<C>& c, const AirframeInput<T>& in, LocalAirframe<T>& work,

@@ -42,16 +42,18 @@ void expand_rotors(const Configuration<R>& c, const State<R>& x, const Controls<
     conditions.ground_wash = at.ground_wash;
     conditions.density = at.density;
     conditions.speed_of_sound = at.speed_of_sound;
-    rotor_response(c, conditions, at.in, stations, work.inner, out.rotor[side]);
+    rotor_response(c, conditions, at.in, stations, work.inner, out.rotor[side], true);
   }
 }
 
-// What finds the rotors' answers in an evaluation: their blades,
+// What finds the rotors' answers in an evaluation, knowing or not which directions are their own states: their blades,
 struct AskedRotors {
+  const RotorDirections* own = nullptr;
+
   template <class T, class C>
   void operator()(const Configuration<C>& c, int side, Real<T> azimuth, DerivativeSteps<T>& steps) const {
     local_rotor_response(c, steps.rotor_input, side, azimuth, steps.local.first, steps.seen_by_rotor,
-                         steps.rotor);
+                         steps.rotor, own);
   }
 };
 
@@ -59,6 +61,7 @@ struct AskedRotors {
 template <class R>
 struct ExpandedRotors {
   const RotorExpansion<R>& about;
+  const RotorDirections* own = nullptr;
 
   // Through the first `N` numbers of PlacedRotorInput; the others are held.
   template <int N, class T>
@@ -71,7 +74,7 @@ struct ExpandedRotors {
       R slope[PlacedRotorInput<T>::kCount], along[N];
       known[i]->d.copy_to(slope);
       for (int k = 0; k < N; ++k) along[k] = slope[k];
-      x = chain(known[i++]->v, along, seen);
+      x = chain(known[i++]->v, along, seen, own == nullptr ? nullptr : &own->rotor[side]);
     });
   }
   template <class T>
@@ -94,16 +97,17 @@ struct ExpandedRotors {
 template <class R>
 struct KnownRotors {
   const RotorExpansion<R>* about;
+  const RotorDirections* own = nullptr;
 
   template <class T>
   void operator()(const Configuration<R>& c, int side, R azimuth, DerivativeSteps<T>& steps) const {
     if constexpr (!std::is_same_v<LocalDual<RotorInput, T>, T>) {
       if (about != nullptr) {
-        ExpandedRotors<R>{*about}(c, side, azimuth, steps);
+        ExpandedRotors<R>{*about, own}(c, side, azimuth, steps);
         return;
       }
     }
-    AskedRotors{}(c, side, azimuth, steps);
+    AskedRotors{own}(c, side, azimuth, steps);
   }
 };
 

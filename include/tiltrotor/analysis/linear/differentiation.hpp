@@ -195,12 +195,33 @@ struct ModelWorkspace<T, false> {
   T (&u())[control_count] { return given; }
 };
 
-// x, u -> xdot, all in `work`: work.x becomes xdot, work.u() is lost.
+// Which directions are the rotors' own states, where one pass takes all inputs. `state_of(j)`: the state that input j is,
+// -1 for none.
+class OwnStates {
+ public:
+  template <class StateOf>
+  OwnStates(int inputs, StateOf&& state_of) : known_(inputs <= kModelDirections) {
+    int direction[state_count];
+    for (int& d : direction) d = -1;
+    for (int j = 0; j < inputs; ++j)
+      if (state_of(j) >= 0) direction[state_of(j)] = j;
+    own_ = rotor_directions(direction);
+  }
+  const RotorDirections* get() const { return known_ ? &own_ : nullptr; }
+
+ private:
+  bool known_;
+  RotorDirections own_;
+};
+
+// x, u -> xdot, all in `work`: work.x becomes xdot, work.u() is lost. `own`: which directions are the rotors' own states, if
+// that is known.
 template <class T>
-void model_rates(const Configuration<Real<T>>& c, Real<T> azimuth, ModelWorkspace<T>& work) {
+void model_rates(const Configuration<Real<T>>& c, Real<T> azimuth, ModelWorkspace<T>& work,
+                 const RotorDirections* own = nullptr) {
   unflatten(work.x, work.state);
   unflatten(work.u(), work.controls);
-  derivative(c, work.state, work.controls, work.derivative, work.rates, azimuth);
+  derivative(c, work.state, work.controls, work.derivative, work.rates, azimuth, own);
   flatten(work.rates, work.x);
 }
 

@@ -164,6 +164,12 @@ void place_point(const T* input, const LinearPoint<R>& point, LinearizationWorks
   for (int j = 0; j < point.controls; ++j) at.u()[point.control[j]] = input[point.states + j];
 }
 
+template <class R>
+OwnStates own_states(const LinearPoint<R>& point) {
+  return OwnStates(point.states + point.controls,
+                   [&point](int j) { return j < point.states ? point.state[j] : -1; });
+}
+
 // A and B at (x, u). The arguments are not changed; the model keeps no memory.
 // Status: ok; not_finite (a number in the state, the controls, A or B is not finite: A, B and xdot are then
 // what was found); bad_argument (`columns` names a control twice over the capacity or out of range, or c is
@@ -178,9 +184,10 @@ Status linearize(const Configuration<R>& c, const State<R>& x, const Controls<R>
   if (possible != Status::ok) return possible;
   const int n = model.states;
   const int m = model.controls;
+  const OwnStates own = own_states(model);
   const auto rates_of = [&](const auto* input, auto* rates) {
     place_point(input, model, work);
-    model_rates(c, azimuth, work.evaluation);
+    model_rates(c, azimuth, work.evaluation, own.get());
     for (int i = 0; i < state_count; ++i) rates[i] = work.evaluation.x[i];
   };
   int row[state_count];

@@ -190,7 +190,7 @@ TILTROTOR_NOINLINE void relieve_weight(const T& roll, const T& pitch, const T& p
   work.x[kStateIndex.velocity.z] -= level * cos(roll);
 }
 
-// Residuals of the unknowns z, on plain numbers or duals. Inputs that are no unknowns are 0, but for a given
+// Residuals of the unknowns z, on plain numbers or duals, whose directions are these unknowns. Inputs that are no unknowns are 0, but for a given
 // collective.
 template <class T>
 void trim_residuals(const Configuration<Real<T>>& c, const SteadyFlight<Real<T>>& flight,
@@ -212,7 +212,8 @@ void trim_residuals(const Configuration<Real<T>>& c, const SteadyFlight<Real<T>>
     }
   }
   set_steady_motion(flight, work);
-  model_rates(c, R(0), work);
+  const OwnStates own(equations.count, [&equations](int j) { return equations.row[j].state; });
+  model_rates(c, R(0), work, own.get());
   if (equations.relieved) relieve_weight(z[kRollRow], z[kPitchRow], R(1) - carried, work);
   for (int j = 0; j < equations.count; ++j) {
     residual[j] = work.x[equations.row[j].rate] * equations.row[j].rate_scale;

@@ -29,6 +29,12 @@ template <class S, class T>
 void list_places(S& s, T** place) {
   S::each(s, [&place](auto& x) { *place++ = &x; });
 }
+// Numbers that stand apart, as if in a row.
+template <class T, int N>
+struct Listed {
+  const T* at[N];
+  const T& operator[](int i) const { return *at[i]; }
+};
 
 template <class T>
 struct OuterPartials {
@@ -42,9 +48,9 @@ struct OuterPartials<Dual<R, M>> {
 // Groups of lanes that are summed at a time: few enough for registers, enough to hide the delay of additions.
 inline constexpr int kGroupsAtOnce = 4;
 
-template <int kGroups, class Count, class R, int M>
+template <int kGroups, class Count, class R, int M, class Inputs>
 TILTROTOR_INLINE void add_chained_groups(Partials<R, M>& d, int first, Count count, const R* slope,
-                                         const Dual<R, M>* input) {
+                                         Inputs input) {
   typename Partials<R, M>::Lane sum[kGroups];
   for (int g = 0; g < kGroups; ++g) sum[g] = d.group[first + g];
   for (int j = 0; j < count; ++j)
@@ -52,9 +58,9 @@ TILTROTOR_INLINE void add_chained_groups(Partials<R, M>& d, int first, Count cou
   for (int g = 0; g < kGroups; ++g) d.group[first + g] = sum[g];
 }
 // d[outer] += sum over `count` inputs, an int or an integral_constant, of slope[j] = (d out / d input j) times
-// (d input j / d outer)
-template <class Count, class R, int M>
-TILTROTOR_INLINE void add_chained(Partials<R, M>& d, Count count, const R* slope, const Dual<R, M>* input) {
+// (d input j / d outer). `input`: in a row, or Listed.
+template <class Count, class R, int M, class Inputs>
+TILTROTOR_INLINE void add_chained(Partials<R, M>& d, Count count, const R* slope, Inputs input) {
   constexpr int kGroups = Partials<R, M>::kGroups;
   constexpr int kRest = kGroups % kGroupsAtOnce;
   for (int first = 0; first < kGroups - kRest; first += kGroupsAtOnce)
@@ -75,14 +81,45 @@ Dual<R, M> chain(const Dual<R, N>& local, const Dual<R, M>* input) {
   return chain(local.v, slope, input);
 }
 
-// Struct of local duals -> the same struct of outer duals.
-template <class T, template <class> class Out, class R, int N>
-void chain_all(const Out<Dual<R, N>>& local, const T (&input)[N], Out<T>& out) {
+// Inputs that are outer variables themselves, from number `First` on: the direction of each, or -1 for a constant. Their
+// share of a chain is one number each.
+template <int First, int Count>
+struct OwnDirections {
+  int of[Count];
+};
+// `own`: nullptr where they are not.
+template <int First, int Count, class R, int N, int M>
+Dual<R, M> chain(R local, const R (&slope)[N], const Dual<R, M>* input,
+                 const OwnDirections<First, Count>* own) {
+  constexpr int kEnd = First + Count;
+  Dual<R, M> r(local, scaled(slope[0], input[0].d));
+  add_chained(r.d, std::integral_constant<int, First - 1>{}, slope + 1, input + 1);
+  add_chained(r.d, std::integral_constant<int, N - kEnd>{}, slope + kEnd, input + kEnd);
+  if (own == nullptr) {
+    add_chained(r.d, std::integral_constant<int, Count>{}, slope + First, input + First);
+  } else {
+    for (int j = 0; j < Count; ++j) {
+      const int direction = own->of[j];
+      if (direction >= 0) r.d.set(direction, r.d.get(direction) + slope[First + j]);
+    }
+  }
+  return r;
+}
+template <int First, int Count, class R, int N, int M>
+Dual<R, M> chain(const Dual<R, N>& local, const Dual<R, M>* input, const OwnDirections<First, Count>* own) {
+  R slope[N];
+  local.d.copy_to(slope);
+  return chain(local.v, slope, input, own);
+}
+
+// Struct of local duals -> the same struct of outer duals. `own`: OwnDirections, if any.
+template <class T, template <class> class Out, class R, int N, class... Own>
+void chain_all(const Out<Dual<R, N>>& local, const T (&input)[N], Out<T>& out, const Own*... own) {
   const Dual<R, N>* flat[Out<T>::kCount];
   int i = 0;
   Out<T>::each(local, [&](const auto& x) { flat[i++] = &x; });
   i = 0;
-  Out<T>::each(out, [&](auto& x) { x = chain(*flat[i++], input); });
+  Out<T>::each(out, [&](auto& x) { x = chain(*flat[i++], input, own...); });
 }
 
 // Partials in groups of eight, not in the lanes of this machine: every machine then takes the same way and
@@ -107,9 +144,9 @@ template <template <class> class In, template <class> class Out, class T>
 struct PreaccumulationWorkspace<In, Out, T, T> {};
 
 // out = function(in), called as function(in, out) on whichever scalar is best.
-template <template <class> class In, template <class> class Out, class T, class Function>
+template <template <class> class In, template <class> class Out, class T, class Function, class... Own>
 TILTROTOR_NOINLINE void preaccumulate(const In<T>& in, PreaccumulationWorkspace<In, Out, T>& work,
-                                      Out<T>& out, Function&& function) {
+                                      Out<T>& out, Function&& function, const Own*... own) {
   using Local = LocalDual<In, T>;
   if constexpr (std::is_same_v<Local, T>) {
     function(in, out);
@@ -121,16 +158,16 @@ TILTROTOR_NOINLINE void preaccumulate(const In<T>& in, PreaccumulationWorkspace<
       ++direction;
     });
     function(work.in, work.out);
-    chain_all(work.out, work.input, out);
+    chain_all(work.out, work.input, out, own...);
   }
 }
 
 // out at an input of the values of the last one, from what the function found there.
-template <template <class> class In, template <class> class Out, class T>
+template <template <class> class In, template <class> class Out, class T, class... Own>
 TILTROTOR_NOINLINE void preaccumulate_again(const In<T>& in, PreaccumulationWorkspace<In, Out, T>& work,
-                                            Out<T>& out) {
+                                            Out<T>& out, const Own*... own) {
   flatten(in, work.input);
-  chain_all(work.out, work.input, out);
+  chain_all(work.out, work.input, out, own...);
 }
 
 }  // namespace tiltrotor

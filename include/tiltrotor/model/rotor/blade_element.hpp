@@ -137,16 +137,20 @@ BladeLoads<T> blade_loads(const Configuration<C>& c, const Air& air, const Blade
   return sum;
 }
 
-// Loads of one blade with their slopes along the six numbers of its flow, and where the air carries partials along the
-// inverse speed of sound.
+// Directions of a blade's loads: the numbers of its flow, and its flap angle, which turns them.
+template <class V>
+using BladeDual = Dual<V, BladeFlow<V>::kCount + 1>;
+inline constexpr int kAlongFlap = BladeFlow<double>::kCount;
+
+// Loads of one blade with their slopes, and where the air carries partials those along the inverse speed of sound.
 template <class V>
 struct BladeSlopes {
-  BladeLoads<Dual<V, BladeFlow<V>::kCount>> along_flow;
+  BladeLoads<BladeDual<V>> along_flow;
   BladeLoads<V> along_inverse_sound;  // not set for plain air
 };
 
 // U_T and U_P are linear in the radius and in its inflow shape, so the slopes of the sums are moments of the
-// slopes of the elements, which have three, or four.
+// slopes of the elements, which have three, or four. None along the flap angle.
 template <class V, class C, class S>
 void blade_loads_and_slopes(const Configuration<C>& c, const ElementAir<S, S>& around,
                             const BladeFlow<V>& flow, BladeSlopes<V>& out) {
@@ -185,7 +189,7 @@ void blade_loads_and_slopes(const Configuration<C>& c, const ElementAir<S, S>& a
         }
       });
   const auto with_slopes = [](const D* moment, const V& shaped) {
-    Dual<V, BladeFlow<V>::kCount> r(moment[0].v);
+    BladeDual<V> r(moment[0].v);
     const V slopes[] = {
         moment[0].d.get(0), moment[1].d.get(0), moment[0].d.get(1), moment[1].d.get(1), shaped,
         moment[0].d.get(2)};

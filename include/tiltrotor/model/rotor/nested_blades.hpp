@@ -8,23 +8,19 @@
 
 namespace tiltrotor {
 
-template <class R, int N>
-class BladeGroup<Nested<Dual<R, N>>> {
-  using T = Nested<Dual<R, N>>;
-  static constexpr int kFlow = BladeFlow<T>::kCount;
-  using Local = Nested<Dual<R, kFlow>>;
-
+struct NestedBladeLoads {
   // Value and slope along the direction; no partials.
-  static Local moving(const T& x) { return {x.v.v, x.along.v}; }
+  template <class R, int N>
+  static auto moving(const Nested<Dual<R, N>>& x) {
+    return Nested<Dual<R, BladeFlow<R>::kCount>>(x.v.v, x.along.v);
+  }
 
- public:
-  static constexpr int kBlades = 1;
-  void set_input(const RotorInput<T>&, const FeltInflow<T>&) {}
-  template <class C, class Air>
-  void compute_blades(const Configuration<C>&, const Air&, R, const AzimuthStations<R>&, int) {}
-
-  template <class C, class Air>
-  BladeLoads<T> loads(const Configuration<C>& c, const Air& outside, int, const BladeFlow<T>& flow) const {
+  template <class R, int N, class C, class Air>
+  BladeLoads<Nested<Dual<R, N>>> operator()(const Configuration<C>& c, const Air& outside,
+                                            const BladeFlow<Nested<Dual<R, N>>>& flow) const {
+    using T = Nested<Dual<R, N>>;
+    constexpr int kFlow = BladeFlow<T>::kCount;
+    using Local = Nested<Dual<R, kFlow>>;
     T seen[kFlow];
     flatten(flow, seen);
     Local inside[kFlow];
@@ -35,18 +31,13 @@ class BladeGroup<Nested<Dual<R, N>>> {
     BladeFlow<Local> local;
     unflatten(inside, local);
     const ElementAir<Local, Local> air = {moving(outside.density), moving(outside.inverse_sound)};
-    BladeLoads<Local> sum = {Local(R(0)), Local(R(0)), Local(R(0)), Local(R(0))};
-    each_element<Local>(
-        c, air, [&local](const BladeStation<R>& station) { return element_flow(local, station); },
-        [&sum](const BladeStation<R>& station, const ElementLoads<Local>& element) {
-          sum.normal += element.normal;
-          sum.tangential += element.tangential;
-          sum.normal_moment += station.radius * element.normal;
-          sum.tangential_moment += station.radius * element.tangential;
-        });
+    const BladeLoads<Local> sum = blade_loads(c, air, local);
     return {chain(sum.normal, seen), chain(sum.tangential, seen), chain(sum.normal_moment, seen),
             chain(sum.tangential_moment, seen)};
   }
 };
+
+template <class R, int N>
+class BladeGroup<Nested<Dual<R, N>>> : public SingleBlades<Nested<Dual<R, N>>, NestedBladeLoads> {};
 
 }  // namespace tiltrotor

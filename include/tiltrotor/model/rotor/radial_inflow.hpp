@@ -12,6 +12,7 @@
 #include <limits>
 
 #include "tiltrotor/math/bracketed_root.hpp"
+#include "tiltrotor/model/rotor/blade_element.hpp"
 #include "tiltrotor/model/rotor/rotor_input.hpp"
 
 namespace tiltrotor {

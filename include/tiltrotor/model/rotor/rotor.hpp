@@ -87,13 +87,14 @@ void quasi_static_rotor(const Configuration<C>& c, const RotorConditions<S>& tur
 // The complete rotor. `azimuth` holds the stations to sum over: the configuration's averaged set, or the
 // blades. `turn`: rotor_conditions() of its side. Momentum balances all of the mean inflow, also where the ground leaves less to the
 // blades.
-// Cost: one derivative is two of these and little more.
+// Cost: one derivative is two of these and little more. `seeded`: as in rotor_loads().
 template <class T, class C, class S>
 void rotor_response(const Configuration<C>& c, const RotorConditions<S>& turn, const RotorInput<T>& in,
-                    const AzimuthStations<Real<T>>& azimuth, RotorWorkspace<T>& work, RotorResponse<T>& out) {
+                    const AzimuthStations<Real<T>>& azimuth, RotorWorkspace<T>& work, RotorResponse<T>& out,
+                    bool seeded = false) {
   const bool second_order = c.setup.options.flapping == FlapOrder::second;
   if (second_order) {
-    rotor_loads(c, turn, in, azimuth, work.blades, work.loads);
+    rotor_loads(c, turn, in, azimuth, work.blades, work.loads, seeded);
   } else {
     quasi_static_rotor(c, turn, in, azimuth, work, out);
   }

@@ -1,8 +1,8 @@
-// What a rotor sees of the aircraft, and what one of its blades sees of that.
+// What a rotor sees of the aircraft.
 #pragma once
 
+#include "tiltrotor/math/differentiation/preaccumulate.hpp"
 #include "tiltrotor/math/vector.hpp"
-#include "tiltrotor/model/rotor/blade_element.hpp"
 #include "tiltrotor/model/variables/state.hpp"
 
 namespace tiltrotor {
@@ -18,6 +18,7 @@ struct RotorInput {
   T long_cyclic;     // B1
 
   static constexpr int kCount = 18;
+  static constexpr int kFirstOwn = 6, kOwn = 9;  // state and coning: as they stand in State, or constant
   template <class Self, class Visit>
   static constexpr void each(Self& s, Visit&& visit) {
     Vec3<T>::each(s.velocity_a, visit);
@@ -38,6 +39,24 @@ struct RotorInput {
 };
 static_assert(lists_its_members<RotorInput>(), "each member of RotorInput is listed and counted");
 
+// Directions of a pass that are the rotors' own states: of both, in the order of RotorInput. `direction`: of each state of
+// the aircraft, -1 for none.
+struct RotorDirections {
+  using Own = OwnDirections<RotorInput<double>::kFirstOwn, RotorInput<double>::kOwn>;
+  Own rotor[2];
+};
+inline RotorDirections rotor_directions(const int (&direction)[state_count]) {
+  RotorDirections own;
+  for (const Side side : {right, left}) {
+    const RotorState<int>& s = kStateIndex.rotor[side];
+    const ConingState<int>& coning = kStateIndex.coning[side];
+    const int state[] = {s.b1c,      s.b1s,      s.b1c_rate,   s.b1s_rate, s.lambda_0,
+                         s.lambda_c, s.lambda_s, coning.angle, coning.rate};
+    for (int j = 0; j < RotorInput<double>::kOwn; ++j) own.rotor[side].of[j] = direction[state[j]];
+  }
+  return own;
+}
+
 // A rotor's input, and its conditions.
 template <class T>
 struct PlacedRotorInput {
@@ -56,43 +75,11 @@ struct PlacedRotorInput {
 };
 static_assert(lists_its_members<PlacedRotorInput>(), "each member of PlacedRotorInput is listed and counted");
 
-// Flap angle of the blade at one azimuth.
-template <class T, class Plain>
-T flap_angle(const RotorInput<T>& in, const Plain& cosine, const Plain& sine) {
-  return in.coning.angle + in.state.b1c * cosine + in.state.b1s * sine;
-}
-
 // Mean inflow as the blades feel it, m/s: felt_inflow().
 template <class T>
 struct FeltInflow {
   T even;    // over the disk
   T shaped;  // part of it that follows the radial shape
 };
-
-// Flow seen by the blade at one azimuth, no small angles. Derived here: velocity of a point at radius r of a
-// blade at flap angle b, less that of the induced air, along the direction of rotation and the blade normal;
-// cyclic pitch and signs as in NASA CR-166536, theta = theta75 - A1 cos psi - B1 sin psi.
-// `cosine`, `sine`: of the azimuth, a plain number or a batch of blades.
-// `omega`: rotor speed, rad/s; `pitch_flap`: pitch taken off by flapping.
-template <class T, class C, class Plain>
-BladeFlow<T> blade_flow(const C& omega, Real<T> pitch_flap, const RotorInput<T>& in,
-                        const FeltInflow<T>& inflow, const T& sin_flap, const T& cos_flap,
-                        const Plain& cosine, const Plain& sine) {
-  const RotorState<T>& x = in.state;
-  const T gimbal = x.b1c * cosine + x.b1s * sine;
-  const T flap_rate =
-      in.coning.rate + x.b1c_rate * cosine + x.b1s_rate * sine + omega * (x.b1s * cosine - x.b1c * sine);
-  BladeFlow<T> flow;
-  flow.tangential_0 = in.velocity_a.y * cosine - in.velocity_a.x * sine;
-  flow.tangential_r =
-      cos_flap * (omega + in.rates_a.z) - sin_flap * (in.rates_a.x * cosine + in.rates_a.y * sine);
-  flow.normal_0 = cos_flap * (in.velocity_a.z + inflow.even) -
-                  sin_flap * (in.velocity_a.x * cosine + in.velocity_a.y * sine);
-  flow.normal_r = flap_rate + in.rates_a.x * sine - in.rates_a.y * cosine +
-                  cos_flap * (omega * (x.lambda_c * cosine + x.lambda_s * sine));
-  flow.shaped = cos_flap * inflow.shaped;
-  flow.pitch = in.collective - in.lateral_cyclic * cosine - in.long_cyclic * sine - pitch_flap * gimbal;
-  return flow;
-}
 
 }  // namespace tiltrotor
