@@ -92,6 +92,7 @@ template <int First, int Count, class R, int N, int M>
 Dual<R, M> chain(R local, const R (&slope)[N], const Dual<R, M>* input,
                  const OwnDirections<First, Count>* own) {
   constexpr int kEnd = First + Count;
+  static_assert(First > 0 && kEnd <= N);
   Dual<R, M> r(local, scaled(slope[0], input[0].d));
   add_chained(r.d, std::integral_constant<int, First - 1>{}, slope + 1, input + 1);
   add_chained(r.d, std::integral_constant<int, N - kEnd>{}, slope + kEnd, input + kEnd);

@@ -16,7 +16,7 @@ struct BladeHarmonics {
   T velocity_x, velocity_y, axial;        // through the air, in the plane and along the shaft, m/s
   T rate_x, rate_y, spin;                 // turning, rad/s
   T flap, flap_c, flap_s;                 // rad
-  T flap_rate, flap_rate_c, flap_rate_s;  // relative to the air, rad/s
+  T flap_rate, flap_rate_c, flap_rate_s;  // in space, rad/s
   T inflow_c, inflow_s;                   // 1/s
   T shaped;                               // m/s, BladeFlow::shaped of a flat blade
   T pitch, pitch_c, pitch_s;              // rad

@@ -30,7 +30,7 @@ struct NestedBladeLoads {
     }
     BladeFlow<Local> local;
     unflatten(inside, local);
-    const ElementAir<Local, Local> air = {moving(outside.density), moving(outside.inverse_sound)};
+    const ElementAir<Local, Local> air = {moving(T(outside.density)), moving(T(outside.inverse_sound))};
     const BladeLoads<Local> sum = blade_loads(c, air, local);
     return {chain(sum.normal, seen), chain(sum.tangential, seen), chain(sum.normal_moment, seen),
             chain(sum.tangential_moment, seen)};
