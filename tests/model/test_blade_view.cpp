@@ -4,6 +4,7 @@
 #include <complex>
 
 #include "flight_cases.hpp"
+#include "tiltrotor/model/rotor/nested_blades.hpp"
 
 using namespace flight_cases;
 
@@ -37,12 +38,7 @@ RotorLoads<T> loads_at(const Configuration<double>& c, const AzimuthStations<dou
   const RotorConditions<double> fixed = rotor_conditions(c, right);
   if constexpr (kMoving) {
     RotorConditions<T> turn;
-    turn.speed = at.speed;
-    turn.tip_speed = at.speed * c.aircraft->rotor.radius;
-    turn.spin_up = T(fixed.spin_up);
-    turn.ground_wash = at.ground_wash;
-    turn.density = at.density;
-    turn.speed_of_sound = at.speed_of_sound;
+    set_conditions(at, c.aircraft->rotor.radius, fixed.spin_up, turn);
     rotor_loads(c, turn, at.in, azimuth, blades, sum, kSeeded);
   } else {
     rotor_loads(c, fixed, at.in, azimuth, blades, sum, kSeeded);
@@ -69,8 +65,11 @@ void compare(const Configuration<double>& c, const AzimuthStations<double>& azim
     flatten(loads_at<false, kMoving>(c, azimuth, stepped), exact);
     double size = 0;
     for (const Complex& x : exact) size = std::max(size, std::fabs(x.imag() * 1e30));
-    for (int i = 0; i < kLoads; ++i)
+    const double largest = std::max(std::fabs(plain[2]), std::fabs(plain[6]));  // thrust, flapping moment
+    for (int i = 0; i < kLoads; ++i) {
       CHECK_NEAR(found[i].d.get(j), exact[i].imag() * 1e30, 1e-11 * size + 1e-300);
+      CHECK_NEAR(plain[i], exact[i].real(), 1e-12 * largest);
+    }
   }
 }
 
@@ -136,5 +135,37 @@ TEST(rotor_blade_view_transposes) {
                    along.normal_0 * flow.normal_0.v + along.normal_r * flow.normal_r.v +
                    along.shaped * flow.shaped.v + along.pitch * flow.pitch.v,
                dot(of, view) - along_flap, 1e-13);
+  }
+}
+
+// Nested dual numbers over a configuration of plain ones: slope along a direction, and the partials of the values.
+TEST(rotor_blades_on_nested_dual_numbers) {
+  NOTE("seed 73");
+  Generator random(73);
+  using D = Dual<double, 3>;
+  using N = Nested<D>;
+  constexpr int kLoads = RotorLoads<double>::kCount;
+  const Configuration<double> c = configuration(60);
+  double at[kPlaces] = {}, along[kPlaces];
+  flatten(random_input(random), at);
+  for (double& x : along) x = random.between(-1, 1);
+  N nested[kPlaces];
+  for (int k = 0; k < kPlaces; ++k)
+    nested[k] = {k < 3 ? D::variable(at[k], k) : D(at[k]), D(k < RotorInput<double>::kCount ? along[k] : 0)};
+  N found[kLoads];
+  flatten(loads_at<false, false>(c, c.azimuth, nested), found);
+  for (int j = -1; j < 3; ++j) {  // -1: along the direction
+    Complex stepped[kPlaces];
+    for (int k = 0; k < kPlaces; ++k)
+      stepped[k] = Complex(at[k], 1e-30 * (j < 0 ? along[k] : k == j ? 1 : 0));
+    Complex exact[kLoads];
+    flatten(loads_at<false, false>(c, c.azimuth, stepped), exact);
+    double size = 0, largest = 0;
+    for (const Complex& x : exact) size = std::max(size, std::fabs(x.imag() * 1e30));
+    for (const Complex& x : exact) largest = std::max(largest, std::fabs(x.real()));
+    for (int i = 0; i < kLoads; ++i) {
+      CHECK_NEAR(found[i].v.v, exact[i].real(), 1e-12 * largest);
+      CHECK_NEAR(j < 0 ? found[i].along.v : found[i].v.d.get(j), exact[i].imag() * 1e30, 1e-11 * size);
+    }
   }
 }

@@ -8,6 +8,18 @@
 
 namespace tiltrotor {
 
+// `radius`: of the rotor, m; `spin_up`: torque that its changing speed takes, N m.
+template <class T>
+void set_conditions(const PlacedRotorInput<T>& at, Real<T> radius, Real<T> spin_up,
+                    RotorConditions<T>& conditions) {
+  conditions.speed = at.speed;
+  conditions.tip_speed = at.speed * radius;
+  conditions.spin_up = T(spin_up);
+  conditions.ground_wash = at.ground_wash;
+  conditions.density = at.density;
+  conditions.speed_of_sound = at.speed_of_sound;
+}
+
 // About (x, u). Cost: half a Jacobian.
 template <class R>
 void expand_rotors(const Configuration<R>& c, const State<R>& x, const Controls<R>& u, R azimuth,
@@ -34,15 +46,8 @@ void expand_rotors(const Configuration<R>& c, const State<R>& x, const Controls<
       seed = D::variable(flat[direction], direction);
       ++direction;
     });
-    const PlacedRotorInput<D>& at = work.seeded;
-    RotorConditions<D>& conditions = work.conditions;
-    conditions.speed = at.speed;
-    conditions.tip_speed = at.speed * c.aircraft->rotor.radius;
-    conditions.spin_up = D(plain.spin_up);
-    conditions.ground_wash = at.ground_wash;
-    conditions.density = at.density;
-    conditions.speed_of_sound = at.speed_of_sound;
-    rotor_response(c, conditions, at.in, stations, work.inner, out.rotor[side], true);
+    set_conditions(work.seeded, c.aircraft->rotor.radius, plain.spin_up, work.conditions);
+    rotor_response(c, work.conditions, work.seeded.in, stations, work.inner, out.rotor[side], true);
   }
 }
 

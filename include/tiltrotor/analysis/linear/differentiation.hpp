@@ -195,8 +195,8 @@ struct ModelWorkspace<T, false> {
   T (&u())[control_count] { return given; }
 };
 
-// Which directions are the rotors' own states, where one pass takes all inputs. `state_of(j)`: the state that input j is,
-// -1 for none.
+// Which directions are the rotors' own states, where one pass takes all inputs on kModelDirections partials, input j being
+// variable number j. `state_of(j)`: the state that it is, -1 for none.
 class OwnStates {
  public:
   template <class StateOf>

@@ -190,8 +190,8 @@ TILTROTOR_NOINLINE void relieve_weight(const T& roll, const T& pitch, const T& p
   work.x[kStateIndex.velocity.z] -= level * cos(roll);
 }
 
-// Residuals of the unknowns z, on plain numbers or duals, whose directions are these unknowns. Inputs that are no unknowns are 0, but for a given
-// collective.
+// Residuals of the unknowns z, on plain numbers, or on duals of which z[j] is variable number j. Inputs that are no
+// unknowns are 0, but for a given collective.
 template <class T>
 void trim_residuals(const Configuration<Real<T>>& c, const SteadyFlight<Real<T>>& flight,
                     const TrimEquations<Real<T>>& equations, ModelWorkspace<T>& work, const T* z,

@@ -94,7 +94,7 @@ class BladeGroup {
     }
   }
 
-  // All blades, `weight` of each. `seeded`: `in` are the variables themselves, one for each of its first directions.
+  // All blades, `weight` of each. `seeded`: as in rotor_loads().
   template <class S>
   void finish(const S& omega, R pitch_flap, const ElementAir<S, S>& air, const RotorInput<T>& in,
               const FeltInflow<T>& inflow, R weight, bool seeded, RotorLoads<T>& out) {
@@ -117,8 +117,12 @@ class BladeGroup {
       T* load[kLoads];
       list_places(out, load);
       for (int i = 0; i < kLoads; ++i) {
-        R slope[kSources + 2];
-        find_slopes(i, value(omega), pitch_flap, value(air.density), weight, slope);
+        R slope[kSources + 2];  // along BladeSources, the inverse speed of sound and the density
+        find_slopes(i, value(omega), pitch_flap, weight, slope);
+        if constexpr (!kIsPlain<S>) {
+          slope[kSources] = weight * slope_[i][kHub];
+          slope[kSources + 1] = weight * (sum_[i] / value(air.density));
+        }
         T& x = *load[i];
         x = T(weight * sum_[i]);
         if (seeded) {
@@ -153,14 +157,12 @@ class BladeGroup {
     }
   }
 
-  // Along BladeSources, the inverse speed of sound and the density.
-  void find_slopes(int i, R omega, R pitch_flap, R density, R weight, R* slope) const {
+  // Of load `i`, with its weight, along BladeSources.
+  void find_slopes(int i, R omega, R pitch_flap, R weight, R* slope) const {
     BladeHarmonics<R> along_hub;
     unflatten(slope_[i], along_hub);
     flatten(slopes_along_sources(along_hub, omega, pitch_flap, state_), slope);
-    slope[kSources] = slope_[i][kHub];
-    slope[kSources + 1] = sum_[i] / density;
-    for (int j = 0; j < kSources + 2; ++j) slope[j] = weight * slope[j];
+    for (int j = 0; j < kSources; ++j) slope[j] = weight * slope[j];
   }
 
   static BladeFlow<V> values(const BladeFlow<Dual<V, 1>>& flow) {

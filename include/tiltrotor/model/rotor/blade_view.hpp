@@ -10,16 +10,17 @@
 
 namespace tiltrotor {
 
-// Of the hub; _c, _s: harmonics.
+// Of the hub, in the rotor frame A; _c, _s: harmonics.
 template <class T>
 struct BladeHarmonics {
-  T velocity_x, velocity_y, axial;        // through the air, in the plane and along the shaft, m/s
-  T rate_x, rate_y, spin;                 // turning, rad/s
-  T flap, flap_c, flap_s;                 // rad
-  T flap_rate, flap_rate_c, flap_rate_s;  // in space, rad/s
-  T inflow_c, inflow_s;                   // 1/s
-  T shaped;                               // m/s, BladeFlow::shaped of a flat blade
-  T pitch, pitch_c, pitch_s;              // rad
+  T velocity_x, velocity_y;  // of the hub through the air, in the plane, m/s
+  T axial;                   // of the hub along the shaft, and of the air down through the disk, m/s
+  T rate_x, rate_y, spin;    // of the hub in the plane, of the rotor about the shaft, rad/s
+  T flap, flap_c, flap_s;    // rad
+  T flap_rate, flap_rate_c, flap_rate_s;  // of a turning blade in space, rad/s
+  T inflow_c, inflow_s;                   // harmonics of the inflow over the radius, 1/s
+  T shaped;                               // part of the mean inflow that follows the radial shape, m/s
+  T pitch, pitch_c, pitch_s;              // at the collective's reference radius, rad
 
   static constexpr int kCount = 18;
   template <class Self, class Visit>
@@ -46,16 +47,15 @@ struct BladeHarmonics {
 };
 static_assert(lists_its_members<BladeHarmonics>(), "each member of BladeHarmonics is listed and counted");
 
-// Of one blade.
+// Of one blade. Forward: along its motion; outward: along its projection on the plane of the hub.
 template <class T>
 struct BladeView {
-  T forward, outward,
-      axial;        // velocity of the hub: along the direction of rotation, the blade's span, the shaft, m/s
-  T rolling, spin;  // turning of the hub about the blade's span and about the shaft, rad/s
-  T flap, flap_rate;  // rad, rad/s
-  T inflow;           // harmonics of the inflow over the radius, 1/s
-  T shaped;           // m/s
-  T pitch;            // rad
+  T forward, outward, axial;  // as velocity_x, velocity_y and axial, m/s
+  T rolling, spin;            // of the hub about the outward direction, of the rotor about the shaft, rad/s
+  T flap, flap_rate;          // rad, rad/s
+  T inflow;                   // 1/s
+  T shaped;                   // m/s
+  T pitch;                    // rad
 };
 
 // `omega`: rotor speed, rad/s; `pitch_flap`: pitch taken off by flapping. Cyclic pitch and signs as in NASA CR-166536,

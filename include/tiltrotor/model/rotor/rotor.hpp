@@ -87,7 +87,8 @@ void quasi_static_rotor(const Configuration<C>& c, const RotorConditions<S>& tur
 // The complete rotor. `azimuth` holds the stations to sum over: the configuration's averaged set, or the
 // blades. `turn`: rotor_conditions() of its side. Momentum balances all of the mean inflow, also where the ground leaves less to the
 // blades.
-// Cost: one derivative is two of these and little more. `seeded`: as in rotor_loads().
+// `seeded`: as in rotor_loads(); first-order flapping makes no use of it.
+// Cost: one derivative is two of these and little more.
 template <class T, class C, class S>
 void rotor_response(const Configuration<C>& c, const RotorConditions<S>& turn, const RotorInput<T>& in,
                     const AzimuthStations<Real<T>>& azimuth, RotorWorkspace<T>& work, RotorResponse<T>& out,

@@ -46,16 +46,35 @@ struct RotorDirections {
   Own rotor[2];
 };
 inline RotorDirections rotor_directions(const int (&direction)[state_count]) {
+  using In = RotorInput<int>;
   RotorDirections own;
   for (const Side side : {right, left}) {
     const RotorState<int>& s = kStateIndex.rotor[side];
     const ConingState<int>& coning = kStateIndex.coning[side];
-    const int state[] = {s.b1c,      s.b1s,      s.b1c_rate,   s.b1s_rate, s.lambda_0,
-                         s.lambda_c, s.lambda_s, coning.angle, coning.rate};
-    for (int j = 0; j < RotorInput<double>::kOwn; ++j) own.rotor[side].of[j] = direction[state[j]];
+    In in{};
+    in.state = {direction[s.b1c],      direction[s.b1s],      direction[s.b1c_rate], direction[s.b1s_rate],
+                direction[s.lambda_0], direction[s.lambda_c], direction[s.lambda_s]};
+    in.coning = {direction[coning.angle], direction[coning.rate]};
+    int place[In::kCount];
+    flatten(in, place);
+    for (int j = 0; j < In::kOwn; ++j) own.rotor[side].of[j] = place[In::kFirstOwn + j];
   }
   return own;
 }
+constexpr bool own_stand_in_a_row() {
+  RotorInput<int> in{};
+  in.state = {1, 1, 1, 1, 1, 1, 1};
+  in.coning = {1, 1};
+  int place = 0, right_ones = 0;
+  RotorInput<int>::each(in, [&](int own) {
+    const bool expected =
+        place >= RotorInput<int>::kFirstOwn && place < RotorInput<int>::kFirstOwn + RotorInput<int>::kOwn;
+    right_ones += (own == 1) == expected ? 1 : 0;
+    ++place;
+  });
+  return right_ones == RotorInput<int>::kCount;
+}
+static_assert(own_stand_in_a_row(), "kFirstOwn and kOwn say where a rotor's own states stand");
 
 // A rotor's input, and its conditions.
 template <class T>

@@ -6,7 +6,8 @@
 
 namespace tiltrotor {
 
-// Blade-element loads of the rotor. `seeded`: `in` are the variables themselves, in the order of RotorInput.
+// Blade-element loads of the rotor. `seeded`: number j of `in` has the partial 1 in direction j and
+// no other, so that nothing need be chained to them; directions beyond belong to the rotor's conditions.
 template <class T, class C, class S>
 void rotor_loads(const Configuration<C>& c, const RotorConditions<S>& turn, const RotorInput<T>& in,
                  const AzimuthStations<Real<T>>& azimuth, BladeGroup<T>& blades, RotorLoads<T>& sum,
