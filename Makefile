@@ -141,8 +141,8 @@ TABLEGEN_OBJECTS   := $(TABLEGEN_SOURCE:src/%.cpp=$(BUILD)/host/%.o)
 C_SOURCE           := $(filter %/aircraft_data.cpp,$(LIBRARY_SOURCE)) $(filter src/library/c_%.cpp,$(LIBRARY_SOURCE))
 AIRCRAFT_OBJECT    := $(BUILD)/cpp/library/headers_aircraft.o
 C2_OBJECT          := $(BUILD)/cpp/library/headers_c2_aircraft.o
-COMMON_OBJECTS     := $(patsubst %,$(BUILD)/cpp/library/%.o,analysis_double analysis_closed_loop analysis_motion \
-                        analysis_vehicle_outputs c_processor c_compiled) $(AIRCRAFT_OBJECT) $(C2_OBJECT)
+COMMON_OBJECTS     := $(patsubst %,$(BUILD)/cpp/library/%.o,analysis_double analysis_model analysis_moved analysis_systems \
+                        analysis_motion analysis_closed_loop analysis_vehicle_outputs c_processor c_compiled) $(AIRCRAFT_OBJECT) $(C2_OBJECT)
 C_OBJECTS          := $(C_SOURCE:src/%.cpp=$(BUILD)/ad/%.o)
 LIBRARY_OBJECTS    := $(C_OBJECTS) $(AIRCRAFT_OBJECT)
 LIBRARY_ND_OBJECTS := $(BUILD)/ad/library/aircraft_data.o $(AIRCRAFT_OBJECT) \
@@ -160,7 +160,7 @@ GENERATED  := $(if $(TABLEGEN_SOURCE),$(BUILD)/generated/aircraft_tables.inc $(B
               $(BUILD)/generated/identity.inc $(BUILD)/generated/mission.inc
 # Everything of the program but main(): tests look into it.
 PROGRAM_PARTS := $(filter-out %/main.o,$(PROGRAM_OBJECTS))
-LIBRARIES  := $(BUILD)/libtiltrotor.a $(BUILD)/libtiltrotor-nd.a
+LIBRARIES  := $(BUILD)/libtiltrotor.a $(BUILD)/libtiltrotor-nd.a# the second one for `make install`
 # The upper half of TR_API_VERSION.
 INTERFACE  := $(shell sed -n 's/^.define TR_API_VERSION 0x0*\([0-9]*\)0008u/\1/p' include/tiltrotor/tiltrotor.h)
 SHARED     := $(if $(TARGET),,$(BUILD)/libtiltrotor.so.$(INTERFACE))
@@ -173,7 +173,7 @@ BENCHMARKS := $(BENCH_SOURCE:bench/%.cpp=$(BUILD)/bench_%)
 .DELETE_ON_ERROR:
 Q := $(if $(V),,@)
 
-all: $(if $(TARGET),,$(ANALYSES)) $(LIBRARIES) $(SHARED) $(PROGRAMS) ## build the libraries, static and shared, and both programs (the default)
+all: $(if $(TARGET),,$(ANALYSES)) $(firstword $(LIBRARIES)) $(SHARED) $(PROGRAMS) ## build the library, static and shared, and both programs (the default)
 
 run: all ## run the whole study; figures and numbers go to build/report
 	$(Q)$(RUNNER) $(BUILD)/tiltrotor report --output '$(abspath $(BUILD))/report'
@@ -197,7 +197,7 @@ ifdef PORTABLE_INSTALL
 install: ## copy headers, libraries, program, files for pkg-config, CMake and Python to DESTDIR/PREFIX; portable code unless ARCH is given
 	+$(Q)$(MAKE) --no-print-directory ARCH= BUILD='$(BUILD)/portable' install
 else
-install: all $(BUILD)/libtiltrotor-aircraft.a
+install: all $(LIBRARIES) $(BUILD)/libtiltrotor-aircraft.a
 	$(Q)set -e; prefix='$(PREFIX)'; case "$$prefix" in /*) ;; *) prefix="$(CURDIR)/$$prefix" ;; esac; \
 	to='$(DESTDIR)'"$$prefix"; install -d "$$to/lib/pkgconfig"; \
 	for header in $(HEADERS); do \

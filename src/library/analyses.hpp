@@ -11,9 +11,8 @@
 
 #include <cstddef>
 
-#include "tiltrotor/analysis/instances.hpp"
+#include "library/model_instances.hpp"
 #include "tiltrotor/analysis/linear/output_model.hpp"
-#include "tiltrotor/analysis/linear/vehicle_modes.hpp"
 
 namespace tiltrotor {
 

@@ -1,6 +1,6 @@
 // For the program and the tests; the C interface has instances of its own.
 #undef TILTROTOR_EXTERN_INSTANCES
-#include "tiltrotor/analysis/instances.hpp"
+#include "library/model_instances.hpp"
 
 namespace tiltrotor {
 

@@ -1,6 +1,7 @@
 // Flights with a feedback law, compiled once in double precision: TILTROTOR_CLOSED_LOOP() stands in analysis_closed_loop.cpp.
 #pragma once
 
+#include "library/model_instances.hpp"
 #include "tiltrotor/analysis/flight/closed_loop.hpp"
 
 #define TILTROTOR_CLOSED_LOOP(PREFIX)                                                                   \
