@@ -33,12 +33,15 @@ struct PeerCase {
     double u[control_count];
     flatten(flight.state, x);
     flatten(flight.controls, u);
-    for (int i = 0; i < state_count; ++i) work.x[i] = T(x[i]);
-    for (int j = 0; j < control_count; ++j) work.u[j] = T(u[j]);
-    for (int i = 0; i < exact.states; ++i) work.x[exact.state[i]] = z[i];
-    for (int j = 0; j < exact.controls; ++j) work.u[exact.control[j]] = z[exact.states + j];
+    const ModelPlaces<T> at(work);
+    for (int i = 0; i < state_count; ++i) *at.x[i] = T(x[i]);
+    for (int j = 0; j < control_count; ++j) *at.u[j] = T(u[j]);
+    for (int i = 0; i < exact.states; ++i) *at.x[exact.state[i]] = z[i];
+    for (int j = 0; j < exact.controls; ++j) *at.u[exact.control[j]] = z[exact.states + j];
     model_rates(c, 0.0, work);
-    for (int i = 0; i < exact.states; ++i) y[i] = work.x[exact.state[i]];
+    T* rate[state_count];
+    list_places(work.rates, rate);
+    for (int i = 0; i < exact.states; ++i) y[i] = *rate[exact.state[i]];
   }
 };
 

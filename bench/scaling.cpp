@@ -97,11 +97,12 @@ int enter_seeds(Contest& contest, const Configuration<double>& c, const TrimResu
     flatten(flight.state, x);
     flatten(flight.controls, u);
     const ActiveStates active = active_states(c.setup.options, false);
-    for (int i = 0; i < state_count; ++i) work.x[i] = D(x[i]);
-    for (int j = 0; j < control_count; ++j) work.u[j] = D(u[j]);
-    for (int k = 0; k < N && k < active.count; ++k) work.x[active.index[k]].d.set(k, 1);
+    const ModelPlaces<D> at(work);
+    for (int i = 0; i < state_count; ++i) *at.x[i] = x[i];
+    for (int j = 0; j < control_count; ++j) *at.u[j] = u[j];
+    for (int k = 0; k < N && k < active.count; ++k) at.x[active.index[k]]->d.set(k, 1);
     for (int k = active.count; k < N && k < active.count + control_count; ++k)
-      work.u[k - active.count].d.set(k, 1);
+      at.u[k - active.count]->d.set(k, 1);
     model_rates(c, 0.0, work);
   });
 }

@@ -53,13 +53,15 @@ void jacobian(const FlightPoint& p, double relative, Jacobian& out) {
   static NumDiff::Workspace<double, kModelDirections, kInputs, kMaxLinearStates> work;
   static ModelWorkspace<double> model_work;
   double rates[kMaxLinearStates];
-  const auto f = [&](const double* x, double* y) {
-    flatten(p.trim.state, model_work.x);
-    flatten(p.trim.controls, model_work.u);
-    for (int j = 0; j < inputs; ++j)
-      (j < n ? model_work.x[model.state[j]] : model_work.u[model.control[j - n]]) = x[j];
+  const auto f = [&](const auto& x, auto&& output) {
+    model_work.state = p.trim.state;
+    model_work.controls = p.trim.controls;
+    const ModelPlaces<double> at(model_work);
+    for (int j = 0; j < inputs; ++j) x.put(j, j < n ? *at.x[model.state[j]] : *at.u[model.control[j - n]]);
     model_rates(p.c, 0.0, model_work);
-    for (int i = 0; i < n; ++i) y[i] = model_work.x[model.state[i]];
+    double flat[state_count];
+    flatten(model_work.rates, flat);
+    for (int i = 0; i < n; ++i) output(i, flat[model.state[i]]);
   };
   NumDiff::jacobian(f, {inputs, n, input, scale, rates}, work,
                     [&out](int i, int j, int, const double* slope) { out.entry[i][j] = *slope; });

@@ -66,14 +66,12 @@ using OfVehicle = VehicleDirectionWorkspace<double>::T;           // of the syst
       VehicleFlows<shared::OfVehicle>&, SystemState<shared::OfVehicle>&);                                   \
   PREFIX template Status vehicle_modes(const VehicleShape&, VehicleModesWorkspace<double>&,                 \
                                        VehicleModes<double>&);                                              \
-  PREFIX template Status eigen_detail::schur<false>(                                                        \
-      const Matrix<double, kMaxVehicleStates, kMaxVehicleStates>&, int,                                     \
-      EigenvalueWorkspace<double, kMaxVehicleStates>&, PaddedSquare<double, kMaxVehicleStates>&,            \
-      Eigenvalues<double, kMaxVehicleStates>&);                                                             \
-  PREFIX template Status eigen_detail::schur<true>(                                                         \
-      const Matrix<double, kMaxVehicleStates, kMaxVehicleStates>&, int,                                     \
-      EigenvalueWorkspace<double, kMaxVehicleStates>&, PaddedSquare<double, kMaxVehicleStates>&,            \
-      Eigenvalues<double, kMaxVehicleStates>&);
+  PREFIX template Status eigenvalues(const Matrix<double, kMaxVehicleStates, kMaxVehicleStates>&, int,      \
+                                     EigenvalueWorkspace<double, kMaxVehicleStates>&,                       \
+                                     Eigenvalues<double, kMaxVehicleStates>&);                              \
+  PREFIX template Status eigensystem(const Matrix<double, kMaxVehicleStates, kMaxVehicleStates>&, int,      \
+                                     EigenWorkspace<double, kMaxVehicleStates>&,                            \
+                                     Eigensystem<double, kMaxVehicleStates>&);
 
 namespace tiltrotor {
 TILTROTOR_MODEL_INSTANCES(extern)

@@ -16,14 +16,18 @@ constexpr int kInputs = 7;
 constexpr int kOutputs = 4;
 
 // y_i = sum over j of (i + 1) (j + 2) x_j^3 + x_j x_k, with k the next input: every entry differs.
-template <class T>
-void cubic(const T* x, T* y, int n, int m) {
+template <class Input, class Output>
+void cubic(const Input& x, Output&& output, int n, int m) {
   for (int i = 0; i < m; ++i) {
-    y[i] = T(0.0);
-    for (int j = 0; j < n; ++j) {
-      y[i] = y[i] + static_cast<double>((i + 1) * (j + 2)) * (x[j] * x[j] * x[j]) + x[j] * x[(j + 1) % n];
-    }
+    auto y = x[0] * 0.0;
+    for (int j = 0; j < n; ++j)
+      y = y + static_cast<double>((i + 1) * (j + 2)) * (x[j] * x[j] * x[j]) + x[j] * x[(j + 1) % n];
+    output(i, y);
   }
+}
+void cubic(const double* x, double* y, int n, int m) {
+  cubic(
+      x, [y](int i, double found) { y[i] = found; }, n, m);
 }
 double cubic_slope(const double* x, int n, int i, int j) {
   const double neighbours = n == 1 ? 2 * x[0] : n == 2 ? 2 * x[1 - j] : x[(j + 1) % n] + x[(j + n - 1) % n];
@@ -70,7 +74,7 @@ TEST(differentiation_automatic_is_exact) {
       int passes = 0;
       double y[kOutputs], plain[kOutputs];
       AutoDiff::jacobian(
-          [&](const auto* x, auto* out) {
+          [&](const auto& x, auto&& out) {
             ++passes;
             cubic(x, out, n, m);
           },
@@ -95,7 +99,7 @@ TEST(differentiation_numerical_step_and_error) {
     for (int m = 1; m <= kOutputs; ++m) {
       Record record;
       double y[kOutputs], plain[kOutputs];
-      NumDiff::jacobian([&](const double* x, double* out) { cubic(x, out, n, m); }, {n, m, kPoint, scale, y},
+      NumDiff::jacobian([&](const auto& x, auto&& out) { cubic(x, out, n, m); }, {n, m, kPoint, scale, y},
                         work, record.row());
       record.check_complete(n, m);
       cubic(kPoint, plain, n, m);
@@ -119,8 +123,8 @@ TEST(differentiation_numerical_moves_one_input_at_a_time) {
   std::vector<std::vector<double>> places;
   double y[kOutputs];
   NumDiff::jacobian(
-      [&](const double* x, double* out) {
-        places.emplace_back(x, x + kInputs);
+      [&](const auto& x, auto&& out) {
+        places.emplace_back(x.x, x.x + kInputs);
         cubic(x, out, kInputs, 1);
       },
       {kInputs, 1, kPoint, scale, y}, work, [](int, int, int, const double*) {});

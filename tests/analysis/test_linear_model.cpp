@@ -115,9 +115,9 @@ TEST(linearize_automatic_and_numerical_agree) {
 
 // A policy's Jacobian of a function whose derivatives are written by hand.
 TEST(differentiation_policies_on_a_known_function) {
-  const auto f = [](const auto* x, auto* y) {
-    y[0] = x[0] * x[0] * x[1];
-    y[1] = sin(x[1]) / x[2];
+  const auto f = [](const auto& x, auto&& y) {
+    y(0, x[0] * x[0] * x[1]);
+    y(1, sin(x[1]) / x[2]);
   };
   const double x[] = {1.5, 0.7, -2.0};
   const double expected[2][3] = {{2 * 1.5 * 0.7, 1.5 * 1.5, 0},
@@ -296,7 +296,7 @@ bool controls_lost = false;
 struct NoControls : AutoDiff {
   template <class R, int N, int MaxInputs, int MaxOutputs, class Function, class Put>
   static void jacobian(Function&& f, const JacobianRequest<R>& at,
-                       InPlaceWorkspace<R, N, MaxInputs, MaxOutputs>& work, Put&& put) {
+                       Workspace<R, N, MaxInputs, MaxOutputs>& work, Put&& put) {
     AutoDiff::jacobian(f, at, work, [&](int i, int first, int count, const R* slope) {
       for (int j = first; j < first + count; ++j) {
         const bool lost = controls_lost && j >= at.inputs - kInceptors.count;

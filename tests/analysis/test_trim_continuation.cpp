@@ -139,16 +139,13 @@ TEST_OF_XV15(trim_of_stalled_rotors_in_every_build) {
 // A vertical force in place of weight, turned back into axes level with the ground.
 TEST(trim_relief_is_vertical) {
   const double roll = 0.3, pitch = -0.2, part = 0.25;
-  static ModelWorkspace<double> work;
-  for (double& x : work.x) x = 0;
-  relieve_weight(roll, pitch, part, work);
-  const Vector level_axes = to_earth(
-      {work.x[kStateIndex.velocity.x], work.x[kStateIndex.velocity.y], work.x[kStateIndex.velocity.z]}, roll,
-      pitch);
+  State<double> rates{};
+  relieve_weight(roll, pitch, part, rates);
+  const Vector level_axes = to_earth({rates.velocity.x, rates.velocity.y, rates.velocity.z}, roll, pitch);
   CHECK_NEAR(level_axes.x, 0, 1e-15);
   CHECK_NEAR(level_axes.y, 0, 1e-15);
   CHECK_NEAR(level_axes.z, -part * 9.80665, 1e-15);
-  CHECK_EQ(work.x[kStateIndex.rates.y], 0);
+  CHECK_EQ(rates.rates.y, 0);
 }
 
 namespace {

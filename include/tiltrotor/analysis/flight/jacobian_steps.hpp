@@ -16,7 +16,7 @@ void place_jacobian(const RightSide<R, Policy>& f, R time) {
   f.place_configuration(time, work.x);
   for (int k = 0; k < n; ++k) work.scale[k] = state_scale<R>(work.active.index[k]);
   Policy::jacobian(
-      [&f, azimuth](const auto* x, auto* rates) { f.rates(x, rates, azimuth); },
+      [&f, azimuth](const auto& x, auto&& output) { f.evaluate(x, output, azimuth); },
       {n, n, work.x, work.scale, work.rates}, work.differentiation,
       [&work](int i, int j, int count, const R* slope) { copy_row(slope, count, work.jacobian.row(i) + j); });
 }
@@ -33,9 +33,9 @@ const R* time_slope(const RightSide<R, Policy>& f, R time) {
   const R step = std::cbrt(std::numeric_limits<R>::epsilon());
   const R rotor_speed = c.setup.rotor_speed;
   f.place_configuration(time + step / rotor_speed, work.x);
-  f.rates(static_cast<const R*>(work.x), work.ahead, azimuth + step);
+  f.rates(work.x, work.ahead, azimuth + step);
   f.place_configuration(time - step / rotor_speed, work.x);
-  f.rates(static_cast<const R*>(work.x), work.behind, azimuth - step);
+  f.rates(work.x, work.behind, azimuth - step);
   for (int k = 0; k < n; ++k) work.ahead[k] = rotor_speed * (work.ahead[k] - work.behind[k]) / (R(2) * step);
   return work.ahead;
 }

@@ -17,7 +17,7 @@ template <class R, class Policy = DefaultDifferentiation>
 struct SimulationWorkspace {
   using Seeded = typename Policy::template Scalar<R, kModelDirections>;
   ModelWorkspaces<R, Seeded> model;
-  typename Policy::template InPlaceWorkspace<R, kModelDirections, state_count, state_count> differentiation;
+  typename Policy::template Workspace<R, kModelDirections, state_count, state_count> differentiation;
   Matrix<R, state_count, state_count> jacobian;
   union Method {
     RungeKuttaWorkspace<R, vehicle_state_count> runge_kutta;
@@ -104,25 +104,43 @@ struct RightSide {
     place(*moving, time, down);
   }
 
-  template <class T>
-  void rates(const T* x, T* rates, R azimuth) const {
-    ModelWorkspace<T>& at = work.model.template of<T>();
+  template <class Input, class T>
+  TILTROTOR_NOINLINE void place_point(const Input& x, ModelWorkspace<T>& at) const {
+    const ModelPlaces<T> places(at);
     R u[control_count];
     flatten(controls, u);
-    for (int i = 0; i < state_count; ++i) at.x[i] = T(work.whole[i]);
-    for (int j = 0; j < control_count; ++j) at.u()[j] = T(u[j]);
+    for (int i = 0; i < state_count; ++i) *places.x[i] = work.whole[i];
+    for (int j = 0; j < control_count; ++j) *places.u[j] = u[j];
     for (int k = 0; k < work.active.count; ++k) {
       const int i = work.active.index[k];
-      at.x[i] = sum_of(i) < 0 ? x[k] : at.x[i] + x[k];
+      x.put(k, *places.x[i]);
+      if (sum_of(i) >= 0) *places.x[i] = work.whole[i] + *places.x[i];
     }
+  }
+  // output(k, rate) of the active state k, for each, at x[k].
+  template <class Input, class Output>
+  void evaluate(const Input& x, Output&& output, R azimuth) const {
+    using T = typename Input::T;
+    ModelWorkspace<T>& at = work.model.template of<T>();
+    place_point(x, at);
     if constexpr (kIsPlain<T>) {
       if (systems != nullptr) {
-        rates_with_systems(at, x, rates, azimuth);
+        rates_with_systems(at, x.x, output, azimuth);
         return;
       }
     }
     model_rates(c, azimuth, at);
-    for (int k = 0; k < work.active.count; ++k) rates[k] = at.x[work.active.index[k]];
+    put_active(at.rates, output);
+  }
+  template <class T, class Output>
+  TILTROTOR_NOINLINE void put_active(const State<T>& rates, Output&& output) const {
+    const T* rate[state_count];
+    list_places(rates, rate);
+    for (int k = 0; k < work.active.count; ++k) output(k, *rate[work.active.index[k]]);
+  }
+  void rates(const R* x, R* rates, R azimuth) const {
+    evaluate(
+        PlainInputs<R>{x}, [rates](int k, R rate) { rates[k] = rate; }, azimuth);
   }
 
   // State of the systems from the active ones at the end of x.
@@ -146,10 +164,9 @@ struct RightSide {
     unflatten(flat, state);
     return state;
   }
-  void rates_with_systems(ModelWorkspace<R>& at, const R* x, R* rates, R azimuth) const {
+  template <class Output>
+  void rates_with_systems(ModelWorkspace<R>& at, const R* x, Output&& output, R azimuth) const {
     const Vehicle<R>& v = systems->flight->vehicle;
-    unflatten(at.x, at.state);
-    unflatten(at.u(), at.controls);
     SystemState<R> found;
     vehicle_rates(v, c, systems->base, *systems->c, at.state, system_state(x), v.commands, at.controls,
                   VehicleAirframe<R>{*systems->c, at.state, at.derivative, azimuth}, work.demand, work.answer,
@@ -159,7 +176,7 @@ struct RightSide {
     R flat[vehicle_state_count];
     flatten(work.answer.rates, flat);
     flatten(found, flat + state_count);
-    for (int k = 0; k < work.count(); ++k) rates[k] = flat[work.place(k)];
+    for (int k = 0; k < work.count(); ++k) output(k, flat[work.place(k)]);
   }
 
   // The attitude by its turn since the beginning of the part: attitude.hpp.
@@ -173,7 +190,7 @@ struct RightSide {
     work.upright[kRoll] = begins ? steep->bank : now.roll - work.whole[kRoll];
     work.upright[kPitch] = now.pitch;
     work.upright[kYaw] = begins ? steep->heading : now.yaw - work.whole[kYaw];
-    rates(static_cast<const R*>(work.upright), xdot, azimuth);
+    rates(work.upright, xdot, azimuth);
     const Vec3<R> rate = turn_rate(turn, {x[kRates[0]], x[kRates[1]], x[kRates[2]]});
     xdot[kRoll] = rate.x;
     xdot[kPitch] = rate.y;

@@ -4,7 +4,9 @@
 // NumDiff runs it on plain numbers: central differences. Both give the value f(x) as well, by the same
 // operations, bit for bit. kJacobianIsCheap: whether a Jacobian costs a few values, or two an input.
 //
-// The function is a generic callable `f(const T* x, T* y)`; it is called with T = Policy::Scalar<R, N> or R.
+// The function is a generic callable `f(input, output)`. It takes number j of its inputs as input[j], or as input.put(j,
+// to), which builds it where it is wanted, on T = Policy::Scalar<R, N> or R, `input`'s T; and it hands over number i of
+// what it finds as output(i, y).
 #pragma once
 
 #include <cmath>
@@ -27,6 +29,31 @@ struct JacobianRequest {
   R* y;
 };
 
+// Inputs as plain numbers,
+template <class R>
+struct PlainInputs {
+  using T = R;
+  const R* x;
+  T operator[](int j) const { return x[j]; }
+  void put(int j, T& to) const { to = x[j]; }
+};
+// and as dual numbers: N of them, from `first` on, are the variables of the pass.
+template <class R, int N>
+struct SeededInputs {
+  using T = Dual<R, N>;
+  const R* x;
+  int first;
+  void put(int j, T& to) const {
+    to = x[j];
+    if (j >= first && j < first + N) to.d.set(j - first, R(1));
+  }
+  T operator[](int j) const {
+    T to;
+    put(j, to);
+    return to;
+  }
+};
+
 struct AutoDiff {
   static constexpr const char* kName = "automatic";
   static constexpr bool kJacobianIsCheap = true;  // it costs a few values
@@ -34,39 +61,23 @@ struct AutoDiff {
   template <class R, int N>
   using Scalar = Dual<R, N>;
 
-  // N: directions of one pass. Inputs and outputs of the function are kept here, not on the stack.
+  // N: directions of one pass.
   template <class R, int N, int MaxInputs, int MaxOutputs>
-  struct Workspace {
-    Dual<R, N> x[MaxInputs];
-    Dual<R, N> y[MaxOutputs];
-    Dual<R, N>* outputs() { return y; }
-  };
-  // For a function that has read all of x before it writes y: both in one place.
-  template <class R, int N, int MaxInputs, int MaxOutputs>
-  struct InPlaceWorkspace {
-    Dual<R, N> x[MaxInputs > MaxOutputs ? MaxInputs : MaxOutputs];  // NOLINT(bugprone-branch-clone)
-    Dual<R, N>* outputs() { return x; }
-  };
+  struct Workspace {};
 
   // y = f(x) and put(i, j, count, slopes): dy_i/dx_j and the next ones of its row, until every entry was put.
   // Cost: ceil(n / N) evaluations of f on N partials.
-  template <class R, int N, int MaxInputs, int MaxOutputs, template <class, int, int, int> class Work,
-            class Function, class Put>
-  static void jacobian(Function&& f, const JacobianRequest<R>& at, Work<R, N, MaxInputs, MaxOutputs>& work,
+  template <class R, int N, int MaxInputs, int MaxOutputs, class Function, class Put>
+  static void jacobian(Function&& f, const JacobianRequest<R>& at, Workspace<R, N, MaxInputs, MaxOutputs>&,
                        Put&& put) {
-    const int n = at.inputs, m = at.outputs;
-    Dual<R, N>* const y = work.outputs();
     R slope[N];
-    for (int first = 0; first < n; first += N) {
-      const int last = first + N < n ? first + N : n;
-      for (int j = 0; j < n; ++j) work.x[j] = Dual<R, N>(at.x[j]);
-      for (int j = first; j < last; ++j) work.x[j].d.set(j - first, R(1));
-      f(static_cast<const Dual<R, N>*>(work.x), y);
-      for (int i = 0; i < m; ++i) {
-        at.y[i] = y[i].v;
-        y[i].d.copy_to(slope);
-        put(i, first, last - first, static_cast<const R*>(slope));
-      }
+    for (int first = 0; first < at.inputs; first += N) {
+      const int count = first + N < at.inputs ? N : at.inputs - first;
+      f(SeededInputs<R, N>{at.x, first}, [&](int i, const Dual<R, N>& y) {
+        at.y[i] = y.v;
+        y.d.copy_to(slope);
+        put(i, first, count, static_cast<const R*>(slope));
+      });
     }
   }
 };
@@ -84,9 +95,6 @@ struct NumDiff {
     R below[MaxOutputs];
     R above[MaxOutputs];
   };
-  template <class R, int N, int MaxInputs, int MaxOutputs>
-  using InPlaceWorkspace = Workspace<R, N, MaxInputs, MaxOutputs>;
-
   // Central differences. Step of input j: cbrt(eps) scale[j], which balances the truncation error (h^2)
   // against rounding (eps / h) for a function that bends over a distance scale[j]; it is then rounded so that
   // x + h and x - h are machine numbers and their distance is exact. Cost: 2 n + 1 evaluations of f.
@@ -96,15 +104,16 @@ struct NumDiff {
     const int n = at.inputs, m = at.outputs;
     const R* const x = at.x;
     const R step = std::cbrt(std::numeric_limits<R>::epsilon());
-    f(x, at.y);
+    const auto found_in = [](R* y) { return [y](int i, R found) { y[i] = found; }; };
+    f(PlainInputs<R>{x}, found_in(at.y));
     for (int j = 0; j < n; ++j) work.x[j] = x[j];
     for (int j = 0; j < n; ++j) {
       const R above = x[j] + step * at.scale[j];
       const R below = x[j] - step * at.scale[j];
       work.x[j] = above;
-      f(static_cast<const R*>(work.x), work.above);
+      f(PlainInputs<R>{work.x}, found_in(work.above));
       work.x[j] = below;
-      f(static_cast<const R*>(work.x), work.below);
+      f(PlainInputs<R>{work.x}, found_in(work.below));
       work.x[j] = x[j];
       const R inverse = R(1) / (above - below);
       for (int i = 0; i < m; ++i) {
@@ -118,14 +127,14 @@ struct NumDiff {
 // For a simulation by explicit methods alone, without code and memory for a Jacobian: rodas3 is then a bad argument.
 struct NoDifferentiation : NumDiff {
   template <class R, int N, int MaxInputs, int MaxOutputs>
-  struct InPlaceWorkspace {};
+  struct Workspace {};
 };
 
 // The caller has the Jacobian of the states that are alive, and what inputs that ramp add to the rates in a second: for
 // the exponential step.
 struct KnownJacobian : NumDiff {
   template <class R, int N, int MaxInputs, int MaxOutputs>
-  struct InPlaceWorkspace {
+  struct Workspace {
     R ramp[MaxOutputs];
   };
 };
@@ -160,40 +169,43 @@ constexpr R control_scale(int index) {
   return static_cast<R>(kControlVariables[index].facts().bend);
 }
 
-// State, control and rate of one evaluation of the model on scalar T, the flat arrays to fill them from (x in
-// the order of State::each), and what leads from one to the other. What is not needed at the same time lies
-// in one place where the scalar allows it: x and u are read before the evaluation, and x is written after it; controls
-// are read before the rates are written.
+// One evaluation of the model on scalar T: state and controls, what leads from them to the rates, and the rates. Controls
+// are read before the rates are written: they lie in one place where the scalar allows it.
 template <class T, bool = std::is_trivially_default_constructible_v<T>&& std::is_trivially_destructible_v<T>>
 struct ModelWorkspace {
-  struct Flat {
-    T x[state_count];
-    T u[control_count];
-  };
-  union {
-    T x[state_count];
-    Flat flat;
-    DerivativeSteps<T> derivative;
-  };
+  DerivativeSteps<T> derivative;
   union {
     Controls<T> controls;
     State<T> rates;
   };
   State<T> state;
-
-  T (&u())[control_count] { return flat.u; }
 };
 template <class T>
 struct ModelWorkspace<T, false> {
-  T x[state_count];
-  T given[control_count];
   DerivativeSteps<T> derivative;
   Controls<T> controls;
   State<T> rates;
   State<T> state;
-
-  T (&u())[control_count] { return given; }
 };
+
+// Where the numbers of an evaluation stand, in the order of files and arrays. These lists need no place on the stack while
+// the model runs: functions of their own use them.
+template <class T>
+struct ModelPlaces {
+  T* x[state_count];
+  T* u[control_count];
+  explicit ModelPlaces(ModelWorkspace<T>& at) {
+    list_places(at.state, x);
+    list_places(at.controls, u);
+  }
+};
+// output(i, rate) of the state i, for each.
+template <class T, class Output>
+TILTROTOR_NOINLINE void put_rates(const State<T>& rates, Output&& output) {
+  const T* rate[state_count];
+  list_places(rates, rate);
+  for (int i = 0; i < state_count; ++i) output(i, *rate[i]);
+}
 
 // Which directions are the rotors' own states, where one pass takes all inputs on kModelDirections partials, input j being
 // variable number j. `state_of(j)`: the state that it is, -1 for none.
@@ -214,15 +226,12 @@ class OwnStates {
   RotorDirections own_;
 };
 
-// x, u -> xdot, all in `work`: work.x becomes xdot, work.u() is lost. `own`: which directions are the rotors' own states, if
+// State and controls -> rates, all in `work`; the controls are lost. `own`: which directions are the rotors' own states, if
 // that is known.
 template <class T>
 void model_rates(const Configuration<Real<T>>& c, Real<T> azimuth, ModelWorkspace<T>& work,
                  const RotorDirections* own = nullptr) {
-  unflatten(work.x, work.state);
-  unflatten(work.u(), work.controls);
   derivative(c, work.state, work.controls, work.derivative, work.rates, azimuth, own);
-  flatten(work.rates, work.x);
 }
 
 // For plain numbers and for the scalar S of a policy, which may be the same.

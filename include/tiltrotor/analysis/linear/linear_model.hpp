@@ -84,7 +84,7 @@ struct LinearizationWorkspace {
   static constexpr int kInputs = kMaxLinearStates + kMaxLinearControls;
   using Seeded = typename Policy::template Scalar<R, kModelDirections>;
   static constexpr int kOutputs = state_count + 2;  // rates, and the rotors' torques of vehicle_model.hpp
-  typename Policy::template InPlaceWorkspace<R, kModelDirections, kInputs, kOutputs> differentiation;
+  typename Policy::template Workspace<R, kModelDirections, kInputs, kOutputs> differentiation;
   ModelWorkspace<Seeded> evaluation;
   R base_x[state_count];
   R base_u[control_count];
@@ -155,13 +155,23 @@ Status set_point(const Configuration<R>& c, const State<R>& x, const Controls<R>
 }
 
 // State and controls of one evaluation, in `work.evaluation`: of the point, but for the inputs.
-template <class T, class R, class Policy>
-void place_point(const T* input, const LinearPoint<R>& point, LinearizationWorkspace<R, Policy>& work) {
-  ModelWorkspace<T>& at = work.evaluation;
-  for (int i = 0; i < state_count; ++i) at.x[i] = T(work.base_x[i]);
-  for (int j = 0; j < control_count; ++j) at.u()[j] = T(work.base_u[j]);
-  for (int i = 0; i < point.states; ++i) at.x[point.state[i]] = input[i];
-  for (int j = 0; j < point.controls; ++j) at.u()[point.control[j]] = input[point.states + j];
+template <class Input, class R, class Policy>
+TILTROTOR_NOINLINE void place_point(const Input& input, const LinearPoint<R>& point,
+                                    LinearizationWorkspace<R, Policy>& work) {
+  const ModelPlaces<typename Input::T> at(work.evaluation);
+  int number[state_count + control_count];  // of the input that a state or control is
+  for (int& j : number) j = -1;
+  for (int i = 0; i < point.states; ++i) number[point.state[i]] = i;
+  for (int j = 0; j < point.controls; ++j) number[state_count + point.control[j]] = point.states + j;
+  const auto place = [&input](int j, R base, typename Input::T& to) {
+    if (j >= 0) {
+      input.put(j, to);
+    } else {
+      to = base;
+    }
+  };
+  for (int i = 0; i < state_count; ++i) place(number[i], work.base_x[i], *at.x[i]);
+  for (int j = 0; j < control_count; ++j) place(number[state_count + j], work.base_u[j], *at.u[j]);
 }
 
 template <class R>
@@ -185,10 +195,10 @@ Status linearize(const Configuration<R>& c, const State<R>& x, const Controls<R>
   const int n = model.states;
   const int m = model.controls;
   const OwnStates own = own_states(model);
-  const auto rates_of = [&](const auto* input, auto* rates) {
+  const auto rates_of = [&](const auto& input, auto&& output) {
     place_point(input, model, work);
     model_rates(c, azimuth, work.evaluation, own.get());
-    for (int i = 0; i < state_count; ++i) rates[i] = work.evaluation.x[i];
+    put_rates(work.evaluation.rates, output);
   };
   int row[state_count];
   for (int& i : row) i = -1;

@@ -28,14 +28,20 @@ struct DirectionalWorkspace {
 
 namespace output_model_detail {
 
-// x and u of `at` -> xdot in at.rates, and the readings.
+// State and controls of `at` -> at.rates, and the readings.
 template <class T>
 TILTROTOR_NOINLINE void rates_and_readings(const Configuration<Real<T>>& c, Real<T> azimuth,
                                            ModelWorkspace<T>& at, Instruments<T>& readings) {
-  unflatten(at.x, at.state);
-  unflatten(at.u(), at.controls);
   derivative(c, at.state, at.controls, at.derivative, at.rates, azimuth);
   read_instruments(c, at.state, at.derivative, at.rates, readings);
+}
+
+// output(first + i, reading i), for each.
+template <class T, class Output>
+void put_readings(const Instruments<T>& readings, int first, Output&& output) {
+  const T* reading[Instruments<T>::kCount];
+  list_places(readings, reading);
+  for (int i = 0; i < Instruments<T>::kCount; ++i) output(first + i, *reading[i]);
 }
 
 // How far along the direction until the model bends.
@@ -62,10 +68,10 @@ Status linearize_outputs(const Configuration<R>& c, const State<R>& x, const Con
   const Status possible = set_point(c, x, u, columns, work.linear, point);
   if (possible != Status::ok) return possible;
   const int n = point.states;
-  const auto readings_of = [&](const auto* input, auto* y) {
+  const auto readings_of = [&](const auto& input, auto&& output) {
     place_point(input, point, work.linear);
     output_model_detail::rates_and_readings(c, azimuth, work.linear.evaluation, work.readings);
-    flatten(work.readings, y);
+    output_model_detail::put_readings(work.readings, 0, output);
   };
   R y[outputs];
   Policy::jacobian(readings_of, {n + point.controls, outputs, work.linear.input, work.linear.scale, y},
@@ -89,14 +95,15 @@ Status directional(const Configuration<R>& c, const State<R>& x, const Controls<
   if (c.aircraft == nullptr) return Status::bad_argument;
   flatten(x, work.base_x);
   flatten(u, work.base_u);
-  const auto along_direction = [&](const auto* way, auto* found) {
-    using T = std::remove_reference_t<decltype(*found)>;
-    ModelWorkspace<T>& at = work.evaluation;
-    for (int i = 0; i < state_count; ++i) at.x[i] = work.base_x[i] + dx[i] * way[0];
-    for (int j = 0; j < control_count; ++j) at.u()[j] = work.base_u[j] + du[j] * way[0];
-    output_model_detail::rates_and_readings(c, azimuth, at, work.readings);
-    flatten(at.rates, found);
-    flatten(work.readings, found + state_count);
+  const auto along_direction = [&](const auto& input, auto&& output) {
+    using T = typename std::remove_reference_t<decltype(input)>::T;
+    const ModelPlaces<T> at(work.evaluation);
+    const T way = input[0];
+    for (int i = 0; i < state_count; ++i) *at.x[i] = work.base_x[i] + dx[i] * way;
+    for (int j = 0; j < control_count; ++j) *at.u[j] = work.base_u[j] + du[j] * way;
+    output_model_detail::rates_and_readings(c, azimuth, work.evaluation, work.readings);
+    put_rates(work.evaluation.rates, output);
+    output_model_detail::put_readings(work.readings, state_count, output);
   };
   const R here = R(0);
   const R scale = output_model_detail::direction_scale(dx, du);

@@ -173,15 +173,13 @@ Status linearize_vehicle(const Vehicle<R>& v, Configuration<R>& c, const State<R
     if (i >= shape.states || shape.state[i] != point.state[i]) return Status::bad_argument;
   d::list_columns(v, shape, point, about);
   const OwnStates own = own_states(point);
-  const auto answer_of = [&](const auto* input, auto* found) {
+  const auto answer_of = [&](const auto& input, auto&& output) {
     place_point(input, point, airframe);
     auto& at = airframe.evaluation;
-    unflatten(at.x, at.state);
-    unflatten(at.u(), at.controls);
     derivative(c, at.state, at.controls, KnownRotors<R>{moves ? &work.rotors : nullptr, own.get()}, azimuth,
                at.derivative, at.rates);
-    flatten(at.rates, found);
-    for (const Side side : {right, left}) found[d::kTorqueRow[side]] = at.derivative.rotor[side].loads.torque;
+    put_rates(at.rates, output);
+    for (const Side side : {right, left}) output(d::kTorqueRow[side], at.derivative.rotor[side].loads.torque);
   };
   const int directions = point.states + point.controls;
   Policy::jacobian(answer_of, {directions, d::kRows, airframe.input, airframe.scale, about.output},

@@ -162,62 +162,66 @@ void set_collective(TrimEquations<R>& equations, R collective) {
   row.scale = R(1);
 }
 
-// Velocity, rates and gust of the steady flight at the attitude in work.x.
+// Velocity, rates and gust of the steady flight at the attitude of `x`.
 template <class T>
-TILTROTOR_NOINLINE void set_steady_motion(const SteadyFlight<Real<T>>& flight, ModelWorkspace<T>& work) {
-  const Vec3<T> velocity = steady_velocity(flight, work.x[kStateIndex.roll], work.x[kStateIndex.pitch]);
+TILTROTOR_NOINLINE void set_steady_motion(const SteadyFlight<Real<T>>& flight, State<T>& x, Controls<T>& u) {
   const Vec3<Real<T>>& gust = flight.gust;
-  const Vec3<T> rates = steady_rates(flight, work.x[kStateIndex.roll], work.x[kStateIndex.pitch]);
-  work.x[kStateIndex.velocity.x] = velocity.x + gust.x;
-  work.x[kStateIndex.velocity.y] = velocity.y + gust.y;
-  work.x[kStateIndex.velocity.z] = velocity.z + gust.z;
-  work.x[kStateIndex.rates.x] = rates.x;
-  work.x[kStateIndex.rates.y] = rates.y;
-  work.x[kStateIndex.rates.z] = rates.z;
-  work.u()[kControlIndex.gust.x] = T(gust.x);
-  work.u()[kControlIndex.gust.y] = T(gust.y);
-  work.u()[kControlIndex.gust.z] = T(gust.z);
+  const Vec3<T> velocity = steady_velocity(flight, x.roll, x.pitch);
+  x.velocity = {velocity.x + gust.x, velocity.y + gust.y, velocity.z + gust.z};
+  x.rates = steady_rates(flight, x.roll, x.pitch);
+  u.gust = {T(gust.x), T(gust.y), T(gust.z)};
 }
 
-// A force of `part` of the weight, upwards, added to the rates in work.x (m/s^2). Roll and pitch in rad.
+// A force of `part` of the weight, upwards, added to the rates (m/s^2). Roll and pitch in rad.
 template <class T>
-TILTROTOR_NOINLINE void relieve_weight(const T& roll, const T& pitch, const T& part,
-                                       ModelWorkspace<T>& work) {
+TILTROTOR_NOINLINE void relieve_weight(const T& roll, const T& pitch, const T& part, State<T>& rates) {
   const T relief = part * kGravity<Real<T>>;
   const T level = relief * cos(pitch);
-  work.x[kStateIndex.velocity.x] += relief * sin(pitch);
-  work.x[kStateIndex.velocity.y] -= level * sin(roll);
-  work.x[kStateIndex.velocity.z] -= level * cos(roll);
+  rates.velocity.x += relief * sin(pitch);
+  rates.velocity.y -= level * sin(roll);
+  rates.velocity.z -= level * cos(roll);
 }
 
-// Residuals of the unknowns z, on plain numbers, or on duals of which z[j] is variable number j. Inputs that are no
-// unknowns are 0, but for a given collective.
-template <class T>
-void trim_residuals(const Configuration<Real<T>>& c, const SteadyFlight<Real<T>>& flight,
-                    const TrimEquations<Real<T>>& equations, ModelWorkspace<T>& work, const T* z,
-                    T* residual) {
-  using R = Real<T>;
-  for (T& x : work.x) x = T(R(0));
-  for (T& u : work.u()) u = T(R(0));
-  work.u()[kControlIndex.collective] = T(equations.collective);
-  T carried(equations.carried);
+// State and controls of the unknowns z; those that are none are 0, but for a given collective.
+template <class T, class Input>
+TILTROTOR_NOINLINE void place_unknowns(const TrimEquations<Real<T>>& equations, const Input& z,
+                                       ModelWorkspace<T>& work, T& carried) {
+  const ModelPlaces<T> at(work);
+  for (T* x : at.x) *x = Real<T>(0);
+  for (T* u : at.u) *u = Real<T>(0);
+  *at.u[kControlIndex.collective] = equations.collective;
+  carried = equations.carried;
   for (int j = 0; j < equations.count; ++j) {
-    const TrimEquation<R>& row = equations.row[j];
-    if (row.state >= 0) {
-      work.x[row.state] = z[j];
-    } else if (row.control >= 0) {
-      work.u()[row.control] = z[j];
-    } else {
-      carried = z[j];
-    }
+    const TrimEquation<Real<T>>& row = equations.row[j];
+    z.put(j, row.state >= 0 ? *at.x[row.state] : row.control >= 0 ? *at.u[row.control] : carried);
   }
-  set_steady_motion(flight, work);
+}
+
+template <class T, class Output>
+TILTROTOR_NOINLINE void put_residuals(const TrimEquations<Real<T>>& equations, const State<T>& rates,
+                                      Output&& residual) {
+  const T* rate[state_count];
+  list_places(rates, rate);
+  for (int j = 0; j < equations.count; ++j) {
+    const TrimEquation<Real<T>>& row = equations.row[j];
+    residual(j, *rate[row.rate] * row.rate_scale);
+  }
+}
+
+// Residuals of the unknowns z, on plain numbers, or on duals of which z[j] is variable number j: residual(j, number).
+template <class T, class Input, class Output>
+void trim_residuals(const Configuration<Real<T>>& c, const SteadyFlight<Real<T>>& flight,
+                    const TrimEquations<Real<T>>& equations, ModelWorkspace<T>& work, const Input& z,
+                    Output&& residual) {
+  using R = Real<T>;
+  T carried;
+  place_unknowns(equations, z, work, carried);
+  set_steady_motion(flight, work.state, work.controls);
   const OwnStates own(equations.count, [&equations](int j) { return equations.row[j].state; });
   model_rates(c, R(0), work, own.get());
-  if (equations.relieved) relieve_weight(z[kRollRow], z[kPitchRow], R(1) - carried, work);
-  for (int j = 0; j < equations.count; ++j) {
-    residual[j] = work.x[equations.row[j].rate] * equations.row[j].rate_scale;
-  }
+  if (equations.relieved)
+    out_of_line([&] { relieve_weight<T>(z[kRollRow], z[kPitchRow], R(1) - carried, work.rates); });
+  put_residuals(equations, work.rates, residual);
 }
 
 // Pitch of the blade at the reference radius above the inflow angle, rad; `cm`: cosine of the mast angle.

@@ -11,8 +11,7 @@ template <class R, class Policy = DefaultDifferentiation>
 struct TrimWorkspace : NewtonWorkspace<R, kMaxTrimUnknowns> {
   static constexpr int kDirections = kModelDirections;  // one width of dual numbers for trim and linear model
   using Seeded = typename Policy::template Scalar<R, kDirections>;
-  typename Policy::template InPlaceWorkspace<R, kDirections, kMaxTrimUnknowns, kMaxTrimUnknowns>
-      differentiation;
+  typename Policy::template Workspace<R, kDirections, kMaxTrimUnknowns, kMaxTrimUnknowns> differentiation;
   ModelWorkspaces<R, Seeded> model;
   TrimEquations<R> equations;
   R first_z[kMaxTrimUnknowns];  // where the cold start ended
@@ -55,17 +54,20 @@ struct TrimProblem {
   TrimWorkspace<R, Policy>& work;
   bool symmetric = false;  // where the Jacobian is
 
-  template <class T>
-  void values(const T* z, T* residual) {
-    trim_residuals(c, flight, work.equations, work.model.template of<T>(), z, residual);
+  void values(const R* z, R* residual) {
+    trim_residuals(c, flight, work.equations, work.model.template of<R>(), PlainInputs<R>{z},
+                   [residual](int j, R found) { residual[j] = found; });
   }
   void jacobian(const R* z, R* residual, Matrix<R, kMaxTrimUnknowns, kMaxTrimUnknowns>& slopes) {
     const int n = work.equations.count;
     R scale[kMaxTrimUnknowns];
     for (int j = 0; j < n; ++j) scale[j] = work.equations.row[j].scale;
+    const auto residuals = [this](const auto& at, auto&& output) {
+      using T = typename std::remove_reference_t<decltype(at)>::T;
+      trim_residuals(c, flight, work.equations, work.model.template of<T>(), at, output);
+    };
     Policy::jacobian(
-        [this](const auto* at, auto* f) { this->values(at, f); }, {n, n, z, scale, residual},
-        work.differentiation,
+        residuals, {n, n, z, scale, residual}, work.differentiation,
         [&slopes](int i, int j, int count, const R* slope) { copy_row(slope, count, slopes.row(i) + j); });
     symmetric = is_symmetric(work.equations, z, residual);
   }

@@ -192,8 +192,8 @@ inline Status schur(const Matrix<R, N, N>& a, int n, EigenvalueWorkspace<R, N>& 
 // first, all outputs NaN; or an eigenvalue exceeds the range of numbers); not_converged (the eigenvalues not
 // found are NaN); bad_argument (n outside 1..N). Cost: about 8 n^3 multiplications, at most 30 n QR sweeps.
 template <class R, int N>
-inline Status eigenvalues(const Matrix<R, N, N>& a, int n, EigenvalueWorkspace<R, N>& work,
-                          Eigenvalues<R, N>& values) {
+Status eigenvalues(const Matrix<R, N, N>& a, int n, EigenvalueWorkspace<R, N>& work,
+                   Eigenvalues<R, N>& values) {
   return eigen_detail::schur<false, R, N>(a, n, work, work.schur, values);
 }
 
@@ -201,8 +201,7 @@ inline Status eigenvalues(const Matrix<R, N, N>& a, int n, EigenvalueWorkspace<R
 // Also not_finite: vectors that exceed the range of numbers, of entries that differ by more than it.
 // Cost: about 25 n^3 multiplications.
 template <class R, int N>
-inline Status eigensystem(const Matrix<R, N, N>& a, int n, EigenWorkspace<R, N>& work,
-                          Eigensystem<R, N>& system) {
+Status eigensystem(const Matrix<R, N, N>& a, int n, EigenWorkspace<R, N>& work, Eigensystem<R, N>& system) {
   const Status status = eigen_detail::schur<true, R, N>(a, n, work, work.basis, system.values);
   if (status != Status::ok) {
     eigen_detail::set_nan(system);

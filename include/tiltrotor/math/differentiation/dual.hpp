@@ -23,6 +23,11 @@ struct Dual {
   Dual() = default;
   Dual(R x) : v(x), d(Partials<R, N>::zero()) {}  // NOLINT(google-explicit-constructor): a constant
   Dual(R x, const Partials<R, N>& dx) : v(x), d(dx) {}
+  Dual& operator=(R x) {
+    v = x;
+    d = Partials<R, N>::zero();
+    return *this;
+  }
   template <class Group>
   Dual(R x, const PartialsRule<R, N, Group>& dx) : v(x), d(dx) {}
 
