@@ -49,8 +49,8 @@ extern "C" {
 
 /* Less is enough on a microcontroller. */
 #if defined(__ARM_ARCH_PROFILE) && __ARM_ARCH_PROFILE == 'M'
-#define TR_DOUBLE_WORK_SIZE 98112
-#define TR_SINGLE_WORK_SIZE 51200
+#define TR_DOUBLE_WORK_SIZE 86528
+#define TR_SINGLE_WORK_SIZE 44800
 #else
 #define TR_DOUBLE_WORK_SIZE 245760
 #define TR_SINGLE_WORK_SIZE 135168

@@ -69,6 +69,7 @@ static int measure_flight(text_sink write, instruction_counter count, int states
   const size_t room = sizeof a / sizeof a[0];
   const extremes none = {0xffffffffu, 0};
   extremes derivative = none, step = none, jacobian = none, eigenvalues = none, frame = none;
+  extremes exponential_frame = none, slow_frame = none;
   tr_real rates[TR_STATES];
   tr_linear_shape shape;
   tr_state state;
@@ -77,7 +78,7 @@ static int measure_flight(text_sink write, instruction_counter count, int states
   for (k = 0; k < states; ++k) {
     const int place = (int)((int64_t)k * 4 / states);
     const tr_real mast = (tr_real)masts[place];
-    uint32_t t[6];
+    uint32_t t[8];
     if (k == 0 || place != (int)((int64_t)(k - 1) * 4 / states)) failures += init(mast) != TR_OK;
     random_state(mast, &state);
     failures += tr_set_state(&sim, &state) != TR_OK;
@@ -96,6 +97,17 @@ static int measure_flight(text_sink write, instruction_counter count, int states
     failures +=
         tr_eigenvalues(&work, a, (size_t)shape.states, eigenvalue_real, eigenvalue_imag, room) != TR_OK;
     t[5] = count();
+    failures += tr_linearize_and_step_exponential(&sim, &work, (tr_real)0.005, NULL, TR_INCEPTORS, &shape, a,
+                                                  room, b, sizeof b / sizeof b[0]) != TR_OK;
+    t[6] = count();
+    failures +=
+        tr_eigenvalues(&work, a, (size_t)shape.states, eigenvalue_real, eigenvalue_imag, room) != TR_OK;
+    t[7] = count();
+    add(&exponential_frame, t[7] - t[5]);
+    failures += tr_rigid_model(&work, &shape, a, room, NULL, 0, &shape, a, room, NULL, 0) != TR_OK;
+    failures +=
+        tr_eigenvalues(&work, a, (size_t)shape.states, eigenvalue_real, eigenvalue_imag, room) != TR_OK;
+    add(&slow_frame, t[6] - t[5] + (count() - t[7]));
     add(&derivative, t[1] - t[0]);
     add(&step, t[2] - t[1]);
     add(&jacobian, t[3] - t[2]);
@@ -108,6 +120,8 @@ static int measure_flight(text_sink write, instruction_counter count, int states
   write_extremes(write, "jacobian_min", "jacobian_max", &jacobian);
   write_extremes(write, "eigenvalues_min", "eigenvalues_max", &eigenvalues);
   write_extremes(write, "frame_min", "frame_max", &frame);
+  write_extremes(write, "exponential_frame_min", "exponential_frame_max", &exponential_frame);
+  write_extremes(write, "slow_frame_min", "slow_frame_max", &slow_frame);
   if (failures > 0) write_count(write, "failed calls", (uint64_t)failures);
   return failures > 0;
 }

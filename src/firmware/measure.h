@@ -8,7 +8,8 @@
 typedef uint32_t (*instruction_counter)(void);
 
 /* Prints name_min and name_max of derivative, step, jacobian, eigenvalues and frame (step, A, B and
- * eigenvalues) over `states` random states, and of one Newton step of a trim over the speeds of the corridor.
+ * eigenvalues) over `states` random states, of frames by the exponential step, with all eigenvalues and with
+ * those of the rigid body, and of one Newton step of a trim over the speeds of the corridor.
  */
 int measure(text_sink write, instruction_counter count, int states);
 

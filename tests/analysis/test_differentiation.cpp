@@ -25,10 +25,7 @@ void cubic(const Input& x, Output&& output, int n, int m) {
     output(i, y);
   }
 }
-void cubic(const double* x, double* y, int n, int m) {
-  cubic(
-      x, [y](int i, double found) { y[i] = found; }, n, m);
-}
+void cubic(const double* x, double* y, int n, int m) { cubic(x, PlainOutputs<double>{y}, n, m); }
 double cubic_slope(const double* x, int n, int i, int j) {
   const double neighbours = n == 1 ? 2 * x[0] : n == 2 ? 2 * x[1 - j] : x[(j + 1) % n] + x[(j + n - 1) % n];
   return 3.0 * (i + 1) * (j + 2) * x[j] * x[j] + neighbours;

@@ -134,9 +134,9 @@ struct GivenJacobian {
   template <class R, int N, int MaxInputs, int MaxOutputs>
   struct Workspace {};
   template <class R, int N, int MaxInputs, int MaxOutputs, class Function, class Put>
-  static void jacobian(Function&& f, const JacobianRequest<R>& at,
-                       Workspace<R, N, MaxInputs, MaxOutputs>&, Put&& put) {
-    f(PlainInputs<R>{at.x}, [&at](int i, R y) { at.y[i] = y; });
+  static void jacobian(Function&& f, const JacobianRequest<R>& at, Workspace<R, N, MaxInputs, MaxOutputs>&,
+                       Put&& put) {
+    f(PlainInputs<R>{at.x}, PlainOutputs<R>{at.y});
     for (int i = 0; i < at.outputs; ++i)
       for (int j = 0; j < at.inputs; ++j) {
         const R entry = i == j ? slope : j == i + 1 ? 1 : 0;

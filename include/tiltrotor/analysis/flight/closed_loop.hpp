@@ -163,9 +163,10 @@ struct RightSide<R, ClosedLoop> : RightSide<R, NumDiff> {
     return feed_back<R>(*work.law, work.reference, this->c, state, &vehicle, hands, azimuth, work.search,
                         work.acting);
   }
-  void rates(const R* x, R* found, R azimuth) const {
-    if (act(x, azimuth) != Status::ok) work.acting.collective = std::numeric_limits<R>::quiet_NaN();
-    Open::rates(x, found, azimuth);
+  template <class Output>
+  void evaluate(const PlainInputs<R>& x, Output&& output, R azimuth) const {
+    if (act(x.x, azimuth) != Status::ok) work.acting.collective = std::numeric_limits<R>::quiet_NaN();
+    Open::evaluate(x, output, azimuth);
   }
   Status operator()(R time, const R* x, R* xdot) const {
     this->place_configuration(time, x);

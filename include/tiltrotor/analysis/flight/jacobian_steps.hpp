@@ -33,9 +33,9 @@ const R* time_slope(const RightSide<R, Policy>& f, R time) {
   const R step = std::cbrt(std::numeric_limits<R>::epsilon());
   const R rotor_speed = c.setup.rotor_speed;
   f.place_configuration(time + step / rotor_speed, work.x);
-  f.rates(work.x, work.ahead, azimuth + step);
+  f.evaluate(PlainInputs<R>{work.x}, PlainOutputs<R>{work.ahead}, azimuth + step);
   f.place_configuration(time - step / rotor_speed, work.x);
-  f.rates(work.x, work.behind, azimuth - step);
+  f.evaluate(PlainInputs<R>{work.x}, PlainOutputs<R>{work.behind}, azimuth - step);
   for (int k = 0; k < n; ++k) work.ahead[k] = rotor_speed * (work.ahead[k] - work.behind[k]) / (R(2) * step);
   return work.ahead;
 }

@@ -138,10 +138,6 @@ struct RightSide {
     list_places(rates, rate);
     for (int k = 0; k < work.active.count; ++k) output(k, *rate[work.active.index[k]]);
   }
-  void rates(const R* x, R* rates, R azimuth) const {
-    evaluate(
-        PlainInputs<R>{x}, [rates](int k, R rate) { rates[k] = rate; }, azimuth);
-  }
 
   // State of the systems from the active ones at the end of x.
   SystemState<R> system_state(const R* x) const {
@@ -190,7 +186,7 @@ struct RightSide {
     work.upright[kRoll] = begins ? steep->bank : now.roll - work.whole[kRoll];
     work.upright[kPitch] = now.pitch;
     work.upright[kYaw] = begins ? steep->heading : now.yaw - work.whole[kYaw];
-    rates(work.upright, xdot, azimuth);
+    evaluate(PlainInputs<R>{work.upright}, PlainOutputs<R>{xdot}, azimuth);
     const Vec3<R> rate = turn_rate(turn, {x[kRates[0]], x[kRates[1]], x[kRates[2]]});
     xdot[kRoll] = rate.x;
     xdot[kPitch] = rate.y;
@@ -200,7 +196,7 @@ struct RightSide {
   Status operator()(R time, const R* x, R* xdot) const {
     place_configuration(time, x);
     if (steep == nullptr) {
-      rates(x, xdot, azimuth(time));
+      evaluate(PlainInputs<R>{x}, PlainOutputs<R>{xdot}, azimuth(time));
     } else {
       steep_rates(x, xdot, azimuth(time));
     }

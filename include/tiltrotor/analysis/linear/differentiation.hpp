@@ -37,7 +37,13 @@ struct PlainInputs {
   T operator[](int j) const { return x[j]; }
   void put(int j, T& to) const { to = x[j]; }
 };
-// and as dual numbers: N of them, from `first` on, are the variables of the pass.
+// outputs to y,
+template <class R>
+struct PlainOutputs {
+  R* y;
+  void operator()(int i, R found) const { y[i] = found; }
+};
+// and inputs as dual numbers: N of them, from `first` on, are the variables of the pass.
 template <class R, int N>
 struct SeededInputs {
   using T = Dual<R, N>;
@@ -70,13 +76,11 @@ struct AutoDiff {
   template <class R, int N, int MaxInputs, int MaxOutputs, class Function, class Put>
   static void jacobian(Function&& f, const JacobianRequest<R>& at, Workspace<R, N, MaxInputs, MaxOutputs>&,
                        Put&& put) {
-    R slope[N];
     for (int first = 0; first < at.inputs; first += N) {
       const int count = first + N < at.inputs ? N : at.inputs - first;
       f(SeededInputs<R, N>{at.x, first}, [&](int i, const Dual<R, N>& y) {
         at.y[i] = y.v;
-        y.d.copy_to(slope);
-        put(i, first, count, static_cast<const R*>(slope));
+        put(i, first, count, y.d.row());
       });
     }
   }
@@ -104,16 +108,15 @@ struct NumDiff {
     const int n = at.inputs, m = at.outputs;
     const R* const x = at.x;
     const R step = std::cbrt(std::numeric_limits<R>::epsilon());
-    const auto found_in = [](R* y) { return [y](int i, R found) { y[i] = found; }; };
-    f(PlainInputs<R>{x}, found_in(at.y));
+    f(PlainInputs<R>{x}, PlainOutputs<R>{at.y});
     for (int j = 0; j < n; ++j) work.x[j] = x[j];
     for (int j = 0; j < n; ++j) {
       const R above = x[j] + step * at.scale[j];
       const R below = x[j] - step * at.scale[j];
       work.x[j] = above;
-      f(PlainInputs<R>{work.x}, found_in(work.above));
+      f(PlainInputs<R>{work.x}, PlainOutputs<R>{work.above});
       work.x[j] = below;
-      f(PlainInputs<R>{work.x}, found_in(work.below));
+      f(PlainInputs<R>{work.x}, PlainOutputs<R>{work.below});
       work.x[j] = x[j];
       const R inverse = R(1) / (above - below);
       for (int i = 0; i < m; ++i) {

@@ -56,7 +56,7 @@ struct TrimProblem {
 
   void values(const R* z, R* residual) {
     trim_residuals(c, flight, work.equations, work.model.template of<R>(), PlainInputs<R>{z},
-                   [residual](int j, R found) { residual[j] = found; });
+                   PlainOutputs<R>{residual});
   }
   void jacobian(const R* z, R* residual, Matrix<R, kMaxTrimUnknowns, kMaxTrimUnknowns>& slopes) {
     const int n = work.equations.count;
