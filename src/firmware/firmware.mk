@@ -4,8 +4,8 @@ FIRMWARE_PREFIX ?= arm-none-eabi-
 FIRMWARE_FRAMES ?= 600
 MEASURED_STATES ?= 1000
 FIRMWARE_ROM    ?= 512K
-FIRMWARE_RAM    ?= 128K
-FIRMWARE_STACK  ?= 17K
+FIRMWARE_RAM    ?= 115K
+FIRMWARE_STACK  ?= 16K
 C_FLAGS := -std=c99 $(if $(TARGET),-Os,-O2) $(CPPFLAGS) $(CFLAGS) $(ARCH_FLAGS) -ffp-contract=off -Wall -Wextra -Wpedantic $(if $(WERROR),-Werror) \
            $(DEFINED:%=-D%) -Iinclude -Isrc
 FIRMWARE_HEADERS := $(wildcard src/firmware/*.h include/tiltrotor/*.h)
@@ -38,7 +38,7 @@ $(BUILD)/vehicle.elf: $(addprefix $(BUILD)/firmware/,vehicle_image.o vehicle_fli
 $(BUILD)/measure.elf: $(addprefix $(BUILD)/firmware/,measure_image.o measure.o vehicle_flight.o)
 # A and B of the vehicle take 18 KB. The image that measures calls everything, steps by the exponential as well.
 $(BUILD)/measure.elf: FIRMWARE_ROM := 576K
-$(BUILD)/vehicle.elf $(BUILD)/measure.elf: FIRMWARE_RAM := 160K
+$(BUILD)/vehicle.elf $(BUILD)/measure.elf: FIRMWARE_RAM := 130K
 $(IMAGES): $(BOARD_OBJECTS) $(BUILD)/libtiltrotor.a src/firmware/board.ld
 	$(link)
 	$(Q)$(CC) $(ARCH_FLAGS) -nostartfiles -T src/firmware/board.ld -Wl,--gc-sections -Wl,-Map=$@.map \

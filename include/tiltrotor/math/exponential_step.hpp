@@ -40,18 +40,14 @@ struct ExponentialWorkspace {
 
 namespace exponential_detail {
 
-// y = J x or |J| x, x[kPadded]. As many rows at a time as registers hold, two columns at a time; there is an even number
-// of them, as of lanes.
+// y = J x or |J| x, x[kPadded]. Two columns at a time; there is an even number of them, as of lanes.
 template <bool kSizes, class R, int N>
 void product(const Matrix<R, N, N>& columns, int n, const R* x, R* y) {
   const auto entry = [&columns](int i, int j) { return kSizes ? std::fabs(columns(j, i)) : columns(j, i); };
-  for (int first = 0; first < N; first += kLane<R>) {
-    R sum[kLane<R>] = {};
-    for (int j = 0; first < n && j < n; j += 2)
-      for (int l = 0; l < kLane<R>; ++l)
-        sum[l] += entry(first + l, j) * x[j] + entry(first + l, j + 1) * x[j + 1];
-    for (int l = 0; l < kLane<R>; ++l) y[first + l] = sum[l];
-  }
+  R sum[N] = {};
+  for (int j = 0; j < n; j += 2)
+    for (int i = 0; i < N; ++i) sum[i] += entry(i, j) * x[j] + entry(i, j + 1) * x[j + 1];
+  for (int i = 0; i < N; ++i) y[i] = sum[i];
 }
 
 // z / h. w[kPadded] begins as the sizes of the states, zero beyond n.
