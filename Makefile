@@ -160,7 +160,7 @@ GENERATED  := $(if $(TABLEGEN_SOURCE),$(BUILD)/generated/aircraft_tables.inc $(B
               $(BUILD)/generated/identity.inc $(BUILD)/generated/mission.inc
 # Everything of the program but main(): tests look into it.
 PROGRAM_PARTS := $(filter-out %/main.o,$(PROGRAM_OBJECTS))
-LIBRARIES  := $(BUILD)/libtiltrotor.a $(BUILD)/libtiltrotor-nd.a# the second one for `make install`
+LIBRARIES  := $(BUILD)/libtiltrotor.a $(BUILD)/libtiltrotor-nd.a
 # The upper half of TR_API_VERSION.
 INTERFACE  := $(shell sed -n 's/^.define TR_API_VERSION 0x0*\([0-9]*\)0008u/\1/p' include/tiltrotor/tiltrotor.h)
 SHARED     := $(if $(TARGET),,$(BUILD)/libtiltrotor.so.$(INTERFACE))
@@ -173,7 +173,7 @@ BENCHMARKS := $(BENCH_SOURCE:bench/%.cpp=$(BUILD)/bench_%)
 .DELETE_ON_ERROR:
 Q := $(if $(V),,@)
 
-all: $(if $(TARGET),,$(ANALYSES)) $(firstword $(LIBRARIES)) $(SHARED) $(PROGRAMS) ## build the library, static and shared, and both programs (the default)
+all: $(if $(TARGET),,$(ANALYSES)) $(BUILD)/libtiltrotor.a $(SHARED) $(PROGRAMS) ## build the library, static and shared, and both programs (the default)
 
 run: all ## run the whole study; figures and numbers go to build/report
 	$(Q)$(RUNNER) $(BUILD)/tiltrotor report --output '$(abspath $(BUILD))/report'

@@ -36,7 +36,7 @@ IMAGES := $(BUILD)/flight.elf $(BUILD)/vehicle.elf $(BUILD)/measure.elf
 $(BUILD)/flight.elf: $(addprefix $(BUILD)/firmware/,flight_image.o reference_flight.o)
 $(BUILD)/vehicle.elf: $(addprefix $(BUILD)/firmware/,vehicle_image.o vehicle_flight.o)
 $(BUILD)/measure.elf: $(addprefix $(BUILD)/firmware/,measure_image.o measure.o vehicle_flight.o)
-# A and B of the vehicle take 18 KB. The image that measures calls everything, steps by the exponential as well.
+# A and B of the vehicle take 15 KB. The image that measures calls everything, steps by the exponential as well.
 $(BUILD)/measure.elf: FIRMWARE_ROM := 576K
 $(BUILD)/vehicle.elf $(BUILD)/measure.elf: FIRMWARE_RAM := 130K
 $(IMAGES): $(BOARD_OBJECTS) $(BUILD)/libtiltrotor.a src/firmware/board.ld

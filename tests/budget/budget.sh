@@ -63,7 +63,7 @@ awk -F, -v values="$values" -v output="$output" -v graphs=$# '
         printf "%-26s %10s of %10s %-12s %s\n", $1, value[$1], $2, $3, verdict
     }
     END {
-        split("derivative step jacobian eigenvalues frame trim_iteration", names, " ")
+        split("derivative step jacobian eigenvalues frame exponential_frame slow_frame trim_iteration", names, " ")
         for (i = 1; i in names; ++i) print names[i] "_min," value[names[i] "_min"] ",,instructions" >output
         exit bad
     }' "$here/limits.csv"

@@ -50,6 +50,7 @@ void check_operations() {
     CHECK(a.get(j) == plain_a[j]);
     CHECK(sum.get(j) == plain_a[j] + plain_b[j]);
     CHECK(row[j] == sum.get(j));
+    CHECK(sum.row()[j] == sum.get(j));
     CHECK(difference.get(j) == plain_a[j] - plain_b[j]);
     CHECK(scale.get(j) == s * plain_a[j]);
     const R left = s * plain_a[j];

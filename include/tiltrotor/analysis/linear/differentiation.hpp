@@ -6,7 +6,7 @@
 //
 // The function is a generic callable `f(input, output)`. It takes number j of its inputs as input[j], or as input.put(j,
 // to), which builds it where it is wanted, on T = Policy::Scalar<R, N> or R, `input`'s T; and it hands over number i of
-// what it finds as output(i, y).
+// what it finds as output(i, y), each once.
 #pragma once
 
 #include <cmath>
@@ -20,7 +20,7 @@
 namespace tiltrotor {
 
 // What is differentiated where: y[outputs] = f(x[inputs]) is written, `scale` says over which distance f bends in
-// each input; numerical differences need it.
+// each input; numerical differences need it. x is read anew in every pass: y lies elsewhere.
 template <class R>
 struct JacobianRequest {
   int inputs, outputs;
@@ -71,7 +71,8 @@ struct AutoDiff {
   template <class R, int N, int MaxInputs, int MaxOutputs>
   struct Workspace {};
 
-  // y = f(x) and put(i, j, count, slopes): dy_i/dx_j and the next ones of its row, until every entry was put.
+  // y = f(x) and put(i, j, count, slopes): dy_i/dx_j and the next ones of its row, until every entry was put. `slopes`
+  // hold during that call alone; it changes nothing that f reads.
   // Cost: ceil(n / N) evaluations of f on N partials.
   template <class R, int N, int MaxInputs, int MaxOutputs, class Function, class Put>
   static void jacobian(Function&& f, const JacobianRequest<R>& at, Workspace<R, N, MaxInputs, MaxOutputs>&,

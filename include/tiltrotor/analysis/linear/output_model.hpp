@@ -38,10 +38,19 @@ TILTROTOR_NOINLINE void rates_and_readings(const Configuration<Real<T>>& c, Real
 
 // output(first + i, reading i), for each.
 template <class T, class Output>
-void put_readings(const Instruments<T>& readings, int first, Output&& output) {
+TILTROTOR_NOINLINE void put_readings(const Instruments<T>& readings, int first, Output&& output) {
   const T* reading[Instruments<T>::kCount];
   list_places(readings, reading);
   for (int i = 0; i < Instruments<T>::kCount; ++i) output(first + i, *reading[i]);
+}
+
+// State and controls of one evaluation, input 0 times the direction beside the point.
+template <class Input, class R, class Work>
+TILTROTOR_NOINLINE void place_along(const Input& input, const R* dx, const R* du, Work& work) {
+  const ModelPlaces<typename Input::T> at(work.evaluation);
+  const typename Input::T way = input[0];
+  for (int i = 0; i < state_count; ++i) *at.x[i] = work.base_x[i] + dx[i] * way;
+  for (int j = 0; j < control_count; ++j) *at.u[j] = work.base_u[j] + du[j] * way;
 }
 
 // How far along the direction until the model bends.
@@ -96,11 +105,7 @@ Status directional(const Configuration<R>& c, const State<R>& x, const Controls<
   flatten(x, work.base_x);
   flatten(u, work.base_u);
   const auto along_direction = [&](const auto& input, auto&& output) {
-    using T = typename std::remove_reference_t<decltype(input)>::T;
-    const ModelPlaces<T> at(work.evaluation);
-    const T way = input[0];
-    for (int i = 0; i < state_count; ++i) *at.x[i] = work.base_x[i] + dx[i] * way;
-    for (int j = 0; j < control_count; ++j) *at.u[j] = work.base_u[j] + du[j] * way;
+    output_model_detail::place_along(input, dx, du, work);
     output_model_detail::rates_and_readings(c, azimuth, work.evaluation, work.readings);
     put_rates(work.evaluation.rates, output);
     output_model_detail::put_readings(work.readings, state_count, output);

@@ -145,8 +145,12 @@ struct Partials {
     }
   }
 
-  // All of them in a row, where they are (a vector of the compiler may be read as what it is made of),
-  const R* row() const { return reinterpret_cast<const R*>(group); }
+  // All of them in a row, where they are: vectors of a compiler, or plain arrays, stand without gaps and may be read as what
+  // they are made of;
+  const R* row() const {
+    static_assert(sizeof group == kPadded * sizeof(R));
+    return reinterpret_cast<const R*>(group);
+  }
   // or copied: one by one, each would cost the search for its group.
   void copy_to(R (&to)[N]) const { std::memcpy(to, group, sizeof to); }
   // The first `count`; the others are zero.
