@@ -104,6 +104,7 @@ struct RightSide {
     place(*moving, time, down);
   }
 
+  // State and controls of an evaluation at the active states x; a sum (sum_of()) is what the step adds to it.
   template <class Input, class T>
   TILTROTOR_NOINLINE void place_point(const Input& x, ModelWorkspace<T>& at) const {
     const ModelPlaces<T> places(at);
@@ -132,6 +133,7 @@ struct RightSide {
     model_rates(c, azimuth, at);
     put_active(at.rates, output);
   }
+  // Of the airframe alone.
   template <class T, class Output>
   TILTROTOR_NOINLINE void put_active(const State<T>& rates, Output&& output) const {
     const T* rate[state_count];

@@ -100,6 +100,7 @@ struct NumDiff {
     R below[MaxOutputs];
     R above[MaxOutputs];
   };
+
   // Central differences. Step of input j: cbrt(eps) scale[j], which balances the truncation error (h^2)
   // against rounding (eps / h) for a function that bends over a distance scale[j]; it is then rounded so that
   // x + h and x - h are machine numbers and their distance is exact. Cost: 2 n + 1 evaluations of f.

@@ -197,6 +197,7 @@ TILTROTOR_NOINLINE void place_unknowns(const TrimEquations<Real<T>>& equations, 
   }
 }
 
+// residual(j, number): the rate of equation j, scaled.
 template <class T, class Output>
 TILTROTOR_NOINLINE void put_residuals(const TrimEquations<Real<T>>& equations, const State<T>& rates,
                                       Output&& residual) {
